@@ -193,8 +193,9 @@ static void shapes(void **state)
     assert_error("shape box 1 2 3 color 1 1 2\n", "1: shape: '2' does not lie in 0..1");
     assert_error("frustumcull cone\n", "1: 'cone' is unknown here: frustumcull off|box|ball");
     static const char usage[] =
-        " box HX HY HZ, shape sphere R SLICES ROWS, shape cylinder R H SLICES, shape cone R H "
-        "SLICES, shape torus R TUBE SLICES RINGS or shape grid HX HZ COLUMNS ROWS, [color r g b]";
+        " box HX HY HZ [color r g b], shape sphere R SLICES ROWS [color r g b], shape cylinder R H "
+        "SLICES [color r g b], shape cone R H SLICES [color r g b], shape torus R TUBE SLICES RINGS "
+        "[color r g b] or shape grid HX HZ COLUMNS ROWS [color r g b]";
     char message[400];
     (void)snprintf(message, sizeof message, "1: wrong number of values (6) for shape%s", usage);
     assert_error("shape box 1 2 3 4 5\n", message);

@@ -116,7 +116,7 @@ static void messages(void **state)
         const char *text, *message;
     } cases[] = {
         {"rect 1 2 3\n", "s.scene:1: wrong number of values (3) for rect"},
-        {"area 1 2 3 4 5 6 7\n", "s.scene:1: area: every point"},
+        {"area 1 2 3 4 5 6 7\n", "s.scene:1: wrong number of values (7) for area (x y) x3 to x8"},
         {"area 1 2 3 4\n", "s.scene:1: wrong number"},
         {"area 1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9\n", "s.scene:1: wrong number"},
         {"ink 1 2 3\n", "s.scene:1: ink: '2' does not lie in 0..1"},

@@ -32,46 +32,39 @@ void scene_brush_free(struct scene_brush *brush)
     free(brush->files);
 }
 
+void scene_brush_defaults(struct scene_brush *brush)
+{
+    struct scene_paint *paint = &brush->paint;
+    paint->color[0] = paint->color[1] = paint->color[2] = paint->alpha = SCENE_ONE;
+}
+
 /* ---- Brush ---- */
 
-bool scene_statement_ink(struct scene_parser *parser)
+bool scene_statement_ink(struct scene_parser *parser, const int32_t *value)
 {
-    int32_t color[4] = {0, 0, 0, SCENE_ONE};
-    if (!scene_fractions(parser, 0, parser->argument_count, color)) {
-        return false;
-    }
-    memcpy(parser->brush.paint.color, color, sizeof parser->brush.paint.color);
-    parser->brush.paint.alpha = color[3];
-    parser->brush.is_set = true;
+    memcpy(parser->brush.paint.color, value, sizeof parser->brush.paint.color);
+    parser->brush.paint.alpha = parser->argument_count == 4 ? value[3] : SCENE_ONE;
     return true;
 }
 
-bool scene_statement_edges(struct scene_parser *parser)
+bool scene_statement_edges(struct scene_parser *parser, const int32_t *value)
 {
-    static const char *const words[] = {"hard", "smooth"};
-    int choice;
-    if (!scene_choice(parser, 0, words, 2, &choice)) {
-        return false;
-    }
-    parser->brush.paint.is_smooth = choice == 1;
+    parser->brush.paint.is_smooth = value[0] == 1;
     return true;
 }
 
-bool scene_statement_imagekey(struct scene_parser *parser)
+bool scene_statement_imagekey_off(struct scene_parser *parser, const int32_t *value)
+{
+    (void)value;
+    parser->brush.paint.has_key = 0;
+    return true;
+}
+
+bool scene_statement_imagekey(struct scene_parser *parser, const int32_t *value)
 {
     struct scene_paint *paint = &parser->brush.paint;
-    if (parser->argument_count == 1) {
-        static const char *const words[] = {"off"};
-        int choice;
-        paint->has_key = 0;
-        return scene_choice(parser, 0, words, 1, &choice);
-    }
     for (int i = 0; i < 3; i++) {
-        int byte;
-        if (!scene_integer(parser, i, 0, 255, &byte)) {
-            return false;
-        }
-        paint->key[i] = (uint8_t)byte;
+        paint->key[i] = (uint8_t)value[i];
     }
     paint->has_key = 1;
     return true;
@@ -122,7 +115,7 @@ static bool read_image(struct scene_parser *parser, const char *path, uint16_t *
 static bool find_file(struct scene_parser *parser, bool is_font, uint16_t *index)
 {
     struct scene_brush *brush = &parser->brush;
-    char *path = scene_path(parser, 0);
+    char *path = scene_path(parser, 0, NULL);
     if (path == NULL) {
         return false;
     }
@@ -142,8 +135,7 @@ static bool find_file(struct scene_parser *parser, bool is_font, uint16_t *index
     if (!ok) {
         scene_fail(parser, "too many files");
     }
-    ok = ok && scene_inspect(parser, path, NULL) &&
-         (is_font ? read_font(parser, path, index) : read_image(parser, path, index));
+    ok = ok && (is_font ? read_font(parser, path, index) : read_image(parser, path, index));
     if (!ok) {
         free(path);
         return false;
@@ -153,77 +145,36 @@ static bool find_file(struct scene_parser *parser, bool is_font, uint16_t *index
     return true;
 }
 
-bool scene_statement_font(struct scene_parser *parser)
+bool scene_statement_font(struct scene_parser *parser, const int32_t *value)
 {
+    (void)value;
     parser->brush.has_font = find_file(parser, true, &parser->brush.paint.font);
     return parser->brush.has_font;
 }
 
-/* ---- Shapes ---- */
+/* ---- What is painted ---- */
 
-static bool add_paint(struct scene_parser *parser, const struct scene_paint *paint)
+/* The brush's paint, and `count` numbers. */
+static bool add_paint(struct scene_parser *parser, enum scene_paint_kind kind,
+                      const int32_t *number, int count)
 {
     struct scene_op *op = scene_add_op(parser, SCENE_PAINT);
     if (op == NULL) {
         return false;
     }
-    op->u.paint = *paint;
+    op->u.paint = parser->brush.paint;
+    op->u.paint.kind = kind;
+    op->u.paint.count = count;
+    memcpy(op->u.paint.number, number, (size_t)count * sizeof *number);
     return true;
 }
 
-/* The brush, and numbers from argument `first` on. */
-static bool begin(struct scene_parser *parser, enum scene_paint_kind kind, int first, int count,
-                  struct scene_paint *paint)
+/* A shape, whose kind is `into`. */
+bool scene_statement_paint(struct scene_parser *parser, const int32_t *value)
 {
-    *paint = parser->brush.paint;
-    if (!parser->brush.is_set) {
-        paint->color[0] = paint->color[1] = paint->color[2] = paint->alpha = SCENE_ONE;
-    }
-    paint->kind = kind;
-    paint->count = count;
-    return scene_numbers(parser, first, count, paint->number);
+    return add_paint(parser, (enum scene_paint_kind)parser->statement->into, value,
+                     parser->argument_count);
 }
-
-static bool shape(struct scene_parser *parser, enum scene_paint_kind kind)
-{
-    struct scene_paint paint;
-    return begin(parser, kind, 0, parser->argument_count, &paint) && add_paint(parser, &paint);
-}
-
-bool scene_statement_rect(struct scene_parser *parser)
-{
-    return shape(parser, SCENE_PAINT_RECT);
-}
-
-bool scene_statement_roundrect(struct scene_parser *parser)
-{
-    return shape(parser, SCENE_PAINT_ROUNDRECT);
-}
-
-bool scene_statement_circle(struct scene_parser *parser)
-{
-    return shape(parser, SCENE_PAINT_CIRCLE);
-}
-
-bool scene_statement_arc(struct scene_parser *parser)
-{
-    return shape(parser, SCENE_PAINT_ARC);
-}
-
-bool scene_statement_stroke(struct scene_parser *parser)
-{
-    return shape(parser, SCENE_PAINT_STROKE);
-}
-
-bool scene_statement_area(struct scene_parser *parser)
-{
-    if (parser->argument_count % 2 != 0) {
-        return scene_fail(parser, "every point needs x and y");
-    }
-    return shape(parser, SCENE_PAINT_AREA);
-}
-
-/* ---- Text and pictures ---- */
 
 /* Words from argument 2 on, with one blank between. */
 static char *join_words(const struct scene_parser *parser)
@@ -249,10 +200,9 @@ static char *join_words(const struct scene_parser *parser)
     return text;
 }
 
-bool scene_statement_text(struct scene_parser *parser)
+bool scene_statement_text(struct scene_parser *parser, const int32_t *value)
 {
     struct scene_paints *paints = &parser->scene->paints;
-    struct scene_paint paint;
     if (!parser->brush.has_font) {
         return scene_fail(parser, "needs a font before it: font FILE.bdf");
     }
@@ -260,9 +210,6 @@ bool scene_statement_text(struct scene_parser *parser)
         if (token_is_binary(&parser->arguments[i])) {
             return scene_fail_argument(parser, i, "is not text");
         }
-    }
-    if (!begin(parser, SCENE_PAINT_TEXT, 0, 2, &paint)) {
-        return false;
     }
     char **grown =
         array_grow(paints->texts, paints->text_count, &parser->brush.text_capacity, sizeof *grown);
@@ -273,19 +220,16 @@ bool scene_statement_text(struct scene_parser *parser)
     if (text == NULL) {
         return scene_fail(parser, "out of memory");
     }
-    paint.text = (uint32_t)paints->text_count;
+    parser->brush.paint.text = (uint32_t)paints->text_count;
     paints->texts[paints->text_count++] = text;
-    return add_paint(parser, &paint);
+    return add_paint(parser, SCENE_PAINT_TEXT, value, 2);
 }
 
-bool scene_statement_image(struct scene_parser *parser)
+bool scene_statement_image(struct scene_parser *parser, const int32_t *value)
 {
-    struct scene_paint paint;
-    if (!begin(parser, SCENE_PAINT_IMAGE, 1, parser->argument_count - 1, &paint)) {
-        return false;
-    }
-    if (paint.count == 4 && paint.number[3] <= 0) {
+    if (parser->argument_count == 5 && value[4] <= 0) {
         return scene_fail(parser, "the scale must be greater than 0");
     }
-    return find_file(parser, false, &paint.image) && add_paint(parser, &paint);
+    return find_file(parser, false, &parser->brush.paint.image) &&
+           add_paint(parser, SCENE_PAINT_IMAGE, value + 1, parser->argument_count - 1);
 }

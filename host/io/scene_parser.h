@@ -1,18 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Inside the scene reader. scene_read.c reads the text and finds the statement in its table; the
- * statements themselves are in
+ * Inside the scene reader. A statement is a row of the table in scene_statements.c: its name, what
+ * its values are, and the function that takes them. The functions are in
  *
- *   scene_ops.c      matrices and geometry, kept in order
- *   scene_model.c    shapes, morphs, and what a model is culled by
- *   scene_pose.c     keys, joints, cameras, billboards, windows
- *   scene_state.c    global state
- *   scene_assets.c   the texture; mesh files
- *   scene_alpha.c    alpha of the texture, and its test
- *   scene_light.c    lights, the material
- *   scene_blend.c    blends, fog, channels, shifts of depth
- *   scene_paint.c    flat shapes, text, pictures
- *   scene_stroke.c   lines and points
+ *   scene_state.c     global state: depth, texels, lights, blends, fog
+ *   scene_geometry.c  matrices, meshes, triangles, lines: operations, kept in order
+ *   scene_paint.c     flat shapes, text, pictures
+ *   scene_texture.c   the texture, its alpha and its levels
+ *
+ * and scene_read.c reads the text and the files that a scene names.
  */
 #ifndef QTRI_HOST_IO_SCENE_PARSER_H
 #define QTRI_HOST_IO_SCENE_PARSER_H
@@ -29,8 +25,6 @@
 #define SCENE_ONE           65536 /* 1.0 */
 #define SCENE_MAX_ARGUMENTS 36    /* tritn */
 #define SCENE_MAX_TEXTURE   1024  /* texels along a side */
-
-#define SCENE_ANY (-1)
 
 struct scene_statement;
 
@@ -58,7 +52,7 @@ struct scene_alpha_request {
 /* What shapes, text and pictures are painted with from here on, and the files read so far. */
 struct scene_brush {
     struct scene_paint paint;
-    bool is_set, has_font; /* `ink`, `font` were there */
+    bool has_font;
     struct scene_paint_file {
         char *path;
         bool is_font;
@@ -85,12 +79,14 @@ struct scene_parser {
     int argument_count;
     bool any_statement;
     size_t op_capacity;
-    int mode;     /* 0 projection, 1 modelview */
+    int32_t mode; /* 0 projection, 1 modelview */
     int depth[2]; /* matrices pushed on each stack */
     size_t mesh_capacity, model_capacity;
     struct scene_mesh_file *mesh_files; /* beside scene->meshes */
     size_t mesh_file_capacity;
-    struct scene_stroke line_state, point_state; /* of the next line and point */
+    struct scene_stroke stroke; /* of the next line; of the next point but for: */
+    int32_t point_size;
+    bool point_in_space;
     struct scene_op *polyline; /* the last statement was about this one: vertices join it */
     size_t stroke_vertex_capacity;
     size_t key_capacity;
@@ -104,24 +100,29 @@ struct scene_parser {
     struct scene_texture_request texture;
     struct scene_alpha_request texalpha;
     int alphatest_line, texkey_line; /* of the last of each that is not off, or 0 */
-    int texformat_line; /* of the last `texformat`, in case its palette does not suffice */
-    const struct scene_statement *texformat_statement;
+    int texformat_line;              /* of the last, in case its palette does not suffice */
     struct scene_brush brush;
 };
 
-/* Takes the statement's arguments, whose number is right; false with the error set. */
-typedef bool scene_handler(struct scene_parser *parser);
+/*
+ * Takes a statement's values: numbers and fractions in Q16.16, whole numbers, of a word its rank
+ * among those of the usage text, 0 for a token that the handler reads itself. Values that were left
+ * out are 0; argument_count says which. False with the error set.
+ */
+typedef bool scene_handler(struct scene_parser *parser, const int32_t *value);
 
 struct scene_statement {
     const char *name;
-    int counts[2]; /* permitted numbers of arguments; behind the first, SCENE_ANY: as the handler
-                      says; -n: up to n */
+    const char *usage;  /* an argument a word, optional ones in brackets, choices as one|two */
+    const char *values; /* a letter a value: see scene_statements.c */
     scene_handler *handler;
-    enum scene_op_kind kind; /* for scene_statement_numbers */
-    const char *usage;       /* for messages */
+    size_t into; /* where a value is stored, or what is added: as the handler says */
 };
 
-/* ---- Helpers for handlers (scene_parser.c) ---- */
+/* Reads the statement that an argument list begins, whose keyword is not part of it. */
+bool scene_parse_statement(struct scene_parser *parser, const struct token *keyword);
+
+/* ---- Errors and arguments (scene_statements.c) ---- */
 
 /* Sets the error, "FILE:LINE: STATEMENT: sentence", and returns false. */
 bool scene_fail(struct scene_parser *parser, const char *sentence);
@@ -132,105 +133,63 @@ bool scene_fail_count(struct scene_parser *parser);
 /* "FILE:LINE: STATEMENT: 'ARGUMENT' problem". */
 bool scene_fail_argument(struct scene_parser *parser, int argument, const char *problem);
 
-/* Reads `count` numbers beginning with argument `first`. */
-bool scene_numbers(struct scene_parser *parser, int first, int count, int32_t *numbers);
+/* For lists of any length: values of one kind from argument `first` on. */
+bool scene_read_values(struct scene_parser *parser, int first, int count, char letter,
+                       int32_t *value);
 
-/* Reads `count` numbers in 0..1: colours, depths, intensities. */
-bool scene_fractions(struct scene_parser *parser, int first, int count, int32_t *numbers);
+bool scene_integer(struct scene_parser *parser, int argument, int minimum, int maximum,
+                   int32_t *value);
 
-bool scene_integer(struct scene_parser *parser, int argument, int minimum, int maximum, int *value);
+/* Whether an argument is this word; otherwise the error that it is unknown. */
+bool scene_word(struct scene_parser *parser, int argument, const char *word);
 
-/* The rank of an argument in words[0..count-1]. */
-bool scene_choice(struct scene_parser *parser, int argument, const char *const *words, int count,
-                  int *choice);
+/* ---- Handlers ---- */
+
+/* Store into scene + into, or parser + into. */
+scene_handler scene_store, scene_store_flags, scene_store_in_parser;
+
+/* scene_state.c */
+scene_handler scene_statement_viewport, scene_statement_depth, scene_statement_depthmask,
+    scene_statement_depthbias, scene_statement_shade, scene_statement_texwrap,
+    scene_statement_texfilter, scene_statement_texformat, scene_statement_texkey,
+    scene_statement_texkey_off, scene_statement_alphatest, scene_statement_alphatest_off,
+    scene_statement_polygon, scene_statement_blend, scene_statement_vertexalpha,
+    scene_statement_fog, scene_statement_one_light, scene_statement_light, scene_statement_ambient,
+    scene_statement_material, scene_statement_linesmooth, scene_statement_pointsize;
+
+/* scene_geometry.c */
+scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_push,
+    scene_statement_pop, scene_statement_triangle, scene_statement_mesh, scene_statement_shape,
+    scene_statement_morph, scene_statement_frames, scene_statement_targets, scene_statement_key,
+    scene_statement_keys, scene_statement_joint, scene_statement_atjoint, scene_statement_camera,
+    scene_statement_billboard, scene_statement_window, scene_statement_line,
+    scene_statement_polyline, scene_statement_vertex, scene_statement_point;
+
+/* scene_texture.c */
+scene_handler scene_statement_texture_off, scene_statement_texture_file,
+    scene_statement_texture_checkers, scene_statement_texalpha_off, scene_statement_texalpha_file,
+    scene_statement_texalpha_checkers;
+
+/* scene_paint.c */
+scene_handler scene_statement_ink, scene_statement_edges, scene_statement_font,
+    scene_statement_imagekey, scene_statement_imagekey_off, scene_statement_paint,
+    scene_statement_text, scene_statement_image;
+
+/* White. */
+void scene_brush_defaults(struct scene_brush *brush);
+void scene_brush_free(struct scene_brush *brush);
 
 /* Appends an operation of the given kind; NULL with the error set when memory runs out. */
 struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind kind);
 
-/* ---- Handlers ---- */
-
-/* scene_ops.c */
-scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_push,
-    scene_statement_pop, scene_statement_triangle, scene_statement_mesh;
-
-/* scene_model.c */
-scene_handler scene_statement_shape, scene_statement_morph, scene_statement_frames,
-    scene_statement_targets, scene_statement_frustumcull;
-
-/* scene_pose.c */
-scene_handler scene_statement_key, scene_statement_keys, scene_statement_joint,
-    scene_statement_atjoint, scene_statement_camera, scene_statement_billboard,
-    scene_statement_window;
-
-/* scene_state.c; texture: scene_assets.c */
-scene_handler scene_statement_viewport, scene_statement_clear, scene_statement_cleardepth,
-    scene_statement_depth, scene_statement_depthformat, scene_statement_depthmask,
-    scene_statement_depthrange, scene_statement_cull, scene_statement_shade,
-    scene_statement_texmode, scene_statement_texwrap, scene_statement_texfilter,
-    scene_statement_texformat, scene_statement_texkey, scene_statement_interpolate,
-    scene_statement_polygon, scene_statement_texture, scene_statement_antialias;
-
-/* scene_light.c */
-scene_handler scene_statement_light, scene_statement_ambient, scene_statement_material,
-    scene_statement_twosided, scene_statement_texgen;
-
-/* scene_paint.c */
-scene_handler scene_statement_ink, scene_statement_edges, scene_statement_font,
-    scene_statement_imagekey, scene_statement_rect, scene_statement_roundrect,
-    scene_statement_circle, scene_statement_arc, scene_statement_area, scene_statement_stroke,
-    scene_statement_text, scene_statement_image;
-
-void scene_brush_free(struct scene_brush *brush);
-
-/* scene_blend.c */
-scene_handler scene_statement_blend, scene_statement_fog, scene_statement_fogdensity,
-    scene_statement_colormask, scene_statement_depthbias, scene_statement_depthslope,
-    scene_statement_vertexalpha;
-
-/* scene_stroke.c */
-scene_handler scene_statement_linewidth, scene_statement_linesmooth, scene_statement_linecap,
-    scene_statement_linealpha, scene_statement_line, scene_statement_polyline,
-    scene_statement_vertex, scene_statement_pointsize, scene_statement_point;
-
-/* Lines are a pixel wide, smooth, round, opaque; points are 4 pixels. */
-void scene_stroke_defaults(struct scene_parser *parser);
-
-/* ---- Shared by the files of statements (scene_ops.c) ---- */
-
-bool scene_is_zero(const int32_t v[3]);
-
-/* Numbers `count` triangles; *id is the first one's. */
-bool scene_take_ids(struct scene_parser *parser, size_t count, uint32_t *id);
-
-/* Position and colour, and texture coordinates where `textured`, from argument `first` on. */
-bool scene_read_vertex(struct scene_parser *parser, int first, bool textured, bool normal,
-                       struct scene_vertex *vertex);
-
-/* ---- The alpha of textures (scene_alpha.c) ---- */
-
-scene_handler scene_statement_texalpha, scene_statement_alphatest;
-
-/* Fills scene->texture.alpha, after its colours, and checks what goes with what. */
-bool scene_make_alpha(struct scene_parser *parser);
-
-/* ---- Files that a scene names (scene_path.c) ---- */
-
-/* The path that an argument names, seen from the scene file's folder; free() it. NULL with the
-   error. */
-char *scene_path(struct scene_parser *parser, int argument);
-
-/* Whether it is an ordinary file; `identity` may be NULL. False with the error. */
-bool scene_inspect(struct scene_parser *parser, const char *path, struct file_identity *identity);
-
-/* ---- Assets (scene_assets.c) ---- */
-
-/* The index in scene->meshes of the file that an argument names, in this scale (NULL: as it is);
-   reads a file the first time, and anew in another scale. */
-bool scene_find_mesh(struct scene_parser *parser, int argument, const struct obj_scale *scale,
-                     size_t *mesh);
-
-/* Fills scene->texture with what the last `texture` statement asks for; checks the last
- * `texformat`. */
+/* Fills scene->texture with what the last `texture` and `texalpha` ask for, and checks what goes
+   with what. */
 bool scene_make_texture(struct scene_parser *parser);
+
+/* ---- Files that a scene names (scene_read.c) ---- */
+
+/* The path that an argument names, seen from the scene file's folder, of an ordinary file that the
+   scene may read; free() it. NULL with the error. `identity` may be NULL. */
+char *scene_path(struct scene_parser *parser, int argument, struct file_identity *identity);
 
 #endif

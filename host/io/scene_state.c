@@ -1,218 +1,252 @@
 /* SPDX-License-Identifier: MIT */
+/* Statements of global state whose values are more than stored: the last of each counts. */
 #include "scene_parser.h"
 
-#define WORD_COUNT(words) ((int)(sizeof(words) / sizeof(words)[0]))
+#include <string.h>
 
-bool scene_statement_viewport(struct scene_parser *parser)
+/* Words and numbers are stored into enumerations as they are read. */
+typedef char an_enumeration_has_the_size_of_a_value[sizeof(enum scene_cull) == 4 ? 1 : -1];
+
+/* The value of an argument that may be left out. */
+static int32_t value_or(const struct scene_parser *parser, const int32_t *value, int argument,
+                        int32_t otherwise)
+{
+    return parser->argument_count > argument ? value[argument] : otherwise;
+}
+
+bool scene_statement_viewport(struct scene_parser *parser, const int32_t *value)
 {
     if (parser->any_statement) { /* a second viewport is not the first statement either */
         return scene_fail(parser, "must be the first statement");
     }
-    return scene_integer(parser, 0, 1, SCENE_MAX_SIZE, &parser->scene->width) &&
-           scene_integer(parser, 1, 1, SCENE_MAX_SIZE, &parser->scene->height);
+    parser->scene->width = value[0];
+    parser->scene->height = value[1];
+    return true;
 }
 
-bool scene_statement_clear(struct scene_parser *parser)
-{
-    return scene_fractions(parser, 0, 3, parser->scene->clear);
-}
+/* ---- Depth ---- */
 
-bool scene_statement_cleardepth(struct scene_parser *parser)
+bool scene_statement_depth(struct scene_parser *parser, const int32_t *value)
 {
-    return scene_fractions(parser, 0, 1, &parser->scene->clear_depth);
-}
-
-bool scene_statement_depth(struct scene_parser *parser)
-{
-    static const char *const words[] = {
-        [SCENE_LESS] = "less",         [SCENE_LEQUAL] = "lequal", [SCENE_GREATER] = "greater",
-        [SCENE_GEQUAL] = "gequal",     [SCENE_ALWAYS] = "always", [SCENE_EQUAL] = "equal",
-        [SCENE_NOTEQUAL] = "notequal", [SCENE_NEVER] = "never",   [SCENE_NEVER + 1] = "off",
-    };
-    int choice;
-    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
-        return false;
-    }
-    parser->scene->depth_test = choice <= SCENE_NEVER;
-    if (parser->scene->depth_test) {
-        parser->scene->depth_compare = (enum scene_compare)choice;
+    parser->scene->depth_test = value[0] > 0; /* `off` is the first word */
+    if (value[0] > 0) {
+        parser->scene->depth_compare = (enum scene_compare)(value[0] - 1);
     }
     return true;
 }
 
-bool scene_statement_depthformat(struct scene_parser *parser)
+bool scene_statement_depthmask(struct scene_parser *parser, const int32_t *value)
 {
-    static const char *const words[] = {[SCENE_LINEAR16] = "linear16",
-                                        [SCENE_FLOAT16] = "float16",
-                                        [SCENE_LINEAR24] = "linear24",
-                                        [SCENE_LINEAR32] = "linear32"};
-    int choice;
-    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
-        return false;
-    }
-    parser->scene->depth_format = (enum scene_depth_format)choice;
+    parser->scene->depth_write = value[0] == 0;
     return true;
 }
 
-/* For statements that choose between two words: whether it is the second one. */
-static bool second_word(struct scene_parser *parser, int argument, const char *first,
-                        const char *second, bool *is_second)
+bool scene_statement_depthbias(struct scene_parser *parser, const int32_t *value)
 {
-    const char *const words[] = {first, second};
-    int choice;
-    if (!scene_choice(parser, argument, words, WORD_COUNT(words), &choice)) {
-        return false;
+    if (value[0] < -SCENE_ONE || value[0] > SCENE_ONE) {
+        return scene_fail(parser, "the bias must lie between -1 and 1");
     }
-    *is_second = choice == 1;
+    parser->depth_bias = value[0];
     return true;
 }
 
-bool scene_statement_depthmask(struct scene_parser *parser)
-{
-    return second_word(parser, 0, "off", "on", &parser->scene->depth_write);
-}
+/* ---- Surfaces ---- */
 
-bool scene_statement_depthrange(struct scene_parser *parser)
+bool scene_statement_shade(struct scene_parser *parser, const int32_t *value)
 {
-    return scene_fractions(parser, 0, 1, &parser->scene->depth_near) &&
-           scene_fractions(parser, 1, 1, &parser->scene->depth_far);
-}
-
-bool scene_statement_cull(struct scene_parser *parser)
-{
-    static const char *const words[] = {
-        [SCENE_CULL_NONE] = "none", [SCENE_CULL_BACK] = "back", [SCENE_CULL_FRONT] = "front"};
-    int choice;
-    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
-        return false;
-    }
-    parser->scene->cull = (enum scene_cull)choice;
+    parser->scene->flat = value[0] == 1;
+    parser->scene->by_pixel = value[0] == 2;
+    parser->scene->provoking = value_or(parser, value, 1, 1) == 0 ? 0 : 2;
     return true;
 }
 
-bool scene_statement_shade(struct scene_parser *parser)
+bool scene_statement_polygon(struct scene_parser *parser, const int32_t *value)
 {
-    static const char *const words[] = {"smooth", "flat", "pixel"};
-    bool last = true;
-    int choice;
-    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice) ||
-        (parser->argument_count == 2 && !second_word(parser, 1, "first", "last", &last))) {
-        return false;
-    }
-    parser->scene->flat = choice == 1;
-    parser->scene->by_pixel = choice == 2;
-    parser->scene->provoking = last ? 2 : 0;
-    return true;
-}
-
-bool scene_statement_texmode(struct scene_parser *parser)
-{
-    bool modulate;
-    if (!second_word(parser, 0, "replace", "modulate", &modulate)) {
-        return false;
-    }
-    parser->scene->texture_mode = modulate ? SCENE_MODULATE : SCENE_REPLACE;
-    return true;
-}
-
-/* One word for both directions, or u and v. */
-bool scene_statement_texwrap(struct scene_parser *parser)
-{
-    bool *clamp = parser->scene->texture_clamp;
-    if (!second_word(parser, 0, "repeat", "clamp", &clamp[0])) {
-        return false;
-    }
-    clamp[1] = clamp[0];
-    return parser->argument_count == 1 || second_word(parser, 1, "repeat", "clamp", &clamp[1]);
-}
-
-bool scene_statement_texfilter(struct scene_parser *parser)
-{
-    static const char *const words[] = {"mipmaps"};
-    int choice;
-    parser->scene->texture_mipmapped = parser->argument_count == 2;
-    return second_word(parser, 0, "nearest", "bilinear", &parser->scene->texture_bilinear) &&
-           (parser->argument_count == 1 ||
-            scene_choice(parser, 1, words, WORD_COUNT(words), &choice));
-}
-
-bool scene_statement_texformat(struct scene_parser *parser)
-{
-    static const char *const words[] = {
-        [SCENE_TEXEL_XRGB8888] = "xrgb8888", [SCENE_TEXEL_RGB565] = "rgb565",
-        [SCENE_TEXEL_PALETTE] = "palette",   [SCENE_TEXEL_GRAY8] = "gray8",
-        [SCENE_TEXEL_ARGB4444] = "argb4444", [SCENE_TEXEL_ARGB1555] = "argb1555",
-        [SCENE_TEXEL_ARGB8888] = "argb8888", [SCENE_TEXEL_ALPHA8] = "alpha8",
-    };
-    int choice;
-    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
-        return false;
-    }
-    parser->scene->texel_format = (enum scene_texel_format)choice;
-    parser->texformat_line = parser->line;
-    parser->texformat_statement = parser->statement;
-    return true;
-}
-
-bool scene_statement_texkey(struct scene_parser *parser)
-{
-    if (parser->argument_count == 1) {
-        static const char *const words[] = {"off"};
-        int choice;
-        parser->scene->texture_keyed = false;
-        parser->texkey_line = 0;
-        return scene_choice(parser, 0, words, WORD_COUNT(words), &choice);
-    }
-    parser->scene->texture_keyed = true;
-    parser->texkey_line = parser->line;
-    for (int i = 0; i < 3; i++) {
-        int byte;
-        if (!scene_integer(parser, i, 0, 255, &byte)) {
-            return false;
-        }
-        parser->scene->texture_key[i] = (uint8_t)byte;
-    }
-    return true;
-}
-
-bool scene_statement_interpolate(struct scene_parser *parser)
-{
-    return second_word(parser, 0, "perspective", "linear", &parser->scene->screen_linear);
-}
-
-bool scene_statement_polygon(struct scene_parser *parser)
-{
-    static const char *const words[] = {"fill", "line", "smooth", "hidden", "wide"};
+    enum { FILL, LINE, SMOOTH, WIDE, HIDDEN };
     static const struct scene_stroke thin = {
         .width = SCENE_ONE, .alpha = SCENE_ONE, .cap = SCENE_CAP_BUTT, .smooth = true};
     struct scene *scene = parser->scene;
-    int choice;
-    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
-        return false;
-    }
-    if (choice != 3 && parser->argument_count == 2) {
+    if (value[0] != HIDDEN && parser->argument_count == 2) {
         return scene_fail_count(parser);
     }
-    scene->wireframe = choice != 0;
-    scene->smooth_lines = choice == 2;
-    scene->hidden_lines = choice == 3;
-    scene->wide_lines = choice == 4;
-    scene->wide = choice == 2 ? thin : parser->line_state;
-    scene->hidden_bias = 131; /* .002 */
-    return parser->argument_count == 1 || scene_fractions(parser, 1, 1, &scene->hidden_bias);
+    scene->wireframe = value[0] != FILL;
+    scene->smooth_lines = value[0] == SMOOTH;
+    scene->hidden_lines = value[0] == HIDDEN;
+    scene->wide_lines = value[0] == WIDE;
+    scene->wide = value[0] == SMOOTH ? thin : parser->stroke;
+    scene->hidden_bias = value_or(parser, value, 1, 131); /* .002 */
+    return true;
 }
 
-bool scene_statement_antialias(struct scene_parser *parser)
+bool scene_statement_linesmooth(struct scene_parser *parser, const int32_t *value)
 {
-    static const char *const words[] = {
-        [SCENE_ANTIALIAS_OFF] = "off",           [SCENE_ANTIALIAS_EDGES] = "edges",
-        [SCENE_ANTIALIAS_SSAA] = "ssaa",         [SCENE_ANTIALIAS_FXAA] = "fxaa",
-        [SCENE_ANTIALIAS_TEMPORAL] = "temporal", [SCENE_ANTIALIAS_MSAA] = "msaa",
-    };
-    int choice;
-    if (!scene_choice(parser, 0, words, WORD_COUNT(words), &choice)) {
+    parser->stroke.smooth = value[0] == 0;
+    return true;
+}
+
+bool scene_statement_pointsize(struct scene_parser *parser, const int32_t *value)
+{
+    parser->point_size = value[0];
+    parser->point_in_space = parser->argument_count == 2;
+    return true;
+}
+
+/* ---- Texels ---- */
+
+/* One word for both directions, or u and v. */
+bool scene_statement_texwrap(struct scene_parser *parser, const int32_t *value)
+{
+    parser->scene->texture_clamp[0] = value[0] == 1;
+    parser->scene->texture_clamp[1] = value_or(parser, value, 1, value[0]) == 1;
+    return true;
+}
+
+bool scene_statement_texfilter(struct scene_parser *parser, const int32_t *value)
+{
+    parser->scene->texture_bilinear = value[0] == 1;
+    parser->scene->texture_mipmapped = parser->argument_count == 2;
+    return true;
+}
+
+bool scene_statement_texformat(struct scene_parser *parser, const int32_t *value)
+{
+    parser->scene->texel_format = (enum scene_texel_format)value[0];
+    parser->texformat_line = parser->line;
+    return true;
+}
+
+bool scene_statement_texkey_off(struct scene_parser *parser, const int32_t *value)
+{
+    (void)value;
+    parser->scene->texture_keyed = false;
+    parser->texkey_line = 0;
+    return true;
+}
+
+bool scene_statement_texkey(struct scene_parser *parser, const int32_t *value)
+{
+    parser->scene->texture_keyed = true;
+    parser->texkey_line = parser->line;
+    for (int i = 0; i < 3; i++) {
+        parser->scene->texture_key[i] = (uint8_t)value[i];
+    }
+    return true;
+}
+
+bool scene_statement_alphatest_off(struct scene_parser *parser, const int32_t *value)
+{
+    (void)value;
+    parser->scene->least_alpha = 0;
+    parser->alphatest_line = 0;
+    return true;
+}
+
+bool scene_statement_alphatest(struct scene_parser *parser, const int32_t *value)
+{
+    parser->scene->least_alpha = value[0];
+    parser->alphatest_line = parser->line;
+    return true;
+}
+
+/* ---- Blends, alpha and fog ---- */
+
+bool scene_statement_blend(struct scene_parser *parser, const int32_t *value)
+{
+    parser->scene->blend = (enum scene_blend)value[0];
+    parser->scene->alpha = value_or(parser, value, 1, SCENE_ONE);
+    return true;
+}
+
+bool scene_statement_vertexalpha(struct scene_parser *parser, const int32_t *value)
+{
+    parser->by_vertex = parser->argument_count == 3;
+    if (parser->by_vertex) {
+        memcpy(parser->vertex_alpha, value, sizeof parser->vertex_alpha);
+    }
+    return true;
+}
+
+/* `into` is the kind of the statement's first word. */
+bool scene_statement_fog(struct scene_parser *parser, const int32_t *value)
+{
+    struct scene_fog *fog = &parser->scene->fog;
+    if (value[1] <= 0 || value[2] <= value[1]) {
+        return scene_fail(parser, "needs 0 < NEAR < FAR");
+    }
+    fog->kind = (enum scene_fog_kind)((int32_t)parser->statement->into + value[0]);
+    memcpy(fog->range, value + 1, sizeof fog->range);
+    memcpy(fog->color, value + 3, sizeof fog->color);
+    memcpy(fog->number, value + 6, sizeof fog->number);
+    return true;
+}
+
+/* ---- Light ---- */
+
+static bool is_direction(struct scene_parser *parser, const int32_t v[3])
+{
+    return (v[0] | v[1] | v[2]) != 0 || scene_fail(parser, "the direction must not be zero");
+}
+
+/* `light x y z ambient diffuse`: the last one counts. */
+bool scene_statement_one_light(struct scene_parser *parser, const int32_t *value)
+{
+    struct scene_light *light = &parser->scene->light;
+    memcpy(light->towards, value, sizeof light->towards);
+    light->ambient = value[3];
+    light->diffuse = value[4];
+    return is_direction(parser, value);
+}
+
+/* Each `light` with a kind, which is `into`, is one more. */
+bool scene_statement_light(struct scene_parser *parser, const int32_t *value)
+{
+    struct scene *scene = parser->scene;
+    struct scene_lamp lamp = {.kind = (enum scene_lamp_kind)parser->statement->into};
+    const int32_t *next = value + 4;
+    if (scene->lamp_count == SCENE_MAX_LAMPS) {
+        return scene_fail(parser, "more lights than can be drawn with");
+    }
+    memcpy(lamp.position, value + 1, sizeof lamp.position);
+    if (lamp.kind == SCENE_SPOT) {
+        memcpy(lamp.direction, next, sizeof lamp.direction);
+        lamp.inner = next[3];
+        lamp.outer = next[4];
+        next += 5;
+    }
+    memcpy(lamp.color, next, sizeof lamp.color);
+    if (lamp.kind != SCENE_DIRECTIONAL) {
+        lamp.fade[0] = SCENE_ONE;
+        if (parser->argument_count > (int)(next + 3 - value)) {
+            memcpy(lamp.fade, next + 3, sizeof lamp.fade);
+        }
+        lamp.exponent = lamp.kind == SCENE_SPOT ? next[6] : 0;
+    }
+    if ((lamp.kind == SCENE_DIRECTIONAL && !is_direction(parser, lamp.position)) ||
+        (lamp.kind == SCENE_SPOT && !is_direction(parser, lamp.direction))) {
         return false;
     }
-    parser->scene->antialias = (enum scene_antialias)choice;
+    scene->lamps[scene->lamp_count++] = lamp;
+    scene->lamps_on = true;
+    return true;
+}
+
+bool scene_statement_ambient(struct scene_parser *parser, const int32_t *value)
+{
+    memcpy(parser->scene->ambient, value, sizeof parser->scene->ambient);
+    parser->scene->lamps_on = true;
+    return true;
+}
+
+/* `into` is where the colour is stored. */
+bool scene_statement_material(struct scene_parser *parser, const int32_t *value)
+{
+    struct scene_reflection *reflection = &parser->scene->reflection;
+    int32_t *color = (void *)((char *)parser->scene + parser->statement->into);
+    memcpy(color, value + 1, sizeof reflection->ambient);
+    reflection->own_ambient |= color == reflection->ambient;
+    if (color == reflection->specular) {
+        reflection->shininess = value[4];
+    }
+    parser->scene->lamps_on = true;
     return true;
 }
