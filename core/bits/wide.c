@@ -108,9 +108,21 @@ qtri_wide qtri_wide_sqrt(qtri_wide a)
     return root;
 }
 
-int qtri_wide_normalize(qtri_wide v[3])
+int64_t qtri_mul_q62(int64_t a, int64_t b)
 {
-    qtri_wide length = {0, 0};
+    const uint64_t size = qtri_mul_high64(qtri_magnitude64(a) << 1, qtri_magnitude64(b) << 1);
+    return (a < 0) == (b < 0) ? (int64_t)size : -(int64_t)size;
+}
+
+/*
+ * x: the components in the scale of the longest, 2^61 <= |x| < 2^62. With v = (2x)^2 4^even / 2^128
+ * in [1/4, 1), 3 2^-60 of which is cut off, and y = v^-1/2: the root of 32 bits and its reciprocal
+ * are within 2^-30 of y, and Newton's step y + y (1 - v y^2) / 2 leaves 3/2 2^-60.
+ */
+bool qtri_wide_unit_q62(int64_t unit_q62[3], const qtri_wide v[3])
+{
+    uint64_t x[3];
+    uint64_t square = 0;
     int32_t least = QTRI_WIDE_EXPONENT_MAX + 1;
     for (int i = 0; i < 3; i++) {
         if (v[i].m != 0 && v[i].e < least) {
@@ -118,17 +130,38 @@ int qtri_wide_normalize(qtri_wide v[3])
         }
     }
     if (least > QTRI_WIDE_EXPONENT_MAX) {
-        return 0;
+        return false;
     }
-    for (int i = 0; i < 3; i++) { /* bring the largest near 1, so that squares stay in range */
-        qtri_wide_set(&v[i], v[i].m, v[i].e - least + 62);
-        qtri_wide_add_product(&length, &v[i], &v[i]);
-    }
-    length = qtri_wide_sqrt(length);
     for (int i = 0; i < 3; i++) {
-        qtri_wide_div_by(&v[i], &length);
+        const int32_t shift = v[i].m == 0 ? 0 : v[i].e - least;
+        x[i] = shift > 62 ? 0 : qtri_magnitude64(v[i].m) >> shift;
+        square += qtri_mul_high64(x[i] << 1, x[i] << 1); /* < 2^62 each, >= 2^60 in all */
     }
-    return 1;
+    const int32_t even = (qtri_clz64(square) & 2) >> 1;
+    uint64_t remainder;
+    square <<= 2 * even;
+    const uint32_t y_q30 = qtri_reciprocal_q62(qtri_sqrt64_floor(square, &remainder));
+    const uint64_t unit_q60 = qtri_mul_high64(square, qtri_mul_u32(y_q30, y_q30));
+    const int64_t half_error_q60 = (((int64_t)1 << 60) - (int64_t)unit_q60) >> 1; /* <= 2^30 */
+    const int64_t step = qtri_mul_s32((int32_t)(y_q30 >> 1), (int32_t)half_error_q60);
+    const uint64_t y_q62 = ((uint64_t)y_q30 << 32) + (uint64_t)(step >> 27);
+    for (int i = 0; i < 3; i++) {
+        const uint64_t size = qtri_mul_high64(x[i] << (1 + even), y_q62);
+        unit_q62[i] = v[i].m < 0 ? -(int64_t)size : (int64_t)size;
+    }
+    return true;
+}
+
+bool qtri_wide_normalize(qtri_wide v[3])
+{
+    int64_t unit_q62[3];
+    if (!qtri_wide_unit_q62(unit_q62, v)) {
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        qtri_wide_set(&v[i], unit_q62[i], 62);
+    }
+    return true;
 }
 
 void qtri_wide_cross(qtri_wide out[3], const qtri_wide a[3], const qtri_wide b[3])

@@ -9,6 +9,7 @@
 #ifndef QTRI_BITS_WIDE_H
 #define QTRI_BITS_WIDE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #define QTRI_WIDE_EXPONENT_MAX 2048
@@ -42,8 +43,15 @@ qtri_wide qtri_wide_div(qtri_wide a, qtri_wide b);
 /* a < 0 gives 0. */
 qtri_wide qtri_wide_sqrt(qtri_wide a);
 
-/* v / |v|; false, and v unchanged, for the zero vector. */
-int qtri_wide_normalize(qtri_wide v[3]);
+/* a b / 2^62, truncated, for |a|, |b| < 2^63. */
+int64_t qtri_mul_q62(int64_t a, int64_t b);
+
+/*
+ * v / |v|: a direction of the longest component's 60 bits, absolute error below 2^-58. False, and
+ * nothing is set, for the zero vector.
+ */
+bool qtri_wide_unit_q62(int64_t unit_q62[3], const qtri_wide v[3]);
+bool qtri_wide_normalize(qtri_wide v[3]);
 void qtri_wide_cross(qtri_wide out[3], const qtri_wide a[3], const qtri_wide b[3]);
 
 #endif

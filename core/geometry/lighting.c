@@ -238,24 +238,26 @@ static uint32_t light_face(const qtri_lighting *lighting, const int32_t n[3])
                            mantissa16(n[2], zeros));
 }
 
-/* Any face, any light: scaled edges keep the direction of small faces and hold the products below
-   2^58. */
+/* Any face, any light: the products of edges below 2^30 are exact, and longer ones lose 3 bits. */
 QTRI_NOINLINE static uint32_t light_any_face(const qtri_lighting *lighting, const qtri_vec3 *a,
                                              const qtri_vec3 *b, const qtri_vec3 *c)
 {
-    const int64_t e_exact[3] = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z};
-    const int64_t f_exact[3] = {(int64_t)c->x - a->x, (int64_t)c->y - a->y, (int64_t)c->z - a->z};
-    int32_t e[3] = {0, 0, 0};
-    int32_t f[3] = {0, 0, 0};
-    int32_t normal[3] = {0, 0, 0};
-    if (normalize_scale(e, e_exact) && normalize_scale(f, f_exact)) {
-        const int64_t cross[3] = {qtri_mul_s32(e[1], f[2]) - qtri_mul_s32(e[2], f[1]),
-                                  qtri_mul_s32(e[2], f[0]) - qtri_mul_s32(e[0], f[2]),
-                                  qtri_mul_s32(e[0], f[1]) - qtri_mul_s32(e[1], f[0])};
-        if (!normalize_scale(normal, cross)) { /* <= 2^59 */
-            normal[0] = normal[1] = normal[2] = 0;
-        }
+    const int64_t edge[6] = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z,
+                             (int64_t)c->x - a->x, (int64_t)c->y - a->y, (int64_t)c->z - a->z};
+    uint64_t size = 0;
+    for (int i = 0; i < 6; i++) {
+        size |= qtri_magnitude64(edge[i]);
     }
+    const int32_t down = size >> 30 != 0 ? 3 : 0;
+    int32_t e[6];
+    for (int i = 0; i < 6; i++) {
+        e[i] = (int32_t)(edge[i] >> down);
+    }
+    const int64_t cross[3] = {qtri_mul_s32(e[1], e[5]) - qtri_mul_s32(e[2], e[4]),
+                              qtri_mul_s32(e[2], e[3]) - qtri_mul_s32(e[0], e[5]),
+                              qtri_mul_s32(e[0], e[4]) - qtri_mul_s32(e[1], e[3])};
+    int32_t normal[3] = {0, 0, 0};
+    (void)normalize_scale(normal, cross); /* <= 2^61 */
     return lighting->plain ? light_face(lighting, normal)
                            : lighting->uneven->direction(lighting, normal);
 }

@@ -37,16 +37,13 @@ int64_t qtri_linear_dot(int32_t m[3][4], int i, int j)
 
 bool qtri_linear_is_even(int32_t m[3][4])
 {
-    int64_t square = qtri_linear_dot(m, 0, 0);
-    uint64_t noise = (uint64_t)square >> 20;
-    for (int i = 0; i < 3; i++) {
-        int next = i < 2 ? i + 1 : 0;
-        if (qtri_magnitude64(qtri_linear_dot(m, i, next)) > noise ||
-            qtri_magnitude64(qtri_linear_dot(m, next, next) - square) > noise) {
-            return false;
-        }
-    }
-    return square != 0;
+    const int64_t square = qtri_linear_dot(m, 0, 0);
+    const uint64_t noise = (uint64_t)square >> 20;
+    return square != 0 && qtri_magnitude64(qtri_linear_dot(m, 1, 1) - square) <= noise &&
+           qtri_magnitude64(qtri_linear_dot(m, 2, 2) - square) <= noise &&
+           qtri_magnitude64(qtri_linear_dot(m, 0, 1)) <= noise &&
+           qtri_magnitude64(qtri_linear_dot(m, 1, 2)) <= noise &&
+           qtri_magnitude64(qtri_linear_dot(m, 2, 0)) <= noise;
 }
 
 /* Cofactors times the sign of the determinant: the inverse transpose without its division. */

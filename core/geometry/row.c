@@ -111,29 +111,65 @@ static bool add_shifted(int64_t *sum, int64_t t, int32_t shift)
     return qtri_magnitude64(t) >> 60 == 0 || shift > 0;
 }
 
+/* A row times +-2^n 2^-exponent, plus the translation: without products. */
+static bool scale_by_power(qtri_row *out, const qtri_row *row, int32_t factor, int32_t exponent,
+                           int64_t t)
+{
+    const int32_t n = 31 - qtri_clz32(qtri_magnitude32(factor));
+    int64_t moved = factor < 0 ? -row->t : row->t;
+    if (!add_shifted(&moved, t, n - row->exponent) || qtri_magnitude64(moved) >> 61 != 0) {
+        return false;
+    }
+    out->t = moved;
+    out->exponent = exponent + row->exponent - n;
+    for (int j = 0; j < 3; j++) {
+        out->m[j] = factor < 0 ? -row->m[j] : row->m[j];
+    }
+    return true;
+}
+
 bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t factor[], int count,
                       int32_t exponent, int64_t t)
 {
     int32_t least = INT32_MAX;
+    int used = 0;
+    int last = 0;
     for (int k = 0; k < count; k++) {
-        if (factor[k] != 0 && row[k]->exponent < least) {
-            least = row[k]->exponent;
+        if (factor[k] != 0) {
+            least = qtri_least32(least, row[k]->exponent);
+            last = k;
+            used++;
         }
     }
-    if (least == INT32_MAX) {
+    if (used == 0) {
         return false; /* every factor is 0 */
     }
-    int64_t sum[3] = {0, 0, 0};
-    for (int k = 0; k < count; k++) {
-        const int32_t by = factor[k];
-        const int32_t shift = qtri_least32(row[k]->exponent - least, 63);
-        for (int j = 0; j < 3 && by != 0; j++) {
-            int64_t product = qtri_mul_s32(by, row[k]->m[j]);
-            sum[j] += shift == 0 ? product : product >> shift; /* < 3 2^60 */
-        }
+    if (used == 1 && (factor[last] & (factor[last] - 1)) == 0) {
+        return scale_by_power(out, row[last], factor[last], exponent, t);
     }
-    uint64_t size = qtri_magnitude64(sum[0]) | qtri_magnitude64(sum[1]) | qtri_magnitude64(sum[2]);
-    int32_t down = 34 - qtri_clz64(size | 1u); /* leaves 30 bits */
+    int64_t x = 0;
+    int64_t y = 0;
+    int64_t z = 0;
+    for (int k = 0; k <= last; k++) {
+        const int32_t by = factor[k];
+        if (by == 0) {
+            continue;
+        }
+        const int32_t *m = row[k]->m;
+        int64_t product[3] = {qtri_mul_s32(by, m[0]), qtri_mul_s32(by, m[1]),
+                              qtri_mul_s32(by, m[2])};
+        const int32_t shift = qtri_least32(row[k]->exponent - least, 63);
+        if (shift != 0) {
+            product[0] >>= shift;
+            product[1] >>= shift;
+            product[2] >>= shift;
+        }
+        x += product[0]; /* < 3 2^60 */
+        y += product[1];
+        z += product[2];
+    }
+    const uint64_t size = qtri_magnitude64(x) | qtri_magnitude64(y) | qtri_magnitude64(z);
+    const int32_t down = 34 - qtri_clz64(size | 1u); /* leaves 30 bits */
     if (down < 16) {
         return false; /* below 2^45: what was cut off could show in 30 bits */
     }
@@ -141,7 +177,7 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
     if (!add_shifted(&moved, t, down - least)) {
         return false;
     }
-    for (int k = 0; k < count; k++) {
+    for (int k = 0; k <= last; k++) {
         int64_t product = 0;
         if (factor[k] != 0 && row[k]->t != 0 &&
             !scaled_product(&product, factor[k], row[k]->t, row[k]->exponent - least + down)) {
@@ -154,9 +190,9 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
     }
     out->t = moved; /* may be one of the rows, which have been read */
     out->exponent = exponent + least - down;
-    for (int j = 0; j < 3; j++) {
-        out->m[j] = (int32_t)qtri_shift_round(sum[j], down);
-    }
+    out->m[0] = (int32_t)qtri_shift_round(x, down);
+    out->m[1] = (int32_t)qtri_shift_round(y, down);
+    out->m[2] = (int32_t)qtri_shift_round(z, down);
     return true;
 }
 

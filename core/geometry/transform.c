@@ -60,26 +60,33 @@ void qtri_transform_to_mat4(const qtri_transform *a, qtri_mat4 *out)
     }
 }
 
-/* t = t builder, for a builder of `factor` on the diagonal and the translation `offset`. */
-static void stretch(qtri_transform *t, const qtri_vec3 *factor, const qtri_vec3 *offset)
+/*
+ * The linear part's image of the offset, which m . offset is in the translation's own scale: exact,
+ * but where 61 bits have no room for it. Unsigned, for rows that nothing has built: those of a
+ * builder stay below 2^63.
+ */
+static void move_row(qtri_row *row, const qtri_vec3 *offset)
 {
-    QTRI_ASSERT(t != NULL);
-    const q16 x[3] = {factor->x, factor->y, factor->z};
-    const q16 y[3] = {offset->x, offset->y, offset->z};
-    qtri_transform builder;
-    qtri_transform_identity(&builder);
-    for (int i = 0; i < 3; i++) {
-        const qtri_wide wide_x = qtri_wide_make(x[i], 16);
-        const qtri_wide wide_y = qtri_wide_make(y[i], 16);
-        qtri_row_from_two(&builder.row[i], i, &wide_x, 3, &wide_y);
+    uint64_t sum = (uint64_t)row->t;
+    sum += (uint64_t)qtri_mul_s32(row->m[0], offset->x);
+    sum += (uint64_t)qtri_mul_s32(row->m[1], offset->y);
+    sum += (uint64_t)qtri_mul_s32(row->m[2], offset->z);
+    row->t = qtri_wrap64(sum);
+    if (qtri_magnitude64(row->t) >> 61 != 0) {
+        row->t >>= 3;
+        row->exponent = qtri_greatest32(row->exponent, INT32_MIN + 3) - 3;
+        for (int i = 0; i < 3; i++) {
+            row->m[i] = (int32_t)qtri_shift_round(row->m[i], 3);
+        }
     }
-    qtri_transform_mul(t, t, &builder);
 }
 
 void qtri_transform_translate(qtri_transform *t, qtri_vec3 offset)
 {
-    const qtri_vec3 one = {Q16_ONE, Q16_ONE, Q16_ONE};
-    stretch(t, &one, &offset);
+    QTRI_ASSERT(t != NULL);
+    for (int i = 0; i < 4; i++) {
+        move_row(&t->row[i], &offset);
+    }
 }
 
 #ifdef QTRI_CHECKED
@@ -92,9 +99,16 @@ void qtri_transform_scale(qtri_transform *t, qtri_vec3 factor)
 
 void qtri_transform_scale_any(qtri_transform *t, qtri_vec3 factor)
 {
+    QTRI_ASSERT(t != NULL);
     QTRI_ASSERT(!qtri_is_plain_1(factor));
-    const qtri_vec3 nowhere = {0, 0, 0};
-    stretch(t, &factor, &nowhere);
+    const q16 x[3] = {factor.x, factor.y, factor.z};
+    qtri_transform builder;
+    qtri_transform_identity(&builder);
+    for (int i = 0; i < 3; i++) {
+        const qtri_wide wide = qtri_wide_make(x[i], 16);
+        qtri_row_from_two(&builder.row[i], i, &wide, i, &wide);
+    }
+    qtri_transform_mul(t, t, &builder);
 }
 
 /*
@@ -145,37 +159,63 @@ static int next_axis(int i)
     return i < 2 ? i + 1 : 0;
 }
 
+/* The row of these elements, none above 1, and no translation. */
+static void set_row_q62(qtri_row *row, const int64_t element_q62[3])
+{
+    uint64_t size = 0;
+    for (int i = 0; i < 3; i++) {
+        size |= qtri_magnitude64(element_q62[i]);
+    }
+    const int32_t down = 34 - qtri_clz64(size | (uint64_t)1 << 32); /* leaves 30 bits */
+    row->t = 0;
+    row->exponent = 62 - down;
+    for (int i = 0; i < 3; i++) {
+        row->m[i] = (int32_t)qtri_shift_round(element_q62[i], down);
+    }
+}
+
 /*
  * t = t T(point) R(axis) T(-point), Rodrigues: R = c I + (1 - c) n n^T + s [n]x. The translation
- * comes from the rounded rows of R, or it would not cancel for points near `point`.
+ * comes from the rounded rows of R, or it would not cancel for points near `point`. NULL: the
+ * origin.
  */
-static void rotate_wide(qtri_transform *t, q16 degrees, qtri_wide axis[3], const qtri_wide point[3])
+static void rotate_about(qtri_transform *t, q16 degrees, const qtri_wide axis[3],
+                         const qtri_wide *point)
 {
-    if (!qtri_wide_normalize(axis)) {
-        return;
-    }
+    int64_t n_q62[3];
+    int64_t along_q61[3];
+    int64_t r_q62[3][3];
     int32_t sine_q30;
     int32_t cosine_q30;
+    if (!qtri_wide_unit_q62(n_q62, axis)) {
+        return;
+    }
     qtri_sincos_deg_q30(degrees, &sine_q30, &cosine_q30);
-    const qtri_wide sine = qtri_wide_make(sine_q30, 30);
-    const qtri_wide cosine = qtri_wide_make(cosine_q30, 30);
-    const qtri_wide rest = qtri_wide_make(((int64_t)1 << 30) - cosine_q30, 30);
-
+    const int64_t sine_q62 = sine_q30 * ((int64_t)1 << 32);
+    const int64_t half_rest_q62 = (((int64_t)1 << 30) - cosine_q30) * ((int64_t)1 << 31);
+    for (int k = 0; k < 3; k++) {
+        along_q61[k] = qtri_mul_q62(n_q62[k], half_rest_q62);
+    }
+    for (int k = 0; k < 3; k++) {
+        const int i = next_axis(k);
+        const int j = next_axis(i);
+        const int64_t both = 2 * qtri_mul_q62(along_q61[i], n_q62[j]);
+        const int64_t turn = qtri_mul_q62(sine_q62, n_q62[k]);
+        r_q62[k][k] = 2 * qtri_mul_q62(along_q61[k], n_q62[k]) + cosine_q30 * ((int64_t)1 << 32);
+        r_q62[i][j] = both - turn;
+        r_q62[j][i] = both + turn;
+    }
     qtri_transform builder;
     qtri_transform_identity(&builder);
     for (int i = 0; i < 3; i++) {
-        int j = next_axis(i);
-        int k = next_axis(j);
-        qtri_wide along = axis[i];
-        qtri_wide_mul_by(&along, &rest);
-        qtri_wide element[3] = {along, along, along};
-        for (int n = 0; n < 3; n++) {
-            qtri_wide_mul_by(&element[n], &axis[n]);
+        set_row_q62(&builder.row[i], r_q62[i]);
+        if (point != NULL) {
+            qtri_wide element[3];
+            for (int k = 0; k < 3; k++) {
+                qtri_wide_set(&element[k], r_q62[i][k], 62);
+            }
+            qtri_row_about(&builder.row[i], element, point, &point[i]);
         }
-        qtri_wide_add_to(&element[i], &cosine);
-        qtri_wide_sub_product(&element[j], &axis[k], &sine);
-        qtri_wide_add_product(&element[k], &axis[j], &sine);
-        qtri_row_about(&builder.row[i], element, point, &point[i]);
     }
     qtri_transform_mul(t, t, &builder);
 }
@@ -194,13 +234,15 @@ void qtri_transform_rotate_about(qtri_transform *t, q16 degrees, qtri_vec3 axis,
     qtri_wide wide_point[3];
     wide_from_vec3(wide_axis, &axis);
     wide_from_vec3(wide_point, &point);
-    rotate_wide(t, degrees, wide_axis, wide_point);
+    rotate_about(t, degrees, wide_axis, wide_point);
 }
 
 void qtri_transform_rotate(qtri_transform *t, q16 degrees, qtri_vec3 axis)
 {
-    qtri_vec3 origin = {0, 0, 0};
-    qtri_transform_rotate_about(t, degrees, axis, origin);
+    QTRI_ASSERT(t != NULL);
+    qtri_wide wide_axis[3];
+    wide_from_vec3(wide_axis, &axis);
+    rotate_about(t, degrees, wide_axis, NULL);
 }
 
 void qtri_transform_rotate_triangle(qtri_transform *t, q16 degrees, const qtri_vec3 v[3])
@@ -221,7 +263,7 @@ void qtri_transform_rotate_triangle(qtri_transform *t, q16 degrees, const qtri_v
         qtri_wide_div_by(&centroid[axis], &three);
     }
     qtri_wide_cross(normal, edge[0], edge[1]);
-    rotate_wide(t, degrees, normal, centroid);
+    rotate_about(t, degrees, normal, centroid);
 }
 
 /* With |q|^2 = n: R = I - 2/n (y^2 + z^2 ...) and so on: no square root is needed. */
