@@ -226,10 +226,11 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
 
 /* Light and colours ---------------------------------------------------------------------------- */
 
-/* What light and colours may be off by, a quarter of a step of 63 or 255, as a power of two. */
+/* What light and colours may be off by, as a power of two: a quarter of a step of 63 or 255, half
+   of one over a texture. */
 QTRI_BODY uint32_t qtri_small_part_of(const qtri_options *o)
 {
-    return !qtri_stores_565(o) ? 10 : qtri_is_textured(o) ? 7 : 8;
+    return (qtri_stores_565(o) ? 8u : 10u) - qtri_is_textured(o);
 }
 
 /*
