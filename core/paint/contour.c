@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "crossing.h"
+#include "contour.h"
 
 #include "../bits/bits.h"
+#include "../bits/multiply.h"
+#include "../bits/reciprocal.h"
 
 /*
  * Columns of a row from which on the contour has turned around differently, in their order. Edges
@@ -127,4 +129,240 @@ void qtri_paint_contour(const qtri_surface *surface, const qtri_contour *contour
             painter.ink->row(&painter, contour, row);
         }
     }
+}
+
+const qtri_ink qtri_ink_blend = {qtri_blend_span, qtri_blend_cover, qtri_blend_bits, qtri_hard_row,
+                                 qtri_hard_rect};
+
+/* ---- Edges that cross a row ---- */
+
+/*
+ * x0 + (x1 - x0) (y - y0) / (y1 - y0) for y0 < y < y1. The quotient t in Q29 is too small by 2^-29
+ * at most, and |x1 - x0| <= 2^23: x is off by 2^-6 of a step before it is rounded.
+ */
+static int32_t line_x(const qtri_ink_edge *edge, int32_t y)
+{
+    const qtri_ink_line *line = &edge->as.line;
+    if (line->reciprocal == 0) {
+        return edge->x0;
+    }
+    const int32_t dx = edge->x1 - edge->x0;
+    const uint32_t t_q29 =
+        qtri_mul_high31((uint32_t)(y - edge->y0) << (line->zeros - 1), line->reciprocal);
+    return edge->x0 + ((qtri_mul_high_s31(dx * 128, t_q29) + 8) >> 4);
+}
+
+void qtri_ink_edge_set_line(qtri_ink_edge *edge, const qtri_point *from, const qtri_point *to,
+                            int32_t winding)
+{
+    edge->x0 = from->x_24p8;
+    edge->y0 = from->y_24p8;
+    edge->x1 = to->x_24p8;
+    edge->y1 = to->y_24p8;
+    edge->radius = 0;
+    edge->winding = winding;
+    edge->as.line.reciprocal = 0;
+    if (edge->x0 != edge->x1) {
+        const uint32_t dy = (uint32_t)(edge->y1 - edge->y0); /* <= 2^23 */
+        const int32_t zeros = qtri_clz32(dy);
+        // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): y0 < y1, so not 0
+        edge->as.line.reciprocal = (uint32_t)qtri_reciprocal_below(dy << zeros);
+        edge->as.line.zeros = zeros;
+    }
+}
+
+/* Of most circles the square fits 32 bits, and so does each product of two parts of it. */
+QTRI_IN_PLACE int32_t half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
+{
+    const uint32_t away = qtri_magnitude32(y_24p8 - arc->as.arc.center_y); /* <= radius */
+    const uint32_t radius = (uint32_t)arc->radius;
+    if (away == 0) {
+        return arc->radius;
+    }
+    if (radius < (uint32_t)1 << 16) {
+        return (int32_t)qtri_sqrt32_round((radius - away) * (radius + away));
+    }
+    return (int32_t)qtri_sqrt64_round(qtri_mul_u32(radius - away, radius + away));
+}
+
+int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
+{
+    return half_chord(arc, y_24p8);
+}
+
+int32_t qtri_ink_edge_x(const qtri_ink_edge *edge, int32_t y_24p8)
+{
+    if (edge->radius == 0) {
+        return line_x(edge, y_24p8);
+    }
+    const int32_t half = half_chord(edge, y_24p8);
+    return edge->as.arc.center_x + (edge->as.arc.side < 0 ? -half : half);
+}
+
+bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *edge)
+{
+    if (contour->points == NULL) {
+        *edge = contour->edges[i];
+        return true;
+    }
+    const qtri_point *a = &contour->points[i];
+    const qtri_point *b = &contour->points[i + 1 < contour->count ? i + 1 : 0];
+    const qtri_point from = {qtri_hold_24p8(a->x_24p8), qtri_hold_24p8(a->y_24p8)};
+    const qtri_point to = {qtri_hold_24p8(b->x_24p8), qtri_hold_24p8(b->y_24p8)};
+    if (from.y_24p8 == to.y_24p8) {
+        return false;
+    }
+    if (from.y_24p8 < to.y_24p8) {
+        qtri_ink_edge_set_line(edge, &from, &to, 1);
+    } else {
+        qtri_ink_edge_set_line(edge, &to, &from, -1);
+    }
+    return true;
+}
+
+/* Whether a side of a polygon lies above the row, or below: most do. */
+static bool is_beside(const qtri_contour *contour, int32_t i, int32_t top)
+{
+    const int32_t a = contour->points[i].y_24p8;
+    const int32_t b = contour->points[i + 1 < contour->count ? i + 1 : 0].y_24p8;
+    const int32_t end = top + 256; /* rows lie between -2^21 and 2^21, where no point is held */
+    return (a <= top && b <= top) || (a >= end && b >= end);
+}
+
+bool qtri_contour_side_near(const qtri_contour *contour, int32_t i, int32_t top,
+                            qtri_ink_edge *side)
+{
+    return !is_beside(contour, i, top) && qtri_contour_edge(contour, i, side);
+}
+
+/* Edge i where it may cross the row, `room` being for a side of a polygon. NULL: it does not. */
+static inline const qtri_ink_edge *edge_of(const qtri_contour *contour, int32_t i, int32_t top,
+                                           qtri_ink_edge *room)
+{
+    if (contour->points == NULL) {
+        const qtri_ink_edge *edge = &contour->edges[i];
+        return edge->y0 < top + 256 && edge->y1 > top ? edge : NULL;
+    }
+    return qtri_contour_side_near(contour, i, top, room) ? room : NULL;
+}
+
+/* x of another arc at the level where `arc` is at x. */
+static int32_t mirrored(const qtri_ink_edge *arc, const qtri_ink_edge *other, int32_t x)
+{
+    const int32_t half = (x - arc->as.arc.center_x) * arc->as.arc.side;
+    return other->as.arc.center_x + half * other->as.arc.side;
+}
+
+static bool cross(const qtri_crossings *crossings, int32_t i, qtri_crossing *crossing)
+{
+    const qtri_contour *contour = crossings->contour;
+    const int32_t top = crossings->row_24p8;
+    qtri_ink_edge room;
+    const qtri_ink_edge *edge = edge_of(contour, i, top, &room);
+    if (edge == NULL) {
+        return false;
+    }
+    crossing->winding = edge->winding;
+    crossing->arc = edge->radius != 0 ? &contour->edges[i] : NULL;
+    /* The edge has y0 < y1, begins above the row's end and ends below its top: so does the rest. */
+    const int32_t y0 = qtri_greatest32(edge->y0, top);
+    const int32_t y1 = qtri_least32(edge->y1, top + 256);
+    crossing->y0 = y0 - top;
+    crossing->y1 = y1 - top;
+    if (crossings->kept > 0) {
+        const qtri_crossing *last = &crossings->crossing[crossings->kept - 1];
+        if (last->y0 == crossing->y0 && last->y1 == crossing->y1 &&
+            qtri_ink_is_mirrored(last->arc, edge)) {
+            crossing->x0 = mirrored(last->arc, edge, last->x0);
+            crossing->x1 = mirrored(last->arc, edge, last->x1);
+            return true;
+        }
+    }
+    crossing->x0 = y0 == edge->y0 ? edge->x0 : qtri_ink_edge_x(edge, y0);
+    crossing->x1 = y1 == edge->y1 ? edge->x1 : qtri_ink_edge_x(edge, y1);
+    return true;
+}
+
+void qtri_crossings_init(qtri_crossings *crossings, const qtri_contour *contour, int32_t row)
+{
+    crossings->contour = contour;
+    crossings->row_24p8 = row * 256;
+    crossings->kept = 0;
+    int32_t least = INT32_MAX;
+    int32_t i = 0;
+    for (; i < contour->count && crossings->kept < QTRI_CROSSINGS_KEPT; i++) {
+        qtri_crossing *c = &crossings->crossing[crossings->kept];
+        if (cross(crossings, i, c)) {
+            least = qtri_least32(least, qtri_least32(c->x0, c->x1));
+            crossings->kept++;
+        }
+    }
+    crossings->others = i;
+    crossings->first = i == contour->count ? least >> 8 : INT32_MIN;
+}
+
+const qtri_crossing *qtri_crossings_next(const qtri_crossings *crossings, int32_t *position,
+                                         qtri_crossing *room)
+{
+    if (*position < crossings->kept) {
+        return &crossings->crossing[(*position)++];
+    }
+    int32_t i = crossings->others + (*position - crossings->kept);
+    for (; i < crossings->contour->count; i++) {
+        (*position)++;
+        if (cross(crossings, i, room)) {
+            return room;
+        }
+    }
+    return NULL;
+}
+
+/* ---- Contours of lines and arcs ---- */
+
+void qtri_path_line(qtri_path *path, const qtri_point *from, const qtri_point *to)
+{
+    int32_t winding = path->direction;
+    if (from->y_24p8 > to->y_24p8) {
+        const qtri_point *other = from;
+        from = to;
+        to = other;
+        winding = -winding;
+    }
+    if (from->y_24p8 < to->y_24p8) {
+        qtri_ink_edge_set_line(&path->edge[path->count++], from, to, winding);
+    }
+}
+
+void qtri_path_quarter(qtri_path *path, const qtri_point *center, int32_t radius_24p8,
+                       int32_t quarter, int32_t y0_24p8, int32_t y1_24p8)
+{
+    if (y0_24p8 >= y1_24p8) {
+        return; /* all that there is of a circle without a radius */
+    }
+    const bool is_right = quarter == 0 || quarter == 3;
+    qtri_ink_edge *edge = &path->edge[path->count++];
+    edge->y0 = y0_24p8;
+    edge->y1 = y1_24p8;
+    edge->radius = radius_24p8;
+    edge->winding = is_right ? path->direction : -path->direction;
+    edge->as.arc.center_x = center->x_24p8;
+    edge->as.arc.center_y = center->y_24p8;
+    edge->as.arc.side = is_right ? 1 : -1;
+    edge->x0 = qtri_ink_edge_x(edge, y0_24p8);
+    edge->x1 = qtri_ink_edge_x(edge, y1_24p8);
+}
+
+void qtri_path_circle(qtri_path *path, const qtri_point *center, int32_t radius_24p8)
+{
+    for (int32_t quarter = 0; quarter < 4; quarter++) {
+        const int32_t up = quarter < 2 ? 0 : radius_24p8;
+        qtri_path_quarter(path, center, radius_24p8, quarter, center->y_24p8 - up,
+                          center->y_24p8 - up + radius_24p8);
+    }
+}
+
+void qtri_path_paint(const qtri_path *path, const qtri_surface *surface, const qtri_brush *brush)
+{
+    const qtri_contour contour = {path->edge, NULL, path->count};
+    qtri_paint_contour(surface, &contour, brush);
 }

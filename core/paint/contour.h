@@ -6,8 +6,8 @@
  * each with the direction in which the contour passes it. A row of pixels is painted from the edges
  * that cross it, and knows nothing of other rows: any split into bands paints the same.
  */
-#ifndef QTRI_PAINT_INK_H
-#define QTRI_PAINT_INK_H
+#ifndef QTRI_PAINT_CONTOUR_H
+#define QTRI_PAINT_CONTOUR_H
 
 #include <stdbool.h>
 
@@ -133,7 +133,7 @@ void qtri_hard_rect(const qtri_painter *painter, const qtri_area *box);
 void qtri_paint_contour(const qtri_surface *surface, const qtri_contour *contour,
                         const qtri_brush *brush);
 
-/* Blended pixels, in any format; see ink_blend.c. */
+/* Blended pixels, in any format; see painter.c. */
 void qtri_blend_span(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage);
 void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
                       const uint8_t *coverage);
@@ -157,5 +157,67 @@ static inline qtri_area qtri_hold_area(const qtri_area *box)
                       qtri_hold_24p8(box->x1_24p8), qtri_hold_24p8(box->y1_24p8)};
     return held;
 }
+
+/* ---- The edges of a contour that cross a row ---- */
+
+typedef struct qtri_crossing {
+    int32_t x0, x1; /* 24.8 at y0 and y1 */
+    int32_t y0, y1; /* in 1/256 below the row's upper side, 0 <= y0 < y1 <= 256 */
+    int32_t winding;
+    const qtri_ink_edge *arc; /* NULL: straight */
+} qtri_crossing;
+
+/* Those that are looked at more than once a row are kept, so that most edges are cut only once. */
+enum { QTRI_CROSSINGS_KEPT = 12 };
+
+typedef struct qtri_crossings {
+    const qtri_contour *contour;
+    int32_t row_24p8;     /* the row's upper side */
+    int32_t first;        /* the column where the first of them begins; or further left */
+    int32_t kept, others; /* how many are kept, and the first edge behind them */
+    qtri_crossing crossing[QTRI_CROSSINGS_KEPT];
+} qtri_crossings;
+
+void qtri_crossings_init(qtri_crossings *crossings, const qtri_contour *contour, int32_t row);
+
+/* Side i of a polygon where it may cross the row whose upper side is `top`; false: it does not. */
+bool qtri_contour_side_near(const qtri_contour *contour, int32_t i, int32_t top_24p8,
+                            qtri_ink_edge *side);
+
+/* The next one, and NULL after the last: *position begins with 0. `room` is for one not kept. */
+const qtri_crossing *qtri_crossings_next(const qtri_crossings *crossings, int32_t *position,
+                                         qtri_crossing *room);
+
+/* ---- Contours put together from straight lines and arcs ---- */
+
+/* An arc of a ring: five quarters or parts of them outside, five inside, two ends. */
+enum { QTRI_PATH_EDGES = 12 };
+
+typedef struct qtri_path {
+    int32_t count;
+    int32_t direction; /* +1, or -1: edges are added against their direction */
+    qtri_ink_edge edge[QTRI_PATH_EDGES];
+} qtri_path;
+
+static inline void qtri_path_init(qtri_path *path)
+{
+    path->count = 0;
+    path->direction = 1;
+}
+
+/* From one point to another. */
+void qtri_path_line(qtri_path *path, const qtri_point *from, const qtri_point *to);
+
+/*
+ * A quarter of a circle, clockwise in the picture: 0 from the right down, 1 from there to the left,
+ * 2 up, 3 to the right. Of it, what lies between the rows y0 and y1, y0 <= y1, both inside it.
+ */
+void qtri_path_quarter(qtri_path *path, const qtri_point *center, int32_t radius_24p8,
+                       int32_t quarter, int32_t y0_24p8, int32_t y1_24p8);
+
+/* All of a circle; a radius of 0 adds nothing. */
+void qtri_path_circle(qtri_path *path, const qtri_point *center, int32_t radius_24p8);
+
+void qtri_path_paint(const qtri_path *path, const qtri_surface *surface, const qtri_brush *brush);
 
 #endif

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "crossing.h"
+/* Rows of a contour with smooth edges. */
+#include "contour.h"
+
+#include "coverage.h"
 
 #include "../bits/bits.h"
-#include "coverage.h"
 
 enum { CHORDS = 16, WINDOW = QTRI_COVERAGE_WINDOW };
 

@@ -1,0 +1,342 @@
+/* SPDX-License-Identifier: MIT */
+/* Rectangles, circles, arcs, polygons and lines as contours. */
+#include "contour.h"
+
+#include "qtri/q16_trig.h"
+
+#include "paint_checked.h"
+
+#include "../bits/bits.h"
+
+/* ---- Rectangles ---- */
+
+#ifdef QTRI_CHECKED
+void qtri_paint_rect(const qtri_surface *surface, const qtri_area *box, const qtri_brush *brush)
+{
+    qtri_check_area(surface, box);
+    qtri_paint_rect_part(surface, box, brush);
+}
+#endif
+
+void qtri_paint_rect_part(const qtri_surface *surface, const qtri_area *box,
+                          const qtri_brush *brush)
+{
+    const qtri_area held = qtri_hold_area(box);
+    qtri_painter painter;
+    if (held.x0_24p8 >= held.x1_24p8 || held.y0_24p8 >= held.y1_24p8 ||
+        !qtri_painter_begin(&painter, surface, brush)) {
+        return;
+    }
+    if (brush->ink == NULL) {
+        qtri_hard_rect(&painter, &held);
+    } else {
+        brush->ink->rect(&painter, &held);
+    }
+}
+
+/*
+ * Whether its sides share no pixel: with hard edges; with smooth ones where the inner rectangle
+ * begins and ends with a row, and does not lie in one column.
+ */
+static bool is_apart(const qtri_ink *ink, const qtri_area *inner)
+{
+    return ink == NULL || ink->row == qtri_hard_row ||
+           (((inner->y0_24p8 | inner->y1_24p8) & 255) == 0 &&
+            (inner->x0_24p8 - 1) >> 8 < inner->x1_24p8 >> 8);
+}
+
+/*
+ * Above and below with their corners, then what is left at the sides. A pixel that two of them
+ * share would be mixed twice: then it is a contour, which is painted in one go.
+ */
+void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, int32_t width_24p8,
+                             const qtri_brush *brush)
+{
+    QTRI_CHECK(qtri_check_area(surface, box));
+    QTRI_CHECK(qtri_check_width(width_24p8));
+    const qtri_area b = qtri_hold_area(box);
+    const int32_t width = b.x1_24p8 - b.x0_24p8; /* |.| <= 2^23 */
+    const int32_t height = b.y1_24p8 - b.y0_24p8;
+    if (width_24p8 <= 0 || width <= 0 || height <= 0) {
+        return;
+    }
+    if (width_24p8 >= width - width_24p8 || width_24p8 >= height - width_24p8) {
+        qtri_paint_rect_part(surface, &b, brush);
+        return;
+    }
+    const qtri_area inner = {b.x0_24p8 + width_24p8, b.y0_24p8 + width_24p8, b.x1_24p8 - width_24p8,
+                             b.y1_24p8 - width_24p8};
+    if (!is_apart(brush->ink, &inner)) {
+        qtri_paint_round_rect_outline(surface, &b, 0, width_24p8, brush);
+        return;
+    }
+    const qtri_area side[4] = {{b.x0_24p8, b.y0_24p8, b.x1_24p8, inner.y0_24p8},
+                               {b.x0_24p8, inner.y1_24p8, b.x1_24p8, b.y1_24p8},
+                               {b.x0_24p8, inner.y0_24p8, inner.x0_24p8, inner.y1_24p8},
+                               {inner.x1_24p8, inner.y0_24p8, b.x1_24p8, inner.y1_24p8}};
+    for (int i = 0; i < 4; i++) {
+        qtri_paint_rect_part(surface, &side[i], brush);
+    }
+}
+
+/* Right and left side, and a quarter of a circle at each corner. */
+static void add(qtri_path *path, const qtri_area *b, int32_t radius)
+{
+    const int32_t right = b->x1_24p8 - radius;
+    const int32_t left = b->x0_24p8 + radius;
+    const int32_t low = b->y1_24p8 - radius;
+    const int32_t high = b->y0_24p8 + radius;
+    const qtri_point side[4] = {
+        {b->x1_24p8, high}, {b->x1_24p8, low}, {b->x0_24p8, low}, {b->x0_24p8, high}};
+    const qtri_point corner[4] = {{right, low}, {left, low}, {left, high}, {right, high}};
+    qtri_path_line(path, &side[0], &side[1]);
+    qtri_path_line(path, &side[2], &side[3]);
+    for (int32_t quarter = 0; quarter < 4; quarter++) {
+        const int32_t y = corner[quarter].y_24p8 - (quarter < 2 ? 0 : radius);
+        qtri_path_quarter(path, &corner[quarter], radius, quarter, y, y + radius);
+    }
+}
+
+/* The box, and the radius that fits into it; false: it has no inside. */
+static bool begin(const qtri_area *box, int32_t *radius, qtri_area *held)
+{
+    *held = qtri_hold_area(box);
+    const int32_t width = held->x1_24p8 - held->x0_24p8; /* |.| <= 2^23 */
+    const int32_t height = held->y1_24p8 - held->y0_24p8;
+    if (width <= 0 || height <= 0) {
+        return false;
+    }
+    int32_t most = (width < height ? width : height) / 2;
+    most = most < QTRI_PAINT_RADIUS_MAX_24P8 ? most : QTRI_PAINT_RADIUS_MAX_24P8;
+    *radius = *radius < 0 ? 0 : (*radius > most ? most : *radius);
+    return true;
+}
+
+void qtri_paint_round_rect(const qtri_surface *surface, const qtri_area *box, int32_t radius_24p8,
+                           const qtri_brush *brush)
+{
+    QTRI_CHECK(qtri_check_area(surface, box));
+    qtri_area held;
+    qtri_path path;
+    qtri_path_init(&path);
+    if (begin(box, &radius_24p8, &held)) {
+        add(&path, &held, radius_24p8);
+        qtri_path_paint(&path, surface, brush);
+    }
+}
+
+void qtri_paint_round_rect_outline(const qtri_surface *surface, const qtri_area *box,
+                                   int32_t radius_24p8, int32_t width_24p8, const qtri_brush *brush)
+{
+    QTRI_CHECK(qtri_check_area(surface, box));
+    QTRI_CHECK(qtri_check_width(width_24p8));
+    qtri_area b;
+    qtri_path path;
+    qtri_path_init(&path);
+    if (width_24p8 <= 0 || !begin(box, &radius_24p8, &b)) {
+        return;
+    }
+    add(&path, &b, radius_24p8);
+    const int32_t w = width_24p8 < 2 * QTRI_PAINT_MAX_24P8 ? width_24p8 : 2 * QTRI_PAINT_MAX_24P8;
+    const qtri_area inner = {b.x0_24p8 + w, b.y0_24p8 + w, b.x1_24p8 - w, b.y1_24p8 - w};
+    if (inner.x0_24p8 < inner.x1_24p8 && inner.y0_24p8 < inner.y1_24p8) {
+        path.direction = -1;
+        add(&path, &inner, radius_24p8 > w ? radius_24p8 - w : 0);
+    }
+    qtri_path_paint(&path, surface, brush);
+}
+
+/* ---- Circles ---- */
+
+static int32_t hold_radius(int32_t radius)
+{
+    return radius < QTRI_PAINT_RADIUS_MAX_24P8 ? radius : QTRI_PAINT_RADIUS_MAX_24P8;
+}
+
+void qtri_paint_circle(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
+                       const qtri_brush *brush)
+{
+    QTRI_CHECK(qtri_check_circle(surface, center, radius_24p8));
+    qtri_paint_ring_part(surface, center, radius_24p8, radius_24p8, brush);
+}
+
+#ifdef QTRI_CHECKED
+void qtri_paint_ring(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
+                     int32_t width_24p8, const qtri_brush *brush)
+{
+    qtri_check_circle(surface, center, radius_24p8);
+    qtri_check_ring_width(radius_24p8, width_24p8);
+    qtri_paint_ring_part(surface, center, radius_24p8, width_24p8, brush);
+}
+#endif
+
+void qtri_paint_ring_part(const qtri_surface *surface, const qtri_point *center,
+                          int32_t radius_24p8, int32_t width_24p8, const qtri_brush *brush)
+{
+    if (radius_24p8 <= 0 || width_24p8 <= 0) {
+        return;
+    }
+    const qtri_point held = {qtri_hold_24p8(center->x_24p8), qtri_hold_24p8(center->y_24p8)};
+    const int32_t radius = hold_radius(radius_24p8);
+    qtri_path path;
+    qtri_path_init(&path);
+    qtri_path_circle(&path, &held, radius);
+    if (width_24p8 < radius) {
+        path.direction = -1;
+        qtri_path_circle(&path, &held, radius - width_24p8);
+    }
+    qtri_path_paint(&path, surface, brush);
+}
+
+#define DEGREES(n) ((int32_t)(n)*65536)
+
+/* radius times a sine, to nearest: below 2^21 2^16, in 64 bits. */
+static int32_t scaled(int32_t radius, q16 sine)
+{
+    return (int32_t)((qtri_mul_s32(radius, sine) + 0x8000) >> 16);
+}
+
+static qtri_point point_at(const qtri_point *center, int32_t radius, q16 angle)
+{
+    q16 sine;
+    q16 cosine;
+    q16_sincos_deg(angle, &sine, &cosine);
+    const qtri_point point = {center->x_24p8 + scaled(radius, cosine),
+                              center->y_24p8 + scaled(radius, sine)};
+    return point;
+}
+
+/* Clockwise from one angle to another, 0 <= from < 360 and from < to < from + 360 degrees. */
+static void add_arc(qtri_path *path, const qtri_point *center, int32_t radius, q16 from, q16 to)
+{
+    for (int32_t i = from / DEGREES(90); DEGREES(90) * i < to; i++) {
+        const q16 first = qtri_greatest32(from, DEGREES(90) * i);
+        const q16 last = qtri_least32(to, DEGREES(90) * (i + 1));
+        const int32_t a = point_at(center, radius, first).y_24p8;
+        const int32_t b = point_at(center, radius, last).y_24p8;
+        qtri_path_quarter(path, center, radius, i & 3, qtri_least32(a, b), qtri_greatest32(a, b));
+    }
+}
+
+static void add_line(qtri_path *path, const qtri_point *center, int32_t inner, int32_t outer,
+                     q16 angle)
+{
+    const qtri_point from = point_at(center, inner, angle);
+    const qtri_point to = point_at(center, outer, angle);
+    qtri_path_line(path, &from, &to);
+}
+
+void qtri_paint_arc(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
+                    int32_t width_24p8, q16 from, q16 sweep, const qtri_brush *brush)
+{
+    QTRI_CHECK(qtri_check_circle(surface, center, radius_24p8));
+    QTRI_CHECK(qtri_check_ring_width(radius_24p8, width_24p8));
+    if (sweep >= DEGREES(360) || sweep <= -DEGREES(360)) {
+        qtri_paint_ring_part(surface, center, radius_24p8, width_24p8, brush);
+        return;
+    }
+    if (radius_24p8 <= 0 || width_24p8 <= 0 || sweep == 0) {
+        return;
+    }
+    const qtri_point held = {qtri_hold_24p8(center->x_24p8), qtri_hold_24p8(center->y_24p8)};
+    const int32_t outer = qtri_least32(radius_24p8, QTRI_PAINT_RADIUS_MAX_24P8);
+    const int32_t inner = width_24p8 < outer ? outer - width_24p8 : 0;
+    from = q16_mod(from, DEGREES(360));
+    q16 to = from + sweep; /* |.| < 720 */
+    if (sweep < 0) {
+        const q16 turn = to < 0 ? DEGREES(360) : 0;
+        to = from + turn;
+        from = to + sweep;
+    }
+    qtri_path path;
+    qtri_path_init(&path);
+    add_arc(&path, &held, outer, from, to);
+    add_line(&path, &held, inner, outer, from);
+    path.direction = -1;
+    add_line(&path, &held, inner, outer, to);
+    if (inner > 0) {
+        add_arc(&path, &held, inner, from, to);
+    }
+    qtri_path_paint(&path, surface, brush);
+}
+
+/* ---- Polygons and lines ---- */
+
+/* Of few points: sides that are made ready once, and not in every row. */
+static void paint_few(const qtri_surface *surface, const qtri_point *point, int32_t count,
+                      const qtri_brush *brush)
+{
+    qtri_path path;
+    qtri_path_init(&path);
+    const qtri_point *end = &point[count - 1];
+    qtri_point last = {qtri_hold_24p8(end->x_24p8), qtri_hold_24p8(end->y_24p8)};
+    for (int32_t i = 0; i < count; i++) {
+        const qtri_point next = {qtri_hold_24p8(point[i].x_24p8), qtri_hold_24p8(point[i].y_24p8)};
+        qtri_path_line(&path, &last, &next);
+        last = next;
+    }
+    qtri_path_paint(&path, surface, brush);
+}
+
+#ifdef QTRI_CHECKED
+void qtri_paint_polygon(const qtri_surface *surface, const qtri_point *point, int32_t count,
+                        const qtri_brush *brush)
+{
+    qtri_check_points(surface, point, count);
+    qtri_paint_polygon_part(surface, point, count, brush);
+}
+#endif
+
+void qtri_paint_polygon_part(const qtri_surface *surface, const qtri_point *point, int32_t count,
+                             const qtri_brush *brush)
+{
+    if (count >= 3 && count <= QTRI_PATH_EDGES) {
+        paint_few(surface, point, count, brush);
+    } else if (count >= 3) {
+        const qtri_contour contour = {NULL, point, count};
+        qtri_paint_contour(surface, &contour, brush);
+    }
+}
+
+/* side width / 2 length, to nearest; |side| <= 2^23, width < 2^23. */
+static int32_t offset_of(int32_t side, int32_t width, uint64_t length)
+{
+    bool half;
+    const uint64_t n = qtri_mul_u32(qtri_magnitude32(side), (uint32_t)width);
+    const int32_t offset = (int32_t)(qtri_divide64(n, 2 * length, 0, &half) + half);
+    return side < 0 ? -offset : offset;
+}
+
+#ifdef QTRI_CHECKED
+static void check_stroke(const qtri_surface *surface, qtri_point from, qtri_point to, int32_t width)
+{
+    const qtri_point end[2] = {from, to};
+    qtri_check_points(surface, end, 2);
+    qtri_check_width(width);
+}
+#endif
+
+void qtri_paint_stroke(const qtri_surface *surface, const qtri_point *from, const qtri_point *to,
+                       int32_t width_24p8, const qtri_brush *brush)
+{
+    QTRI_ASSERT(from != NULL);
+    QTRI_ASSERT(to != NULL);
+    QTRI_CHECK(check_stroke(surface, *from, *to, width_24p8));
+    const qtri_point a = {qtri_hold_24p8(from->x_24p8), qtri_hold_24p8(from->y_24p8)};
+    const qtri_point b = {qtri_hold_24p8(to->x_24p8), qtri_hold_24p8(to->y_24p8)};
+    const int32_t dx = b.x_24p8 - a.x_24p8; /* |.| <= 2^23 */
+    const int32_t dy = b.y_24p8 - a.y_24p8;
+    if (width_24p8 <= 0 || (dx | dy) == 0) {
+        return;
+    }
+    const int32_t width = qtri_hold_24p8(width_24p8);
+    const uint64_t square = (uint64_t)qtri_mul_s32(dx, dx) + (uint64_t)qtri_mul_s32(dy, dy);
+    const uint64_t length = qtri_sqrt64_round(square); /* >= 1 */
+    const int32_t x = offset_of(-dy, width, length);
+    const int32_t y = offset_of(dx, width, length);
+    const qtri_point point[4] = {{a.x_24p8 + x, a.y_24p8 + y},
+                                 {b.x_24p8 + x, b.y_24p8 + y},
+                                 {b.x_24p8 - x, b.y_24p8 - y},
+                                 {a.x_24p8 - x, a.y_24p8 - y}};
+    qtri_paint_polygon_part(surface, point, 4, brush);
+}
