@@ -2,8 +2,8 @@
 /*
  * Arbitrary bytes for what draws on a surface and what surfaces become: shapes, pictures, text,
  * strokes, meshes in bands, outlines, samples, filters. Nothing may trap, overflow or write outside
- * of memory; and what is drawn by two scissors, in bands or in bands that roll, is what is drawn at
- * once.
+ * of memory; and what is drawn by two scissors, in bands or in bands that overlap, is what is drawn
+ * at once.
  */
 #include "support/fuzz_input.h"
 
@@ -287,8 +287,9 @@ static board board_new(const qtri_format *format, const qtri_depth_format *depth
                                     depth != NULL ? depth->bytes : QTRI_DEPTH_LINEAR16_BYTES);
     b.memory = calloc(b.bytes, 1);
     abort_if(b.memory == NULL ||
-             qtri_surface_init_depth(&b.surface, format, depth, SIDE, SIDE, first, rows, b.memory,
-                                     b.bytes) != QTRI_OK);
+             qtri_surface_init(&b.surface, format, SIDE, SIDE, first, rows, b.memory, b.bytes) !=
+                 QTRI_OK ||
+             qtri_surface_set_depth(&b.surface, depth, b.bytes) != QTRI_OK);
     if (format->pixels->bytes >= QTRI_GRAY8_X4_BYTES) {
         qtri_samples_clear(&b.surface, sky);
     } else {
@@ -422,34 +423,31 @@ static void draw_outlines(struct reader *r, const job *j)
     free(b.memory);
 }
 
-/* Bands with rows about them, of any sizes. */
-static void roll_any(struct reader *r)
+/* Bands that overlap, of any sizes. */
+static void overlap_any(struct reader *r)
 {
-    static uint8_t memory[QTRI_ROLLING_BYTES_DOUBLE(SIDE, SIDE, 9, 4)];
-    static uint8_t kept[QTRI_ROLLING_KEPT_BYTES(SIDE, 9, 4)];
+    static uint8_t memory[QTRI_FRAME_BYTES_DOUBLE(SIDE, SIDE + 2 * 9, 4)];
+    static uint8_t kept[QTRI_FRAME_KEPT_BYTES(SIDE, 9, 4)];
     const qtri_format *format = formats[take_byte(r) % PLAIN_FORMATS];
     const int32_t height = take_byte(r) % 4 ? SIDE : take_int(r);
     const int32_t rows = take_byte(r) % 8 ? take_byte(r) % SIDE : take_int(r);
-    const int32_t halo = take_byte(r) % 8 ? take_byte(r) % 10 : take_int(r);
-    qtri_rolling rolling;
-    qtri_halo about;
-    qtri_surface drawn, band, shown;
-    (void)qtri_rolling_init(&rolling, format, SIDE, height, rows, halo, memory, sizeof memory, kept,
-                            sizeof kept);
-    qtri_rolling_begin(&rolling);
-    for (int i = 0; i < 200 && qtri_rolling_next_band(&rolling, &drawn, &band, &shown); i++) {
-        memset(drawn.pixels, i, (size_t)drawn.pitch * (size_t)drawn.rows);
-        qtri_rolling_keep(&rolling, &band);
-    }
-    (void)qtri_halo_init(&about, format, SIDE, height, rows, halo, memory, sizeof memory);
-    qtri_halo_begin(&about);
-    for (int i = 0; i < 200 && qtri_halo_next_band(&about, &band, &shown); i++) {
-        memset(band.pixels, i, (size_t)band.pitch * (size_t)band.rows);
-        memset(shown.pixels, i, (size_t)shown.pitch * (size_t)shown.rows);
+    const int32_t overlap = take_byte(r) % 8 ? take_byte(r) % 10 : take_int(r);
+    for (int keeps = 0; keeps < 2; keeps++) {
+        qtri_frame frame;
+        qtri_surface band, shown;
+        (void)qtri_frame_init(&frame, format, SIDE, height, rows, memory, sizeof memory);
+        (void)qtri_frame_set_overlap(&frame, overlap, keeps ? kept : NULL, sizeof kept);
+        for (int i = 0; i < 200 && qtri_frame_next_band(&frame, &band); i++) {
+            memset(band.pixels, i, (size_t)band.pitch * (size_t)band.rows);
+            qtri_frame_join(&frame, &band);
+            qtri_frame_shown(&frame, &band, &shown);
+            memset(band.pixels, i, (size_t)band.pitch * (size_t)band.rows);
+            memset(shown.pixels, i, (size_t)shown.pitch * (size_t)shown.rows);
+        }
     }
 }
 
-/* ---- Bands that roll ---- */
+/* ---- Bands that overlap ---- */
 
 /* What smooths a frame, or a band of one. */
 typedef struct smoothing {
@@ -472,11 +470,11 @@ static void smooth(smoothing *by, const qtri_surface *s)
     }
 }
 
-/* A mesh, prepared, in bands that roll and with rows about them: smoothed, those of the frame. */
-static void roll(struct reader *r, const job *j)
+/* A mesh, prepared, in bands that overlap: smoothed, those of the frame. */
+static void join(struct reader *r, const job *j)
 {
-    static uint8_t memory[QTRI_ROLLING_BYTES(SIDE, SIDE, 3, 4)];
-    static uint8_t kept[QTRI_ROLLING_KEPT_BYTES(SIDE, 3, 4)];
+    static uint8_t memory[QTRI_FRAME_BYTES(SIDE, SIDE + 2 * 3, 4)];
+    static uint8_t kept[QTRI_FRAME_KEPT_BYTES(SIDE, 3, 4)];
     static uint16_t lists[QTRI_PREPARED_LISTS(TRIANGLES, SIDE, 1)];
     static qtri_vertex vertices[QTRI_LIT_VERTICES(VERTICES)];
     static uint32_t list[QTRI_OUTLINE_WORDS(TRIANGLES) + VERTICES + 40];
@@ -484,11 +482,11 @@ static void roll(struct reader *r, const job *j)
     const qtri_rgb sky = {1, 2, 3};
     const qtri_format *format = formats[take_byte(r) % PLAIN_FORMATS];
     smoothing by = {.kind = take_byte(r) % SMOOTHINGS};
-    const int32_t halo = (by.kind == FXAA ? QTRI_FXAA_HALO : 1) + take_byte(r) % 2;
-    const int32_t rows = 2 * halo + take_byte(r) % (SIDE - 2 * halo + 1);
-    qtri_rolling rolling;
+    const int32_t overlap = (by.kind == FXAA ? QTRI_FXAA_OVERLAP : 1) + take_byte(r) % 2;
+    const int32_t rows = 2 * overlap + take_byte(r) % (SIDE - 2 * overlap + 1);
+    qtri_frame frame;
     qtri_prepared prepared;
-    qtri_surface drawn, band, shown;
+    qtri_surface band, shown;
     qtri_mesh mesh = j->soup.mesh;
     qtri_material material = j->material;
     qtri_view view = j->view;
@@ -507,20 +505,21 @@ static void roll(struct reader *r, const job *j)
     abort_if(qtri_draw_mesh_outlined(&whole.surface, &view, &j->pose, &material, &by.outline) !=
              QTRI_OK);
     smooth(&by, &whole.surface);
-    abort_if(qtri_rolling_init(&rolling, format, SIDE, SIDE, rows, halo, memory, sizeof memory,
-                               kept, sizeof kept) != QTRI_OK);
+    abort_if(qtri_frame_init(&frame, format, SIDE, SIDE, rows, memory, sizeof memory) != QTRI_OK);
+    abort_if(qtri_frame_set_overlap(&frame, overlap, take_byte(r) % 4 ? kept : NULL, sizeof kept) !=
+             QTRI_OK);
     qtri_prepared_init(&prepared, vertices, QTRI_LIT_VERTICES(VERTICES), lists,
                        take_byte(r) % (sizeof lists / sizeof lists[0] + 1));
-    qtri_prepared_set_rolling_outline(&prepared, &by.outline, halo);
-    qtri_prepare_mesh(&prepared, &rolling.frame, &view, &j->pose, &mesh, &material);
+    qtri_prepared_set_outline(&prepared, &by.outline);
+    qtri_prepare_mesh(&prepared, &frame, &view, &j->pose, &mesh, &material);
     abort_if(qtri_prepared_find_edges(&prepared, &by.outline) != QTRI_OK);
-    qtri_rolling_begin(&rolling);
     int32_t row = 0;
-    while (qtri_rolling_next_band(&rolling, &drawn, &band, &shown)) {
-        qtri_surface_clear(&drawn, sky);
-        qtri_draw_prepared(&drawn, &prepared);
-        qtri_rolling_keep(&rolling, &band);
+    while (qtri_frame_next_band(&frame, &band)) {
+        qtri_surface_clear(&band, sky);
+        qtri_draw_prepared(&band, &prepared);
+        qtri_frame_join(&frame, &band);
         smooth(&by, &band);
+        qtri_frame_shown(&frame, &band, &shown);
         abort_if(shown.first_row != row);
         for (int32_t y = 0; y < shown.rows; y++, row++) {
             abort_if(memcmp(shown.pixels + y * shown.pitch,
@@ -576,9 +575,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         look_at(r, &j);
     }
     if (what % 8 == 1) {
-        roll_any(r);
+        overlap_any(r);
     } else if (what % 8 >= 6) {
-        roll(r, &j);
+        join(r, &j);
     } else if (what % 8 == 2) {
         draw_outlines(r, &j);
     } else if (what % 8 == 3) {

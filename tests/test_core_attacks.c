@@ -270,7 +270,6 @@ static void failed_frames(void **state)
         assert_int_equal(qtri_frame_init(&frame, cases[i].format, SIDE, SIDE, cases[i].rows,
                                          cases[i].memory, cases[i].bytes),
                          cases[i].error);
-        qtri_frame_begin(&frame);
         qtri_frame_mark(&frame, &all);
         qtri_frame_mark_all(&frame);
         qtri_frame_share(&frame, 1, 2);

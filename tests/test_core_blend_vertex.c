@@ -389,7 +389,6 @@ static void pieces(void **state)
         assert_int_equal(qtri_frame_init(&frame, format, WIDTH, HEIGHT, 13, memory, sizeof memory),
                          QTRI_OK);
         qtri_prepared_init(&prepared, vertices, POINTS, lists, sizeof lists / sizeof lists[0]);
-        qtri_frame_begin(&frame);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &s.mesh, &m);
         while (qtri_frame_next_band(&frame, &band)) {
             qtri_surface_clear(&band, sky);

@@ -3,6 +3,7 @@
  * Formats of depth: what they store, which pixels pass, and that nothing else changes.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 
 #include "frame/depth_format.h"
 #include "frame/stored.h"
@@ -48,8 +49,8 @@ static board board_band(const qtri_format *format, const qtri_depth_format *dept
     b.memory = malloc(b.bytes + 2 * GUARD);
     assert_non_null(b.memory);
     memset(b.memory, 0xA5, b.bytes + 2 * GUARD);
-    assert_int_equal(qtri_surface_init_depth(&b.surface, format, depth, WIDTH, HEIGHT, first, rows,
-                                             b.memory + GUARD, b.bytes),
+    assert_int_equal(surface_with_depth(&b.surface, format, depth, WIDTH, HEIGHT, first, rows,
+                                        b.memory + GUARD, b.bytes),
                      QTRI_OK);
     qtri_surface_clear(&b.surface, (qtri_rgb){24, 32, 48});
     return b;
@@ -595,19 +596,19 @@ static void layouts(void **state)
     for (int f = 0; f < FORMATS; f++) {
         const size_t bytes = QTRI_BAND_BYTES_DEPTH(9, 5, 2, formats[f]->bytes);
         assert_int_equal(
-            qtri_surface_init_depth(&s, &qtri_rgb565, formats[f], 9, 9, 0, 5, memory, bytes - 1),
+            surface_with_depth(&s, &qtri_rgb565, formats[f], 9, 9, 0, 5, memory, bytes - 6),
             QTRI_ERROR_MEMORY);
         assert_null(s.format);
         assert_int_equal(
-            qtri_surface_init_depth(&s, &qtri_rgb565_x4, formats[f], 9, 9, 0, 5, memory, 9999),
+            surface_with_depth(&s, &qtri_rgb565_x4, formats[f], 9, 9, 0, 5, memory, 9999),
             QTRI_ERROR_FORMAT);
-        assert_int_equal(qtri_surface_init_depth(&s, NULL, formats[f], 9, 9, 0, 5, memory, 9999),
+        assert_int_equal(surface_with_depth(&s, NULL, formats[f], 9, 9, 0, 5, memory, 9999),
                          QTRI_ERROR_FORMAT);
         for (int pitch = 9; pitch >= -12; pitch -= 21) {
             static const q16 depths[] = {0, Q16(.25), Q16_ONE, INT32_MAX, INT32_MIN};
-            assert_int_equal(qtri_surface_init_depth(&s, &qtri_rgb565, formats[f], 9, 9, 0, 5,
-                                                     memory, sizeof memory),
-                             QTRI_OK);
+            assert_int_equal(
+                surface_with_depth(&s, &qtri_rgb565, formats[f], 9, 9, 0, 5, memory, sizeof memory),
+                QTRI_OK);
             if (pitch < 0) {
                 s.depth = (uint16_t *)(void *)(memory + sizeof memory / 2);
                 s.depth_pitch = pitch;
@@ -646,57 +647,50 @@ static void layouts(void **state)
         }
     }
     const qtri_depth_format one_byte = {1, &qtri_depth_words, encode_twin, decode_twin, 0, NULL};
-    assert_int_equal(qtri_surface_init_depth(&s, &qtri_rgb565, &one_byte, 9, 9, 0, 5, memory, 9999),
+    assert_int_equal(surface_with_depth(&s, &qtri_rgb565, &one_byte, 9, 9, 0, 5, memory, 9999),
                      QTRI_ERROR_FORMAT);
-    assert_int_equal(qtri_surface_init_depth(&s, &qtri_rgb565, &qtri_depth_linear16, 9, 9, 0, 5,
-                                             memory, sizeof memory),
+    assert_int_equal(surface_with_depth(&s, &qtri_rgb565, &qtri_depth_linear16, 9, 9, 0, 5, memory,
+                                        sizeof memory),
                      QTRI_OK);
     qtri_surface_clear(&s, (qtri_rgb){0, 0, 0});
     assert_int_equal(s.depth[44], UINT16_MAX);
 }
 
-/* Frames and halos lay out bands with depth of any format, in one buffer and in two. */
+/* Frames lay out bands with depth of any format, in one buffer and in two. */
 static void frames(void **state)
 {
     (void)state;
-    enum { ROWS = 12, HALO = 2 };
-    static uint8_t memory[QTRI_HALO_BYTES_DOUBLE_DEPTH(WIDTH, ROWS, HALO, 4, 4)];
+    enum { ROWS = 12, OVERLAP = 2 };
+    static uint8_t memory[QTRI_FRAME_BYTES_DOUBLE_DEPTH(WIDTH, ROWS + 2 * OVERLAP, 4, 4)];
     for (int n = 0; n < FORMATS * 8; n++) {
         const qtri_format *format = drawn_format(n);
         const qtri_depth_format *depth = formats[n % FORMATS];
         const int32_t bytes = format->pixels->bytes;
         const bool twice = n % 2 != 0;
-        const bool with_halo = n % 4 > 1;
-        const int32_t rows = with_halo ? ROWS + 2 * HALO : ROWS;
+        const bool overlaps = n % 4 > 1;
+        const int32_t rows = overlaps ? ROWS + 2 * OVERLAP : ROWS;
         const size_t size = twice ? QTRI_FRAME_BYTES_DOUBLE_DEPTH(WIDTH, rows, bytes, depth->bytes)
                                   : QTRI_FRAME_BYTES_DEPTH(WIDTH, rows, bytes, depth->bytes);
         board whole = board_new(format, depth);
         draw_scene(&whole.surface, (uint64_t)n, true);
-        qtri_halo halo = {0};
-        qtri_frame *frame = &halo.frame;
+        qtri_frame frame;
         uint8_t *end = memory + size;
         *end = 0x5A;
-        if (with_halo) {
-            assert_int_equal(
-                qtri_halo_init_depth(&halo, format, depth, WIDTH, HEIGHT, ROWS, HALO, memory, size),
-                QTRI_OK);
-        } else {
-            assert_int_equal(
-                qtri_frame_init_depth(frame, format, depth, WIDTH, HEIGHT, ROWS, memory, size - 1),
-                twice ? QTRI_OK : QTRI_ERROR_MEMORY);
-            assert_int_equal(
-                qtri_frame_init_depth(frame, format, depth, WIDTH, HEIGHT, ROWS, memory, size),
-                QTRI_OK);
+        for (size_t less = 2; less-- > 0;) {
+            const int32_t overlap = overlaps ? OVERLAP : 0;
+            const enum qtri_error error = less > 0 && !twice ? QTRI_ERROR_MEMORY : QTRI_OK;
+            enum qtri_error is = frame_with_overlap(&frame, format, WIDTH, HEIGHT, ROWS, overlap,
+                                                    memory, size - less);
+            is = is == QTRI_OK ? qtri_frame_set_depth(&frame, depth) : is;
+            assert_int_equal(is, error);
         }
-        assert_true((frame->other_pixels != NULL) == twice);
+        assert_true((frame.other_pixels != NULL) == twice);
         qtri_surface band;
         qtri_surface shown;
-        qtri_frame_begin(frame);
-        while (with_halo ? qtri_halo_next_band(&halo, &band, &shown)
-                         : qtri_frame_next_band(frame, &band)) {
+        while (next_shown(&frame, &band, &shown)) {
             qtri_surface_clear(&band, (qtri_rgb){24, 32, 48});
             draw_scene(&band, (uint64_t)n, true);
-            assert_same(&whole.surface, with_halo ? &shown : &band);
+            assert_same(&whole.surface, &shown);
         }
         assert_int_equal(*end, 0x5A);
         board_free(&whole);

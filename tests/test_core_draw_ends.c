@@ -10,7 +10,6 @@
 #include <qtri/blend.h>
 #include <qtri/edges.h>
 #include <qtri/frame.h>
-#include <qtri/halo.h>
 #include <qtri/light.h>
 #include <qtri/prepared.h>
 #include <qtri/samples.h>
@@ -514,7 +513,7 @@ static void prepared_for_another_frame(void **state)
         canvas c[2] = {new_canvas(), new_canvas()};
         canvas empty = new_canvas();
         qtri_prepared_init(&prepared, vertices, VERTICES, many, counts[n]);
-        qtri_prepared_set_outline(&prepared, NULL, 8);
+        qtri_prepared_set_outline(&prepared, NULL);
         assert_int_equal(
             qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c[0].memory, c[0].bytes),
             QTRI_OK);

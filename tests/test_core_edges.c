@@ -4,6 +4,7 @@
  * what it must leave alone.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 
 #include "tools/mesh_faces.h"
 #include "tools/mesh_neighbours.h"
@@ -253,49 +254,27 @@ static void draw_whole(struct scene *s, struct picture *out)
 
 /* ---- The same pixels ---- */
 
-/* The frame's bands: with a halo that is drawn again, or with one that is kept. */
+/* The frame's bands: with rows that are drawn again, or with such that are kept. */
 struct bands {
-    bool rolls;
-    qtri_halo halo;
-    qtri_rolling rolling;
+    bool keeps;
+    qtri_frame frame;
 };
 
-static void begin_bands(struct bands *b, const struct scene *s, int32_t rows, int32_t halo,
+static void begin_bands(struct bands *b, const struct scene *s, int32_t rows, int32_t overlap,
                         size_t bytes)
 {
-    static uint32_t kept[QTRI_ROLLING_KEPT_BYTES(WIDTH, 3, 4) / sizeof(uint32_t)];
-    assert_int_equal(qtri_halo_init(&b->halo, s->format, WIDTH, HEIGHT, rows, halo, memory, bytes),
+    static uint32_t kept[QTRI_FRAME_KEPT_BYTES(WIDTH, 3, 4) / sizeof(uint32_t)];
+    assert_int_equal(qtri_frame_init(&b->frame, s->format, WIDTH, HEIGHT, rows, memory, bytes),
                      QTRI_OK);
-    if (b->rolls) {
-        assert_int_equal(qtri_rolling_init(&b->rolling, s->format, WIDTH, HEIGHT, rows, halo,
-                                           memory, bytes, kept, sizeof kept),
-                         QTRI_OK);
-    }
-    qtri_halo_begin(&b->halo);
-    qtri_rolling_begin(&b->rolling);
-}
-
-static bool next_band(struct bands *b, qtri_surface *drawn, qtri_surface *band, qtri_surface *shown)
-{
-    if (b->rolls) {
-        return qtri_rolling_next_band(&b->rolling, drawn, band, shown);
-    }
-    const bool there = qtri_halo_next_band(&b->halo, band, shown);
-    *drawn = *band;
-    return there;
+    assert_int_equal(
+        qtri_frame_set_overlap(&b->frame, overlap, b->keeps ? kept : NULL, sizeof kept), QTRI_OK);
 }
 
 static void prepare(struct bands *b, const struct scene *s, qtri_prepared *prepared,
-                    qtri_outline *of, const qtri_transform *pose, const qtri_material *material,
-                    int32_t halo)
+                    qtri_outline *of, const qtri_transform *pose, const qtri_material *material)
 {
-    if (b->rolls) {
-        qtri_prepared_set_rolling_outline(prepared, of, halo);
-    } else {
-        qtri_prepared_set_outline(prepared, of, halo);
-    }
-    qtri_prepare_mesh(prepared, b->rolls ? &b->rolling.frame : &b->halo.frame, &s->view, pose,
-                      &s->mesh, material);
+    qtri_prepared_set_outline(prepared, of);
+    qtri_prepare_mesh(prepared, &b->frame, &s->view, pose, &s->mesh, material);
     assert_int_equal(qtri_prepared_find_edges(prepared, of), QTRI_OK);
 }
 
@@ -307,37 +286,35 @@ static void bands_and_lists(void **state)
         struct scene s = random_scene(&seed);
         static struct picture whole, banded;
         draw_whole(&s, &whole);
-        struct bands b = {.rolls = round % 3 == 2};
-        const int32_t halo = random_in(&seed, 1, 3);
-        const int32_t rows = random_in(&seed, b.rolls ? 2 * halo : 1, HEIGHT + 3);
+        struct bands b = {.keeps = round % 3 == 2};
+        const int32_t overlap = random_in(&seed, 1, 3);
+        const int32_t rows = random_in(&seed, b.keeps ? 2 * overlap : 1, HEIGHT + 3);
         const uint32_t least = QTRI_OUTLINE_WORDS(TRIANGLES) + QTRI_OUTLINE_SUMS(VERTICES);
         begin_outlines(&s, least + (uint32_t)random_in(&seed, 0, 1) *
                                        (uint32_t)random_in(&seed, 0, 300));
         qtri_prepared prepared[2];
-        begin_bands(&b, &s, rows, halo, sizeof memory / (random_flag(&seed) ? 1 : 3));
+        begin_bands(&b, &s, rows, overlap, sizeof memory / (random_flag(&seed) ? 1 : 3));
         qtri_material material[2] = {s.material, s.material};
         material[0].color.g = 0;
         material[1].color.g = 200;
         for (int i = 0; i < 2; i++) {
             qtri_prepared_init(&prepared[i], vertices[i], VERTICES, lists[i],
                                (uint32_t)random_in(&seed, 0, LISTS));
-            prepare(&b, &s, &prepared[i], &outline[i], &s.pose[i], &material[i], halo);
+            prepare(&b, &s, &prepared[i], &outline[i], &s.pose[i], &material[i]);
         }
-        qtri_surface drawn, band, shown;
+        qtri_surface band, shown;
         int32_t next = 0;
-        while (next_band(&b, &drawn, &band, &shown)) {
+        while (qtri_frame_next_band(&b.frame, &band)) {
             qtri_edges edges;
-            assert_int_equal(shown.first_row, next);
             if (!s.has_depth) {
                 band.depth = NULL;
-                drawn.depth = NULL;
             }
-            clear_to(&drawn, sky, s.far);
-            qtri_draw_prepared(&drawn, &prepared[0]);
-            qtri_draw_prepared(&drawn, &prepared[1]);
-            if (b.rolls) {
-                qtri_rolling_keep(&b.rolling, &band);
-            }
+            clear_to(&band, sky, s.far);
+            qtri_draw_prepared(&band, &prepared[0]);
+            qtri_draw_prepared(&band, &prepared[1]);
+            qtri_frame_join(&b.frame, &band);
+            qtri_frame_shown(&b.frame, &band, &shown);
+            assert_int_equal(shown.first_row, next);
             if (s.format == &qtri_rgb565 && random_flag(&seed)) {
                 band.format = &any_565;
             }
@@ -786,36 +763,36 @@ static void errors(void **state)
     assert_int_equal(qtri_edges_begin(&edges, &surface, NULL, 0), QTRI_OK);
 }
 
-/* Bands with a halo: where they lie, and what is changed. */
-static void halo_bands_join(void **state)
+/* Bands whose overlap is drawn again: where they lie, and what is changed. */
+static void overlap_is_drawn_again(void **state)
 {
     (void)state;
     uint64_t seed = 10;
-    qtri_halo halo;
+    qtri_frame frame;
     qtri_surface band, shown;
-    assert_int_equal(qtri_halo_init(&halo, &qtri_gray8, 10, 10, 4, 9, memory, sizeof memory),
+    assert_int_equal(frame_with_overlap(&frame, &qtri_gray8, 10, 10, 4, 9, memory, sizeof memory),
                      QTRI_ERROR_SIZE);
-    assert_false(qtri_halo_next_band(&halo, &band, &shown));
-    assert_int_equal(
-        qtri_halo_init(&halo, &qtri_gray8, 10, 10, 4, 1, memory, QTRI_HALO_BYTES(10, 4, 1, 1) - 1),
-        QTRI_ERROR_MEMORY);
+    assert_false(next_shown(&frame, &band, &shown));
+    assert_int_equal(frame_with_overlap(&frame, &qtri_gray8, 10, 10, 4, 1, memory,
+                                        QTRI_FRAME_BYTES(10, 4 + 2 * 1, 1) - 1),
+                     QTRI_ERROR_MEMORY);
     for (int round = 0; round < 500; round++) {
         const int32_t rows = random_in(&seed, 1, 60), above = random_in(&seed, 0, 8);
         const bool two = random_flag(&seed);
-        assert_int_equal(qtri_halo_init(&halo, &qtri_rgb565, WIDTH, HEIGHT, rows, above, memory,
-                                        two ? QTRI_HALO_BYTES_DOUBLE(WIDTH, rows, above, 2)
-                                            : QTRI_HALO_BYTES(WIDTH, rows, above, 2)),
-                         QTRI_OK);
-        for (int frame = 0; frame < 2; frame++) {
+        assert_int_equal(
+            frame_with_overlap(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, above, memory,
+                               two ? QTRI_FRAME_BYTES_DOUBLE(WIDTH, rows + 2 * above, 2)
+                                   : QTRI_FRAME_BYTES(WIDTH, rows + 2 * above, 2)),
+            QTRI_OK);
+        for (int turn = 0; turn < 2; turn++) {
             const qtri_rect changed = {20, 15, 30, 22};
             int32_t next = 0;
-            qtri_halo_begin(&halo);
-            if (frame == 1) {
-                qtri_frame_mark(&halo.frame, &changed);
-                qtri_halo_only_changes(&halo);
+            if (turn == 1) {
+                qtri_frame_mark(&frame, &changed);
+                qtri_frame_only_changes(&frame);
             }
             const uint8_t *last = NULL;
-            while (qtri_halo_next_band(&halo, &band, &shown)) {
+            while (next_shown(&frame, &band, &shown)) {
                 assert_true(shown.first_row >= next && shown.first_row % rows == 0);
                 assert_int_equal(band.first_row,
                                  shown.first_row > above ? shown.first_row - above : 0);
@@ -828,7 +805,7 @@ static void halo_bands_join(void **state)
                 assert_true((const uint8_t *)(band.depth + band.rows * band.depth_pitch) <= end);
                 assert_true(last == NULL || (last != band.pixels) == two);
                 last = band.pixels;
-                if (frame == 1) {
+                if (turn == 1) {
                     assert_int_equal(shown.scissor.x0, 20 - above);
                     assert_int_equal(band.scissor.x0, 20 - 2 * above);
                     assert_int_equal(shown.scissor.y1, 22 + above);
@@ -836,66 +813,67 @@ static void halo_bands_join(void **state)
                     clear_to(&band, sky, 0);
                 }
             }
-            assert_true(next >= (frame == 0 ? HEIGHT : 22));
+            assert_true(next >= (turn == 0 ? HEIGHT : 22));
         }
     }
 }
 
-/* Bands that roll on: which rows are drawn, kept and shown, in one buffer and in two. */
-static void rolling_bands_join(void **state)
+/* Bands whose overlap is kept: which rows are drawn, kept and shown, in one buffer and in two. */
+static void overlap_is_kept(void **state)
 {
     (void)state;
     uint64_t seed = 11;
-    qtri_rolling rolling;
-    qtri_surface drawn, band, shown;
-    uint8_t kept[QTRI_ROLLING_KEPT_BYTES(WIDTH, 8, 2) + 1];
-    assert_int_equal(qtri_rolling_init(&rolling, &qtri_rgb565, WIDTH, HEIGHT, 5, 3, memory,
-                                       sizeof memory, kept, sizeof kept),
-                     QTRI_ERROR_SIZE);
-    assert_false(qtri_rolling_next_band(&rolling, &drawn, &band, &shown));
-    assert_int_equal(qtri_rolling_init(&rolling, &qtri_rgb565, WIDTH, HEIGHT, 6, 3, memory,
-                                       QTRI_ROLLING_BYTES(WIDTH, 6, 3, 2) - 1, kept, sizeof kept),
-                     QTRI_ERROR_MEMORY);
-    assert_false(qtri_rolling_next_band(&rolling, &drawn, &band, &shown));
-    assert_int_equal(qtri_rolling_init(&rolling, &qtri_rgb565, WIDTH, HEIGHT, 6, 3, memory,
-                                       sizeof memory, kept,
-                                       QTRI_ROLLING_KEPT_BYTES(WIDTH, 3, 2) - 1),
-                     QTRI_ERROR_MEMORY);
-    assert_int_equal(qtri_rolling_init(&rolling, &qtri_rgb565, WIDTH, HEIGHT, 6, 3, memory,
-                                       sizeof memory, NULL, sizeof kept),
-                     QTRI_ERROR_MEMORY);
-    assert_false(qtri_rolling_next_band(&rolling, &drawn, &band, &shown));
+    qtri_surface band, shown;
+    uint8_t kept[QTRI_FRAME_KEPT_BYTES(WIDTH, 8, 2) + 1];
+    static const struct {
+        int32_t rows;
+        size_t bytes, kept_bytes;
+        enum qtri_error error;
+    } tries[] = {
+        {5, sizeof memory, sizeof kept, QTRI_ERROR_SIZE},
+        {6, QTRI_FRAME_BYTES(WIDTH, 6 + 2 * 3, 2) - 1, sizeof kept, QTRI_ERROR_MEMORY},
+        {6, sizeof memory, QTRI_FRAME_KEPT_BYTES(WIDTH, 3, 2) - 1, QTRI_ERROR_MEMORY},
+        {6, QTRI_FRAME_BYTES(WIDTH, 6 + 2 * 3, 2), QTRI_FRAME_KEPT_BYTES(WIDTH, 3, 2), QTRI_OK}};
+    for (size_t i = 0; i < LENGTH_OF(tries); i++) {
+        qtri_frame frame;
+        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, tries[i].rows, memory,
+                                         tries[i].bytes),
+                         QTRI_OK);
+        assert_int_equal(qtri_frame_set_overlap(&frame, 3, kept, tries[i].kept_bytes),
+                         tries[i].error);
+        assert_true(qtri_frame_next_band(&frame, &band) == (tries[i].error == QTRI_OK));
+    }
     for (int round = 0; round < 300; round++) {
-        const int32_t halo = random_in(&seed, 0, 8);
-        const int32_t rows = random_in(&seed, halo > 0 ? 2 * halo : 1, 60);
+        qtri_frame frame;
+        const int32_t overlap = random_in(&seed, 0, 8);
+        const int32_t rows = random_in(&seed, overlap > 0 ? 2 * overlap : 1, 60);
         const bool two = random_flag(&seed);
         uint8_t *rest = kept + random_in(&seed, 0, 1); /* at words or not */
+        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, memory,
+                                         two ? QTRI_FRAME_BYTES_DOUBLE(WIDTH, rows + 2 * overlap, 2)
+                                             : QTRI_FRAME_BYTES(WIDTH, rows + 2 * overlap, 2)),
+                         QTRI_OK);
         assert_int_equal(
-            qtri_rolling_init(&rolling, &qtri_rgb565, WIDTH, HEIGHT, rows, halo, memory,
-                              two ? QTRI_ROLLING_BYTES_DOUBLE(WIDTH, rows, halo, 2)
-                                  : QTRI_ROLLING_BYTES(WIDTH, rows, halo, 2),
-                              halo > 0 ? rest : NULL, sizeof kept - (size_t)(rest - kept)),
+            qtri_frame_set_overlap(&frame, overlap, rest, sizeof kept - (size_t)(rest - kept)),
             QTRI_OK);
-        for (int frame = 0; frame < 2; frame++) {
+        for (int turn = 0; turn < 2; turn++) {
             int32_t next_drawn = 0;
-            int32_t next_shown = 0;
-            qtri_rolling_begin(&rolling);
-            while (qtri_rolling_next_band(&rolling, &drawn, &band, &shown)) {
-                assert_int_equal(drawn.first_row, next_drawn);
-                assert_int_equal(shown.first_row, next_shown);
-                const int32_t above = next_drawn == 0 ? 0 : 2 * halo;
-                assert_int_equal(band.first_row, next_drawn - above);
-                next_drawn += drawn.rows;
-                next_shown += shown.rows;
-                assert_int_equal(band.first_row + band.rows, next_drawn);
-                assert_int_equal(next_shown, next_drawn < HEIGHT ? next_drawn - halo : HEIGHT);
-                for (int32_t y = 0; y < drawn.rows; y++) {
-                    const uint16_t row = (uint16_t)(drawn.first_row + y);
+            int32_t next_shown_row = 0;
+            while (qtri_frame_next_band(&frame, &band)) {
+                assert_int_equal(band.first_row, next_drawn);
+                const int32_t above = next_drawn == 0 ? 0 : 2 * overlap;
+                for (int32_t y = 0; y < band.rows; y++) {
+                    const uint16_t row = (uint16_t)(band.first_row + y);
                     for (int32_t x = 0; x < WIDTH; x++) {
-                        ((uint16_t *)(void *)(drawn.pixels + y * drawn.pitch))[x] = row;
-                        drawn.depth[y * drawn.depth_pitch + x] = (uint16_t)(row + 1000);
+                        ((uint16_t *)(void *)(band.pixels + y * band.pitch))[x] = row;
+                        band.depth[y * band.depth_pitch + x] = (uint16_t)(row + 1000);
                     }
                 }
+                const int32_t drawn = band.rows;
+                qtri_frame_join(&frame, &band);
+                assert_int_equal(band.first_row, next_drawn - above);
+                next_drawn += drawn;
+                assert_int_equal(band.first_row + band.rows, next_drawn);
                 for (int32_t y = 0; y < band.rows; y++) {
                     const uint16_t row = (uint16_t)(band.first_row + y);
                     const uint16_t *pixels = (uint16_t *)(void *)(band.pixels + y * band.pitch);
@@ -906,38 +884,42 @@ static void rolling_bands_join(void **state)
                         assert_int_equal(band.depth[(y + 1) * band.depth_pitch - 1], row + 1000);
                     }
                 }
-                qtri_rolling_keep(&rolling, &band);
+                qtri_frame_shown(&frame, &band, &shown);
+                assert_int_equal(shown.first_row, next_shown_row);
+                assert_ptr_equal(shown.pixels,
+                                 band.pixels + (shown.first_row - band.first_row) * band.pitch);
+                next_shown_row += shown.rows;
+                assert_int_equal(next_shown_row,
+                                 next_drawn < HEIGHT ? next_drawn - overlap : HEIGHT);
                 clear_to(&band, sky, 0); /* whatever a filter makes of it */
             }
-            assert_int_equal(next_shown, HEIGHT);
+            assert_int_equal(next_shown_row, HEIGHT);
         }
     }
 }
 
-/* What a halo adds to what has changed: in the middle, and at each border of the frame. */
-static void halo_widens_changes(void **state)
+/* What overlap adds to what has changed: in the middle, and at each border of the frame. */
+static void overlap_widens_changes(void **state)
 {
     (void)state;
-    enum { HALO = 2, SIDE = 20, ROWS = 5 };
-    static uint32_t bytes[QTRI_HALO_BYTES(SIDE, ROWS, HALO, 4) / 4 + 4];
+    enum { OVERLAP = 2, SIDE = 20, ROWS = 5 };
+    static uint32_t bytes[QTRI_FRAME_BYTES(SIDE, ROWS + 2 * OVERLAP, 4) / 4 + 4];
     static const struct {
         qtri_rect changed, widened;
     } cases[] = {{{7, 8, 11, 12}, {5, 6, 13, 14}}, {{3, 3, 17, 17}, {1, 1, 19, 19}},
                  {{2, 2, 18, 18}, {0, 0, 20, 20}}, {{1, 0, 19, 20}, {0, 0, 20, 20}},
                  {{0, 9, 1, 10}, {0, 7, 3, 12}},   {{19, 9, 20, 10}, {17, 7, 20, 12}}};
     for (size_t i = 0; i < LENGTH_OF(cases); i++) {
-        qtri_halo halo;
-        assert_int_equal(
-            qtri_halo_init(&halo, &qtri_xrgb8888, SIDE, SIDE, ROWS, HALO, bytes, sizeof bytes),
-            QTRI_OK);
+        qtri_frame frame;
+        assert_int_equal(frame_with_overlap(&frame, &qtri_xrgb8888, SIDE, SIDE, ROWS, OVERLAP,
+                                            bytes, sizeof bytes),
+                         QTRI_OK);
         qtri_surface band, shown;
-        qtri_halo_begin(&halo); /* of the first frame everything has changed */
-        while (qtri_halo_next_band(&halo, &band, &shown)) {
+        while (next_shown(&frame, &band, &shown)) { /* the first: all of it has changed */
         }
-        qtri_halo_begin(&halo);
-        qtri_frame_mark(&halo.frame, &cases[i].changed);
-        qtri_halo_only_changes(&halo);
-        assert_memory_equal(&halo.frame.changes, &cases[i].widened, sizeof(qtri_rect));
+        qtri_frame_mark(&frame, &cases[i].changed);
+        qtri_frame_only_changes(&frame);
+        assert_memory_equal(&frame.changes, &cases[i].widened, sizeof(qtri_rect));
     }
 }
 
@@ -949,13 +931,13 @@ static void rows_below_the_last_band(void **state)
     for (int round = 0; round < 40; round++) {
         struct scene s = random_scene(&seed);
         static struct picture plain, listed;
-        struct bands b = {.rolls = false};
+        struct bands b = {.keeps = false};
         qtri_prepared prepared;
         begin_outlines(&s, WORDS);
         begin_bands(&b, &s, HEIGHT / 2, 2, sizeof memory);
         qtri_prepared_init(&prepared, vertices[0], VERTICES, lists[0], LISTS);
         memset(lists[0], 0, sizeof lists[0]);
-        prepare(&b, &s, &prepared, &outline[0], &s.pose[0], &s.material, 2);
+        prepare(&b, &s, &prepared, &outline[0], &s.pose[0], &s.material);
         for (int i = 0; i < 2; i++) {
             qtri_surface surface;
             init_surface(&s, &surface, 0, HEIGHT);
@@ -988,9 +970,9 @@ int main(void)
         cmocka_unit_test(long_edges),
         cmocka_unit_test(hidden_edges),
         cmocka_unit_test(errors),
-        cmocka_unit_test(halo_bands_join),
-        cmocka_unit_test(rolling_bands_join),
-        cmocka_unit_test(halo_widens_changes),
+        cmocka_unit_test(overlap_is_drawn_again),
+        cmocka_unit_test(overlap_is_kept),
+        cmocka_unit_test(overlap_widens_changes),
     };
     return cmocka_run_group_tests(tests, make_torus, NULL);
 }

@@ -4,6 +4,7 @@
  * everything that reads it, with the pixels and depths of the value that it stands for.
  */
 #include "support/cube.h"
+#include "support/layouts.h"
 
 enum { WIDTH = 44, HEIGHT = 40, CORNERS = 6, FIELDS = 7 };
 
@@ -96,8 +97,8 @@ static void draw_with(board *b, const setting *s, uint32_t number)
     m.alpha = 100;
     set_field(&m, &texture, &stroke, s->field, number);
     memset(b, 0, sizeof *b);
-    assert_int_equal(qtri_surface_init_depth(&b->surface, s->format, s->depth, WIDTH, HEIGHT, 0,
-                                             HEIGHT, b->memory, sizeof b->memory),
+    assert_int_equal(surface_with_depth(&b->surface, s->format, s->depth, WIDTH, HEIGHT, 0, HEIGHT,
+                                        b->memory, sizeof b->memory),
                      QTRI_OK);
     const qtri_rgb sky = {10, 20, 60};
     if (s->format->pixels->bytes >= QTRI_GRAY8_X4_BYTES) {

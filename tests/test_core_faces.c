@@ -177,7 +177,6 @@ static void draw_in_bands(canvas *c, qtri_vertex *vertices, uint32_t count, uint
         qtri_frame_init(&frame, c->surface.format, WIDTH, HEIGHT, 16, memory, sizeof memory),
         QTRI_OK);
     qtri_prepared_init(&prepared, vertices, count, lists, list_count);
-    qtri_frame_begin(&frame);
     qtri_prepare_mesh(&prepared, &frame, view, pose, mesh, material);
     while (qtri_frame_next_band(&frame, &band)) {
         band.pixels = c->surface.pixels + band.first_row * c->surface.pitch;

@@ -3,6 +3,7 @@
  * Filters of finished pixels: 2x2 samples, FXAA, sums of frames; and jittered views.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 #include "support/filters_narrow.h"
 
 enum { WIDTH = 70, HEIGHT = 50, FORMATS = 5 };
@@ -232,7 +233,7 @@ static void fxaa_bands_and_scissors(void **state)
     int changed = 0;
     for (int round = 0; round < 200; round++) {
         qtri_surface surface, band, shown;
-        qtri_halo halo;
+        qtri_frame frame;
         static struct picture plain, whole, part;
         const qtri_format *format = formats[round % 2 == 0 ? 0 : round / 2 % FORMATS];
         begin(&surface, format, (uint64_t)round);
@@ -244,10 +245,11 @@ static void fxaa_bands_and_scissors(void **state)
                 changed += whole.pixel[y][x] != plain.pixel[y][x];
             }
         }
-        assert_int_equal(qtri_halo_init(&halo, format, WIDTH, HEIGHT, random_in(&seed, 1, 30),
-                                        QTRI_FXAA_HALO + random_in(&seed, 0, 1), copy, sizeof copy),
+        assert_int_equal(frame_with_overlap(&frame, format, WIDTH, HEIGHT, random_in(&seed, 1, 30),
+                                            QTRI_FXAA_OVERLAP + random_in(&seed, 0, 1), copy,
+                                            sizeof copy),
                          QTRI_OK);
-        while (qtri_halo_next_band(&halo, &band, &shown)) {
+        while (next_shown(&frame, &band, &shown)) {
             draw_picture(&band, (uint64_t)round);
             smooth(&band, round % 3 == 0 ? ONE_BY_ONE : PAIRS);
             const qtri_rect r = {0, shown.first_row, WIDTH, shown.first_row + shown.rows};
@@ -257,8 +259,8 @@ static void fxaa_bands_and_scissors(void **state)
         begin(&surface, format, (uint64_t)round);
         const qtri_rect r = {random_in(&seed, 0, 30), random_in(&seed, 0, 20),
                              random_in(&seed, 31, WIDTH), random_in(&seed, 21, HEIGHT)};
-        const qtri_rect wide = {r.x0 - QTRI_FXAA_REACH, r.y0 - QTRI_FXAA_HALO,
-                                r.x1 + QTRI_FXAA_REACH, r.y1 + QTRI_FXAA_HALO};
+        const qtri_rect wide = {r.x0 - QTRI_FXAA_REACH, r.y0 - QTRI_FXAA_OVERLAP,
+                                r.x1 + QTRI_FXAA_REACH, r.y1 + QTRI_FXAA_OVERLAP};
         surface.scissor = wide;
         if (round % 4 == 0) { /* bottom up; rows of no whole words, or that begin within one */
             memcpy(copy, memory, sizeof copy);

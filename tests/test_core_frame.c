@@ -335,7 +335,6 @@ static void bands(void **state)
         const uint8_t *last = NULL;
         for (int turn = 0; turn < 3; turn++) {
             int32_t next = 0;
-            qtri_frame_begin(&frame);
             while (qtri_frame_next_band(&frame, &band)) {
                 const int32_t expected = rows < 9 - next ? rows : 9 - next;
                 const ptrdiff_t size = rows * band.pitch;
@@ -356,7 +355,6 @@ static void bands(void **state)
                 next += expected;
             }
             assert_int_equal(next, 9);
-            assert_false(qtri_frame_next_band(&frame, &band));
         }
     }
 }

@@ -3,6 +3,7 @@
  * Bands, dithering and filters where there is nothing to do, or no room to do it.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 
 #include "frame/fill.h"
 
@@ -10,41 +11,39 @@
 #include <qtri/edges.h>
 #include <qtri/filters.h>
 #include <qtri/frame.h>
-#include <qtri/halo.h>
 
 enum { WIDTH = 24, HEIGHT = 20 };
 
 static const qtri_rgb sky = {40, 80, 160}, red = {250, 10, 30};
 
-static void halos_that_do_not_fit(void **state)
+static void overlap_that_does_not_fit(void **state)
 {
     (void)state;
-    static uint8_t memory[QTRI_HALO_BYTES(WIDTH, 4, 2, QTRI_RGB565_BYTES)];
+    static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, 4 + 2 * 2, QTRI_RGB565_BYTES)];
     static const struct {
-        int32_t rows, halo;
+        int32_t rows, overlap;
         enum qtri_error error;
     } tries[] = {{4, 2, QTRI_OK},
                  {4, -1, QTRI_ERROR_SIZE},
-                 {4, QTRI_HALO_MAX + 1, QTRI_ERROR_SIZE},
+                 {4, QTRI_OVERLAP_MAX + 1, QTRI_ERROR_SIZE},
                  {0, 2, QTRI_ERROR_SIZE},
                  {INT32_MIN, 2, QTRI_ERROR_SIZE},
-                 {QTRI_SURFACE_MAX - 3, 2, QTRI_ERROR_SIZE},
+                 {QTRI_SURFACE_MAX - 3, 2, QTRI_ERROR_MEMORY},
                  {QTRI_SURFACE_MAX - 4, 2, QTRI_ERROR_MEMORY},
                  {QTRI_SURFACE_MAX, 0, QTRI_ERROR_MEMORY},
                  {QTRI_SURFACE_MAX + 1, 0, QTRI_ERROR_SIZE},
                  {INT32_MAX, 2, QTRI_ERROR_SIZE},
                  {5, 2, QTRI_ERROR_MEMORY}};
     for (size_t i = 0; i < LENGTH_OF(tries); i++) {
-        qtri_halo halo;
+        qtri_frame frame;
         qtri_surface band;
         qtri_surface shown;
-        memset(&halo, 0x5A, sizeof halo);
-        assert_int_equal(qtri_halo_init(&halo, &qtri_rgb565, WIDTH, HEIGHT, tries[i].rows,
-                                        tries[i].halo, memory, sizeof memory),
+        memset(&frame, 0x5A, sizeof frame);
+        assert_int_equal(frame_with_overlap(&frame, &qtri_rgb565, WIDTH, HEIGHT, tries[i].rows,
+                                            tries[i].overlap, memory, sizeof memory),
                          tries[i].error);
-        qtri_halo_begin(&halo);
         int bands = 0;
-        while (qtri_halo_next_band(&halo, &band, &shown)) {
+        while (next_shown(&frame, &band, &shown)) {
             bands++;
         }
         assert_int_equal(bands, i == 0 ? HEIGHT / 4 : 0);
@@ -55,29 +54,24 @@ static void halos_that_do_not_fit(void **state)
 static void changes_of_nothing(void **state)
 {
     (void)state;
-    static uint8_t memory[QTRI_HALO_BYTES(WIDTH, 4, 2, QTRI_RGB565_BYTES)];
+    static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, 4 + 2 * 2, QTRI_RGB565_BYTES)];
     static const qtri_rect empty[] = {{3, 3, 3, 9}, {3, 3, 9, 3},   {9, 3, 3, 9},
                                       {3, 9, 9, 3}, {30, 3, 40, 9}, {3, -9, 9, -2}};
-    qtri_halo halo;
+    qtri_frame frame;
     qtri_surface band;
     qtri_surface shown;
     assert_int_equal(
-        qtri_halo_init(&halo, &qtri_rgb565, WIDTH, HEIGHT, 4, 2, memory, sizeof memory), QTRI_OK);
-    qtri_halo_begin(&halo);
-    while (qtri_halo_next_band(&halo, &band, &shown)) {
+        frame_with_overlap(&frame, &qtri_rgb565, WIDTH, HEIGHT, 4, 2, memory, sizeof memory),
+        QTRI_OK);
+    while (next_shown(&frame, &band, &shown)) {
     }
     for (size_t i = 0; i < LENGTH_OF(empty); i++) {
-        qtri_halo_begin(&halo);
-        qtri_frame_mark(&halo.frame, &empty[i]);
-        qtri_halo_only_changes(&halo);
-        assert_false(qtri_halo_next_band(&halo, &band, &shown));
-        const qtri_rect changes = qtri_frame_changes(&halo.frame);
+        qtri_frame_mark(&frame, &empty[i]);
+        qtri_frame_only_changes(&frame);
+        assert_false(next_shown(&frame, &band, &shown));
+        const qtri_rect changes = qtri_frame_changes(&frame);
         assert_true(changes.x0 >= changes.x1 || changes.y0 >= changes.y1);
     }
-    /* A rectangle of the caller's own that has columns and no rows. */
-    halo.frame.changes = empty[1];
-    qtri_halo_only_changes(&halo);
-    assert_false(qtri_halo_next_band(&halo, &band, &shown));
 }
 
 static void fill_gray(uint8_t gray[WIDTH], uint64_t *seed)
@@ -323,7 +317,7 @@ static void pixels_of_any_size_are_filled(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(halos_that_do_not_fit),
+        cmocka_unit_test(overlap_that_does_not_fit),
         cmocka_unit_test(pixels_of_any_size_are_filled),
         cmocka_unit_test(changes_of_nothing),
         cmocka_unit_test(diffusion_at_the_last_row),

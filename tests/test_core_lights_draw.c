@@ -95,7 +95,6 @@ static void draw_in_bands(canvas *whole, uint32_t vertex_count, uint32_t list_co
         qtri_frame_init(&frame, &qtri_xrgb8888, WIDTH, HEIGHT, ROWS, memory, sizeof memory),
         QTRI_OK);
     qtri_prepared_init(&prepared, vertices, vertex_count, lists, list_count);
-    qtri_frame_begin(&frame);
     qtri_prepare_mesh(&prepared, &frame, view, pose, mesh, material);
     while (qtri_frame_next_band(&frame, &band)) {
         band.pixels = whole->surface.pixels + band.first_row * whole->surface.pitch;

@@ -104,7 +104,6 @@ static void assert_prepared(const qtri_surface *whole, sheet *s, const qtri_mesh
                                      QTRI_FRAME_BYTES(WIDTH, rows, QTRI_RGB565_BYTES)),
                      QTRI_OK);
     qtri_prepared_init(&prepared, vertices, kept, lists, LISTS);
-    qtri_frame_begin(&frame);
     qtri_prepare_mesh(&prepared, &frame, &s->view, &s->pose, mesh, &s->material);
     while (qtri_frame_next_band(&frame, &band)) {
         qtri_surface_clear(&band, black);

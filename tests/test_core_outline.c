@@ -4,12 +4,12 @@
  * not made for. The picture of edges is always that of the whole frame without lists.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 
 #include "tools/mesh_neighbours.h"
 
 #include <qtri/edges.h>
 #include <qtri/frame.h>
-#include <qtri/halo.h>
 #include <qtri/prepared.h>
 #include <qtri/samples.h>
 
@@ -169,7 +169,7 @@ static void prepared_outlines_that_cannot_be(void **state)
             QTRI_OK);
         qtri_prepared_init(&prepared, few, n == 3 ? VERTICES - 1 : VERTICES, lists,
                            LENGTH_OF(lists));
-        qtri_prepared_set_outline(&prepared, n == 2 ? &second : &outline, 1);
+        qtri_prepared_set_outline(&prepared, n == 2 ? &second : &outline);
         material.fill = n == 5 ? &qtri_wireframe : NULL;
         material.depth_compare = n == 6 ? QTRI_NEVER : QTRI_LESS;
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
@@ -332,7 +332,7 @@ static void parts_that_have_no_list(void **state)
             qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, plain.memory, plain.bytes),
             QTRI_OK);
         qtri_prepared_init(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
-        qtri_prepared_set_outline(&prepared, &outline, 2);
+        qtri_prepared_set_outline(&prepared, &outline);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
         assert_int_equal(qtri_prepared_find_edges(&prepared, &outline), QTRI_OK);
         qtri_draw_prepared(&plain.surface, &prepared);
@@ -372,9 +372,9 @@ static void draw_frame_and_bands(canvas *whole, canvas *banded, const qtri_mesh 
     const qtri_view view = view_of(.3, distance, &pose);
     qtri_outline outline;
     qtri_prepared prepared;
-    qtri_halo frame;
+    qtri_frame frame;
     qtri_surface band, shown;
-    static uint32_t memory[QTRI_HALO_BYTES(WIDTH, 9, 1, QTRI_RGB565_BYTES) / 4];
+    static uint32_t memory[QTRI_FRAME_BYTES(WIDTH, 9 + 2 * 1, QTRI_RGB565_BYTES) / 4];
     *whole = new_canvas(QTRI_LESS);
     *banded = new_canvas(QTRI_LESS);
     assert_int_equal(qtri_outline_init(&outline, mesh, outline_memory, WORDS), QTRI_OK);
@@ -382,13 +382,13 @@ static void draw_frame_and_bands(canvas *whole, canvas *banded, const qtri_mesh 
                      QTRI_OK);
     blend_edges(&whole->surface, &outline);
     assert_int_equal(
-        qtri_halo_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, 1, memory, sizeof memory), QTRI_OK);
+        frame_with_overlap(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, 1, memory, sizeof memory),
+        QTRI_OK);
     qtri_prepared_init(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
-    qtri_prepared_set_outline(&prepared, &outline, 1);
-    qtri_halo_begin(&frame);
-    qtri_prepare_mesh(&prepared, &frame.frame, &view, &pose, mesh, material);
+    qtri_prepared_set_outline(&prepared, &outline);
+    qtri_prepare_mesh(&prepared, &frame, &view, &pose, mesh, material);
     assert_int_equal(qtri_prepared_find_edges(&prepared, &outline), QTRI_OK);
-    while (qtri_halo_next_band(&frame, &band, &shown)) {
+    while (next_shown(&frame, &band, &shown)) {
         clear_to(&band, sky, 65535);
         qtri_draw_prepared(&band, &prepared);
         blend_edges(&band, &outline);

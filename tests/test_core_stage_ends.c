@@ -4,13 +4,13 @@
  * none, samples that only test, fog that is none, alpha of vertices at one distance.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 
 #include "raster/samples.h"
 
 #include <qtri/blend.h>
 #include <qtri/depth.h>
 #include <qtri/edges.h>
-#include <qtri/halo.h>
 #include <qtri/samples.h>
 #include <qtri/stroke.h>
 
@@ -40,8 +40,8 @@ typedef struct board {
 static void board_init(board *b, const qtri_format *format, const qtri_depth_format *depth)
 {
     memset(b, 0, sizeof *b);
-    assert_int_equal(qtri_surface_init_depth(&b->surface, format, depth, WIDTH, HEIGHT, 0, HEIGHT,
-                                             b->memory, sizeof b->memory),
+    assert_int_equal(surface_with_depth(&b->surface, format, depth, WIDTH, HEIGHT, 0, HEIGHT,
+                                        b->memory, sizeof b->memory),
                      QTRI_OK);
     if (format == &qtri_rgb565_x4) {
         qtri_samples_clear(&b->surface, sky);
@@ -93,13 +93,13 @@ static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int32_t rea
 static void formats_that_do_not_fit(void **state)
 {
     (void)state;
-    static uint8_t memory[QTRI_HALO_BYTES_DEPTH(WIDTH, 8, 2, QTRI_RGB565_BYTES, 4)];
+    static uint8_t memory[QTRI_FRAME_BYTES_DEPTH(WIDTH, 8 + 2 * 2, QTRI_RGB565_BYTES, 4)];
     for (uint8_t bytes = 1; bytes <= 5; bytes++) {
         qtri_depth_format own = qtri_depth_linear32;
         qtri_surface s;
         own.bytes = bytes;
         assert_int_equal(
-            qtri_surface_init_depth(&s, &qtri_rgb565, &own, WIDTH, 8, 0, 8, memory, sizeof memory),
+            surface_with_depth(&s, &qtri_rgb565, &own, WIDTH, 8, 0, 8, memory, sizeof memory),
             bytes < 2 || bytes > 4 ? QTRI_ERROR_FORMAT : QTRI_OK);
         assert_true((s.pixels != NULL) == (bytes >= 2 && bytes <= 4));
     }
@@ -109,16 +109,15 @@ static void formats_that_do_not_fit(void **state)
         enum qtri_error error;
     } tries[] = {{8, sizeof memory, QTRI_OK},
                  {0, sizeof memory, QTRI_ERROR_SIZE},
-                 {8, QTRI_HALO_BYTES(WIDTH, 8, 2, QTRI_RGB565_BYTES), QTRI_ERROR_MEMORY}};
+                 {8, QTRI_FRAME_BYTES(WIDTH, 8 + 2 * 2, QTRI_RGB565_BYTES), QTRI_ERROR_MEMORY}};
     for (size_t i = 0; i < LENGTH_OF(tries); i++) {
-        qtri_halo halo;
+        qtri_frame frame;
         qtri_surface band, shown;
-        assert_int_equal(qtri_halo_init_depth(&halo, &qtri_rgb565, &qtri_depth_linear32, WIDTH,
-                                              HEIGHT, tries[i].rows, 2, memory, tries[i].bytes),
-                         tries[i].error);
-        qtri_halo_begin(&halo);
+        (void)frame_with_overlap(&frame, &qtri_rgb565, WIDTH, HEIGHT, tries[i].rows, 2, memory,
+                                 tries[i].bytes);
+        assert_int_equal(qtri_frame_set_depth(&frame, &qtri_depth_linear32), tries[i].error);
         int bands = 0;
-        while (qtri_halo_next_band(&halo, &band, &shown)) {
+        while (next_shown(&frame, &band, &shown)) {
             bands++;
         }
         assert_int_equal(bands, i == 0 ? HEIGHT / 8 : 0);

@@ -4,6 +4,7 @@
  * body where options are constant has the bits of the generic pipeline, of tiles and of bands.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 
 #include "qtri/pipeline.h"
 #include "raster/draw_state.h"
@@ -258,9 +259,9 @@ static picture new_picture(const qtri_options *o)
     p.bytes = QTRI_BAND_BYTES_DEPTH(WIDTH, HEIGHT, format->pixels->bytes, depth->bytes);
     p.memory = (uint8_t *)calloc(1, p.bytes);
     assert_non_null(p.memory);
-    assert_int_equal(qtri_surface_init_depth(&p.surface, format, depth, WIDTH, HEIGHT, 0, HEIGHT,
-                                             p.memory, p.bytes),
-                     QTRI_OK);
+    assert_int_equal(
+        surface_with_depth(&p.surface, format, depth, WIDTH, HEIGHT, 0, HEIGHT, p.memory, p.bytes),
+        QTRI_OK);
     qtri_samples_clear(&p.surface, sky);
     if (o->compare == QTRI_GREATER || o->compare == QTRI_GREATER_EQUAL) {
         qtri_samples_clear_depth(&p.surface, Q16(.9));

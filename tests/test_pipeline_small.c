@@ -6,6 +6,7 @@
  */
 #include "support/core.h"
 #include "support/small_narrow.h"
+#include "support/layouts.h"
 
 /* GCC does not see that the generic instance reads only the ramps that its options also set. */
 #if defined(__GNUC__) && !defined(__clang__)
@@ -220,8 +221,8 @@ static void new_surface(qtri_surface *s, const qtri_options *o, uint8_t *memory,
                         int32_t first_row, int32_t rows)
 {
     memset(memory, 0x5A, bytes);
-    assert_int_equal(qtri_surface_init_depth(s, format_of(o->format), depth_format_of(o->depth),
-                                             WIDTH, HEIGHT, first_row, rows, memory, bytes),
+    assert_int_equal(surface_with_depth(s, format_of(o->format), depth_format_of(o->depth), WIDTH,
+                                        HEIGHT, first_row, rows, memory, bytes),
                      QTRI_OK);
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "checked.h"
 
-#include "qtri/halo.h"
+#include "qtri/frame.h"
 
 #ifdef QTRI_CHECKED
 
@@ -108,13 +108,14 @@ void qtri_check_prepared(const qtri_prepared *prepared)
                           (prepared->vertices != NULL || prepared->vertex_count == 0) &&
                           (prepared->lists != NULL || prepared->list_count == 0) &&
                           (prepared->front == NULL) == (prepared->front_of == NULL);
-    const bool is_ranged =
-        is_within(prepared->width, QTRI_SURFACE_MAX) &&
-        is_within(prepared->height, QTRI_SURFACE_MAX) &&
-        is_within(prepared->rows, QTRI_SURFACE_MAX) && is_within(prepared->halo, QTRI_HALO_MAX) &&
-        is_within(prepared->edges_above, 2 * QTRI_HALO_MAX) &&
-        is_within(prepared->edges_below, QTRI_HALO_MAX) && prepared->group_log2 <= 16 &&
-        (has_mesh || (prepared->rows | prepared->width) == 0);
+    const bool is_ranged = is_within(prepared->width, QTRI_SURFACE_MAX) &&
+                           is_within(prepared->height, QTRI_SURFACE_MAX) &&
+                           is_within(prepared->rows, QTRI_SURFACE_MAX) &&
+                           is_within(prepared->overlap, QTRI_OVERLAP_MAX) &&
+                           is_within(prepared->edges_above, 2 * QTRI_OVERLAP_MAX) &&
+                           is_within(prepared->edges_below, QTRI_OVERLAP_MAX) &&
+                           prepared->group_log2 <= 16 &&
+                           (has_mesh || (prepared->rows | prepared->width) == 0);
     QTRI_ASSERT(is_whole && is_ranged); /* qtri_prepared_init was called */
 }
 

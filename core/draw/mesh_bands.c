@@ -85,7 +85,7 @@ void qtri_prepared_init(qtri_prepared *prepared, qtri_vertex *vertices, uint32_t
     const qtri_rect nowhere = {0, 0, 0, 0};
     prepared->marked = nowhere;
     prepared->mesh = NULL;
-    prepared->halo = 0;
+    prepared->overlap = 0;
     prepared->edges_above = 0;
     prepared->edges_below = 0;
     prepared->front = NULL;
@@ -100,7 +100,7 @@ typedef struct sorter {
     bool is_listing;
     bool is_direct; /* groups are single triangles, and there is a block for every list */
     bool is_solid;
-    int32_t height, halo;
+    int32_t height, overlap;
     uint32_t rows, bands; /* of a band; of the frame */
     uint32_t rows_inverse, rows_shift;
     uint32_t next, end; /* places: of the next block, of the end of the memory */
@@ -209,8 +209,8 @@ QTRI_NOINLINE static void list_in_group(sorter *s, uint32_t number, int32_t top,
 /* A triangle that may touch these rows, if there are any. */
 static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_t bottom)
 {
-    top = qtri_greatest32(top - s->halo, 0);
-    bottom = qtri_least32(bottom + s->halo, s->height);
+    top = qtri_greatest32(top - s->overlap, 0);
+    bottom = qtri_least32(bottom + s->overlap, s->height);
     if (top >= bottom) {
         return;
     }
@@ -448,7 +448,7 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
                 .is_complete = is_complete(prepared),
                 .is_solid = is_solid,
                 .height = prepared->height,
-                .halo = prepared->halo,
+                .overlap = prepared->overlap,
                 .rows = (uint32_t)prepared->rows};
     const qtri_rect none = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     prepared->extent_24p8 = none;
@@ -489,6 +489,11 @@ void qtri_prepare_mesh_by(const qtri_vertex_stage *stage, qtri_prepared *prepare
     prepared->width = frame->width;
     prepared->height = frame->height;
     prepared->rows = frame->rows;
+    const int32_t overlap = qtri_hold32(frame->overlap, 0, QTRI_OVERLAP_MAX);
+    const bool keeps = frame->kept != NULL; /* nothing is drawn in rows that are kept */
+    prepared->overlap = keeps ? 0 : overlap;
+    prepared->edges_above = keeps ? 2 * overlap : overlap;
+    prepared->edges_below = prepared->overlap;
     prepare(prepared, frame->format);
 }
 
@@ -638,12 +643,12 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
         surface->width != prepared->width || surface->height != prepared->height) {
         return;
     }
-    /* Rows of one band of the frame, and its halo, have a list; others look at all triangles. */
+    /* Rows of one band of the frame, and its overlap, have a list; others look at all triangles. */
     const uint32_t count = prepared->mesh->triangle_count;
-    const int32_t number = (bounds.y0 + prepared->halo) / prepared->rows;
+    const int32_t number = (bounds.y0 + prepared->overlap) / prepared->rows;
     const uint32_t band = (uint32_t)number;
     const bool by_list = prepared->listed > 0 && number * prepared->rows < prepared->height &&
-                         bounds.y1 <= (number + 1) * prepared->rows + prepared->halo;
+                         bounds.y1 <= (number + 1) * prepared->rows + prepared->overlap;
     const uint32_t first = by_list ? prepared->listed : 0;
     qtri_mesh_job job;
     if ((first >= count && prepared->lists[2 * band] == 0) ||

@@ -15,7 +15,6 @@
  * next << 19 | weak << 18 | corner << 16 | triangle.
  */
 #include "qtri/edges.h"
-#include "qtri/halo.h"
 
 #include "checked.h"
 #include "edge_pass.h"
@@ -477,23 +476,11 @@ static bool find_edges(finder *f)
 
 /* ---- Bands ---- */
 
-void qtri_prepared_set_outline(qtri_prepared *prepared, const qtri_outline *outline, int32_t halo)
+void qtri_prepared_set_outline(qtri_prepared *prepared, const qtri_outline *outline)
 {
     QTRI_CHECK(qtri_check_prepared(prepared));
     prepared->front = outline != NULL ? outline->front : NULL;
     prepared->front_of = outline != NULL ? outline->mesh : NULL;
-    prepared->halo = qtri_hold32(halo, 0, QTRI_HALO_MAX);
-    prepared->edges_above = prepared->halo;
-    prepared->edges_below = prepared->halo;
-}
-
-void qtri_prepared_set_rolling_outline(qtri_prepared *prepared, const qtri_outline *outline,
-                                       int32_t halo)
-{
-    qtri_prepared_set_outline(prepared, outline, halo);
-    prepared->edges_above = 2 * prepared->halo; /* rows that were kept; nothing is drawn there */
-    prepared->edges_below = 0;
-    prepared->halo = 0;
 }
 
 /* Lists for bands of so many rows, if there is room for them. */

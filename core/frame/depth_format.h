@@ -6,6 +6,7 @@
 #ifndef QTRI_FRAME_DEPTH_FORMAT_H
 #define QTRI_FRAME_DEPTH_FORMAT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "qtri/surface.h"
@@ -31,6 +32,13 @@ void qtri_depth_as_it_is(uint32_t *depth, int32_t count); /* linear32 */
 static inline const qtri_depth_ops *qtri_depth_ops_of(const qtri_surface *surface)
 {
     return surface->depth_format != NULL ? surface->depth_format->ops : NULL;
+}
+
+/* Pixels of more bytes are records of samples, which hold depths of linear16. NULL: linear16. */
+static inline bool qtri_depth_goes_with(const qtri_depth_format *depth, const qtri_format *format)
+{
+    return depth == NULL || depth->ops == NULL ||
+           (depth->bytes >= 2 && depth->bytes <= 4 && format->pixels->bytes <= 4);
 }
 
 /* Bytes of a stored depth; NULL: of linear16. */

@@ -56,6 +56,24 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
     return QTRI_OK;
 }
 
+enum qtri_error qtri_surface_set_depth(qtri_surface *surface, const qtri_depth_format *format,
+                                       size_t bytes)
+{
+    QTRI_ASSERT(surface != NULL);
+    QTRI_CHECK(qtri_check_depth_format(format));
+    if (surface->format == NULL || !qtri_depth_goes_with(format, surface->format)) {
+        return refuse(surface, QTRI_ERROR_FORMAT);
+    }
+    const size_t pixel_bytes = (size_t)((uint8_t *)surface->depth - surface->pixels);
+    const size_t depth_bytes =
+        (size_t)surface->width * (size_t)surface->rows * (size_t)qtri_depth_bytes(format);
+    if (bytes < pixel_bytes + depth_bytes + 3) { /* to align the pixels */
+        return refuse(surface, QTRI_ERROR_MEMORY);
+    }
+    surface->depth_format = format;
+    return QTRI_OK;
+}
+
 /* Fills a rectangle, which is not empty, with a depth 0..65535.0. */
 static inline void fill_depth(const qtri_surface *surface, const qtri_rect *rect,
                               uint32_t depth_16p16)

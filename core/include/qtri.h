@@ -33,8 +33,7 @@
  *   paint.h      flat shapes: rectangles to polygons      image.h    pictures: copied, turned
  *   font.h       text                                     shapes.h   spheres, boxes and others
  *   animation.h  keys, hierarchies, morphing              bounds.h   what encloses, what is seen
- *   antialias.h  smooth edges: edges.h, filters.h         halo.h     bands that overlap
- *   rolling.h    bands that overlap, each row drawn once
+ *   antialias.h  smooth edges: edges.h, filters.h
  */
 #ifndef QTRI_H
 #define QTRI_H
@@ -53,7 +52,6 @@
 #include "qtri/font.h"
 #include "qtri/format.h"
 #include "qtri/frame.h"
-#include "qtri/halo.h"
 #include "qtri/image.h"
 #include "qtri/jitter.h"
 #include "qtri/light.h"
@@ -68,7 +66,6 @@
 #include "qtri/q16_trig.h"
 #include "qtri/quat.h"
 #include "qtri/raster.h"
-#include "qtri/rolling.h"
 #include "qtri/shapes.h"
 #include "qtri/stroke.h"
 #include "qtri/surface.h"

@@ -397,8 +397,8 @@ static void print_memory(void)
     printf("edge pass: marks                                       %10u    %10u\n",
            (unsigned)(4 * QTRI_EDGES_WORDS(320, 240, 2)),
            (unsigned)(4 * QTRI_EDGES_WORDS(320, 18, 2)));
-    printf("  its halo                                                      -    %10u\n",
-           (unsigned)(QTRI_HALO_BYTES(320, 16, 1, 2) - QTRI_FRAME_BYTES(320, 16, 2)));
+    printf("  its overlap                                                   -    %10u\n",
+           (unsigned)(QTRI_FRAME_BYTES(320, 16 + 2 * 1, 2) - QTRI_FRAME_BYTES(320, 16, 2)));
     printf("  a mesh of 5,856 triangles, and its lists             %10u    %10u\n",
            (unsigned)(4 * QTRI_OUTLINE_WORDS(5856)),
            (unsigned)(4 * (QTRI_OUTLINE_WORDS(5856) + QTRI_OUTLINE_LISTS(5856, 240, 16))));
@@ -411,9 +411,10 @@ static void print_memory(void)
         "4 samples: their colours and depths                    %10u    %10u\n",
         (unsigned)(QTRI_BAND_BYTES(320, 240, QTRI_RGB565_X4_BYTES) - QTRI_BAND_BYTES(320, 240, 2)),
         (unsigned)(QTRI_BAND_BYTES(320, 16, QTRI_RGB565_X4_BYTES) - QTRI_BAND_BYTES(320, 16, 2)));
-    printf("FXAA: old rows, and in bands its halo                  %10u    %10u\n",
+    printf("FXAA: old rows, and in bands its overlap               %10u    %10u\n",
            (unsigned)(4 * QTRI_FXAA_565_WORDS(320)),
-           (unsigned)(4 * QTRI_FXAA_565_WORDS(320) + QTRI_HALO_BYTES(320, 16, QTRI_FXAA_HALO, 2) -
+           (unsigned)(4 * QTRI_FXAA_565_WORDS(320) +
+                      QTRI_FRAME_BYTES(320, 16 + 2 * QTRI_FXAA_OVERLAP, 2) -
                       QTRI_FRAME_BYTES(320, 16, 2)));
     printf("sums of frames                                         %10u    %10u\n",
            (unsigned)(4 * QTRI_SUM_565_WORDS(320, 240)),

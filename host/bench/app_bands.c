@@ -107,7 +107,6 @@ void app_frame(int32_t number)
     qtri_transform_identity(&pose);
     qtri_transform_rotate_y(&pose, Q16(15) * number);
     qtri_transform_rotate_x(&pose, Q16(10) * number);
-    qtri_frame_begin(&frame);
     qtri_prepare_mesh_by(&stage, &prepared, &frame, &view, &pose, &torus, &material);
     while (qtri_frame_next_band(&frame, &band)) {
         qtri_surface_clear(&band, sky);

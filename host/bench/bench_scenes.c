@@ -16,14 +16,14 @@
  * mesh of S4 as loose triangles. L1: S4 with a point light and Blinn-Phong highlights; L2 and L3:
  * and one and three directional lights; L1f: S5 so, L1b: L1 in bands. LP, LPf and LPk: S1, the quad
  * of S3 and S4k in the light of L1 by pixel, LPd: LP without highlights. S4e and S4be: S4 and S4b
- * with the edge pass, S4es by sums; S4br: S4be with the halo kept. S4h: S4 of 2 x 2 samples, with
- * the clear; S4x, S6x and S11x: S4, S6 and S11 with four samples a pixel, likewise; B4x and F4x: B4
- * and F4 so; S4f: S4 and FXAA. S4a and S4m: only the addition of S4 to a sum, and the storing of
- * its mean. K1, K5: a polyline of 64 points, 1 and 5 pixels wide, with smooth edges; KP: 256 such
- * points of 6 pixels. KW: S7 with smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7 without
- * hidden lines. P1 to P10: bench_paint.h. B1, B2, B4, B7: S1, S2, S4, S6 at half alpha, B3: S2
- * added; F2, F4, F6: S2, S4, S6 in fog, D1, D2, D3, D6: S1, S2, S3, S6 of depths float16, F5: K5 in
- * fog. B5 and B6: S2, and a quad turned sideways, with alpha of their vertices.
+ * with the edge pass, S4es by sums; S4br: S4be with the overlap kept. S4h: S4 of 2 x 2 samples,
+ * with the clear; S4x, S6x and S11x: S4, S6 and S11 with four samples a pixel, likewise; B4x and
+ * F4x: B4 and F4 so; S4f: S4 and FXAA. S4a and S4m: only the addition of S4 to a sum, and the
+ * storing of its mean. K1, K5: a polyline of 64 points, 1 and 5 pixels wide, with smooth edges; KP:
+ * 256 such points of 6 pixels. KW: S7 with smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7
+ * without hidden lines. P1 to P10: bench_paint.h. B1, B2, B4, B7: S1, S2, S4, S6 at half alpha, B3:
+ * S2 added; F2, F4, F6: S2, S4, S6 in fog, D1, D2, D3, D6: S1, S2, S3, S6 of depths float16, F5: K5
+ * in fog. B5 and B6: S2, and a quad turned sideways, with alpha of their vertices.
  */
 #ifdef BENCH_PLAIN
 #define COMPACT(mesh) &bench_mesh_##mesh
@@ -114,7 +114,7 @@ const bench_scene bench_scenes[] = {
     {.name = "S4a", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_ADD},
     {.name = "S4m", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_STORE},
     {.name = "S4be", MESH(COMPACT(spot), Q16(150)), BANDS, .smooth = BENCH_EDGES},
-    {.name = "S4br", MESH(COMPACT(spot), Q16(150)), BANDS, .smooth = BENCH_EDGES, .rolling = true},
+    {.name = "S4br", MESH(COMPACT(spot), Q16(150)), BANDS, .smooth = BENCH_EDGES, .keeps = true},
     {.name = "K1", .work = BENCH_STROKE, .width = Q16(1)},
     {.name = "K5", .work = BENCH_STROKE, .width = Q16(5)},
     {.name = "KP", .work = BENCH_STROKE, .width = Q16(6), .points = true},
@@ -330,7 +330,6 @@ static void draw_bands(bench_frame *frame)
 {
     const qtri_surface *whole = &frame->surface;
     qtri_surface band;
-    qtri_frame_begin(&frame->bands);
     qtri_prepare_mesh(&frame->prepared, &frame->bands, &frame->view, &frame->pose, &frame->mesh,
                       &frame->material);
     while (qtri_frame_next_band(&frame->bands, &band)) {

@@ -67,18 +67,17 @@ typedef struct bench_scene {
     bool thin;           /* a wireframe of smooth lines */
     bool points, hidden; /* points for a polyline; a wireframe without hidden lines */
     bool chart;          /* a polyline of 160 points */
-    bool rolling;        /* bands that keep their halo */
+    bool keeps;          /* bands that keep the rows they share */
 } bench_scene;
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */
 
 #ifndef BENCH_PLAIN
-/* What smoothing needs. Bands with their halo lie one below the other, but those that roll on. */
+/* What smoothing needs. Bands that overlap lie one below the other, unless rows are kept. */
 typedef struct bench_smoother {
     qtri_outline outline;
-    qtri_halo halo;
-    qtri_rolling rolling;
-    uint32_t kept[QTRI_ROLLING_KEPT_BYTES(BENCH_WIDTH, 1, QTRI_RGB565_BYTES) / sizeof(uint32_t)];
+    qtri_frame overlapped;
+    uint32_t kept[QTRI_FRAME_KEPT_BYTES(BENCH_WIDTH, 1, QTRI_RGB565_BYTES) / sizeof(uint32_t)];
     uint32_t outline_memory[QTRI_OUTLINE_WORDS(BENCH_TRIANGLES_MAX) +
                             QTRI_OUTLINE_SUMS(BENCH_VERTICES_MAX) +
                             QTRI_OUTLINE_LISTS(BENCH_TRIANGLES_MAX, BENCH_HEIGHT, 16)];

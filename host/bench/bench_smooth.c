@@ -8,7 +8,7 @@
 
 #define WORDS(array) ((uint32_t)(sizeof(array) / sizeof((array)[0])))
 
-enum { BAND_ROWS = 16, HALO = 1, BANDS = BENCH_HEIGHT / BAND_ROWS };
+enum { BAND_ROWS = 16, OVERLAP = 1, BANDS = BENCH_HEIGHT / BAND_ROWS };
 
 static bool prepare_outline(bench_frame *frame)
 {
@@ -20,10 +20,10 @@ static bool prepare_outline(bench_frame *frame)
                              WORDS(s->outline_memory)) == QTRI_OK;
 }
 
-/* Memory of bands: one below the other. A halo takes as many rows as are kept. */
+/* Memory of bands: one below the other. Overlap takes as many rows as are kept. */
 static uint32_t *memory_of(bench_smoother *s, int32_t band)
 {
-    return &s->bands[band * ((BAND_ROWS + 2 * HALO) * BENCH_WIDTH)];
+    return &s->bands[band * ((BAND_ROWS + 2 * OVERLAP) * BENCH_WIDTH)];
 }
 
 static void draw(bench_frame *frame, const qtri_surface *surface)
@@ -61,24 +61,18 @@ bool bench_prepare_smooth(bench_frame *frame)
     if (frame->scene->band_rows == 0) {
         return true;
     }
-    if (frame->scene->rolling) {
-        qtri_prepared_set_rolling_outline(&frame->prepared, &s->outline, HALO);
-    } else {
-        qtri_prepared_set_outline(&frame->prepared, &s->outline, HALO);
-    }
-    if (qtri_rolling_init(&s->rolling, &qtri_rgb565, BENCH_WIDTH, BENCH_HEIGHT, BAND_ROWS, HALO,
-                          frame->memory, QTRI_ROLLING_BYTES(BENCH_WIDTH, BAND_ROWS, HALO, 2),
-                          s->kept, sizeof s->kept) != QTRI_OK) { /* one buffer */
-        return false;
-    }
-    if (qtri_halo_init(&s->halo, &qtri_rgb565, BENCH_WIDTH, BENCH_HEIGHT, BAND_ROWS, HALO,
-                       frame->memory, sizeof frame->memory) != QTRI_OK) {
+    qtri_prepared_set_outline(&frame->prepared, &s->outline);
+    if (qtri_frame_init(&s->overlapped, &qtri_rgb565, BENCH_WIDTH, BENCH_HEIGHT, BAND_ROWS,
+                        frame->memory, /* one buffer */
+                        QTRI_FRAME_BYTES(BENCH_WIDTH, BAND_ROWS + 2 * OVERLAP, 2)) != QTRI_OK ||
+        qtri_frame_set_overlap(&s->overlapped, OVERLAP, frame->scene->keeps ? s->kept : NULL,
+                               sizeof s->kept) != QTRI_OK) {
         return false;
     }
     for (int32_t i = 0; i < BANDS; i++) {
         qtri_surface rows;
         const int32_t count =
-            i == 0 && frame->scene->rolling ? BAND_ROWS : BAND_ROWS + 2 * HALO; /* none are kept */
+            i == 0 && frame->scene->keeps ? BAND_ROWS : BAND_ROWS + 2 * OVERLAP; /* none are kept */
         (void)qtri_surface_init(&rows, &qtri_rgb565, BENCH_WIDTH, count, 0, count, memory_of(s, i),
                                 QTRI_BAND_BYTES(BENCH_WIDTH, count, 2));
         qtri_surface_clear(&rows, bench_background);
@@ -95,18 +89,18 @@ static void smooth(bench_frame *frame, const qtri_surface *surface)
     qtri_edges_blend(&edges);
 }
 
-/* Bands as qtri_halo_next_band makes them, in memory of their own, so that they can be shown later.
- */
+/* Bands in memory of their own, so that they can be shown later. */
 static bool next_band(bench_frame *frame, qtri_surface *band)
 {
     bench_smoother *s = &frame->smoother;
     qtri_surface shown;
-    if (!qtri_halo_next_band(&s->halo, band, &shown)) {
+    if (!qtri_frame_next_band(&s->overlapped, band)) {
         return false;
     }
+    qtri_frame_shown(&s->overlapped, band, &shown);
     uint32_t *memory = memory_of(s, shown.first_row / BAND_ROWS);
     band->pixels = (uint8_t *)memory;
-    band->depth = (uint16_t *)(void *)memory + (BAND_ROWS + 2 * HALO) * BENCH_WIDTH;
+    band->depth = (uint16_t *)(void *)memory + (BAND_ROWS + 2 * OVERLAP) * BENCH_WIDTH;
     return true;
 }
 
@@ -171,22 +165,18 @@ static void draw_whole(bench_frame *frame)
     }
 }
 
-/* Bands that keep their halo, each in memory of its own. */
-static void draw_rolling(bench_frame *frame)
+/* Bands that keep the rows they share, each in memory of its own. */
+static void draw_keeping(bench_frame *frame)
 {
     bench_smoother *s = &frame->smoother;
-    qtri_surface drawn, band, shown;
-    qtri_rolling_begin(&s->rolling);
-    qtri_prepare_mesh(&frame->prepared, &s->rolling.frame, &frame->view, &frame->pose, &frame->mesh,
-                      &frame->material);
-    (void)qtri_prepared_find_edges(&frame->prepared, &s->outline);
+    qtri_surface band;
     for (int32_t i = 0;; i++) {
-        s->rolling.frame.memory = (uint8_t *)memory_of(s, i);
-        if (!qtri_rolling_next_band(&s->rolling, &drawn, &band, &shown)) {
+        s->overlapped.memory = (uint8_t *)memory_of(s, i);
+        if (!qtri_frame_next_band(&s->overlapped, &band)) {
             return;
         }
-        qtri_draw_prepared(&drawn, &frame->prepared);
-        qtri_rolling_keep(&s->rolling, &band);
+        qtri_draw_prepared(&band, &frame->prepared);
+        qtri_frame_join(&s->overlapped, &band);
         smooth(frame, &band);
     }
 }
@@ -198,15 +188,14 @@ void bench_draw_smooth(bench_frame *frame)
         draw_whole(frame);
         return;
     }
-    if (frame->scene->rolling) {
-        draw_rolling(frame);
-        return;
-    }
     qtri_surface band;
-    qtri_halo_begin(&s->halo);
-    qtri_prepare_mesh(&frame->prepared, &s->halo.frame, &frame->view, &frame->pose, &frame->mesh,
+    qtri_prepare_mesh(&frame->prepared, &s->overlapped, &frame->view, &frame->pose, &frame->mesh,
                       &frame->material);
     (void)qtri_prepared_find_edges(&frame->prepared, &s->outline);
+    if (frame->scene->keeps) {
+        draw_keeping(frame);
+        return;
+    }
     while (next_band(frame, &band)) {
         qtri_draw_prepared(&band, &frame->prepared);
         smooth(frame, &band);
@@ -218,11 +207,11 @@ void bench_finish_smooth(bench_frame *frame)
     if (frame->scene->band_rows == 0) {
         return;
     }
-    const int32_t behind = frame->scene->rolling ? HALO : 0; /* what is shown, and what is drawn */
+    const int32_t behind = frame->scene->keeps ? OVERLAP : 0; /* what is shown, and what is drawn */
     for (int32_t y = 0; y < BENCH_HEIGHT; y++) {
         const int32_t band =
             (y + behind) / BAND_ROWS < BANDS ? (y + behind) / BAND_ROWS : BANDS - 1;
-        const int32_t first = band == 0 ? 0 : band * BAND_ROWS - HALO - behind;
+        const int32_t first = band == 0 ? 0 : band * BAND_ROWS - OVERLAP - behind;
         const uint16_t *from = (const uint16_t *)(const void *)memory_of(&frame->smoother, band) +
                                (y - first) * BENCH_WIDTH;
         uint16_t *to = (uint16_t *)(void *)(frame->surface.pixels + y * frame->surface.pitch);

@@ -63,9 +63,9 @@ static void keep_rows(const struct target *t, const qtri_surface *surface, int32
 static void begin_rows(const struct target *t, qtri_surface *surface, int32_t scale, int32_t first,
                        int32_t end)
 {
-    if (qtri_surface_init_depth(surface, t->format, t->depth, scale * t->picture->width,
-                                scale * t->picture->height, scale * first, scale * (end - first),
-                                t->memory, t->bytes) != QTRI_OK) {
+    if (qtri_surface_init(surface, t->format, scale * t->picture->width, scale * t->picture->height,
+                          scale * first, scale * (end - first), t->memory, t->bytes) != QTRI_OK ||
+        qtri_surface_set_depth(surface, t->depth, t->bytes) != QTRI_OK) {
         abort(); /* the scene reader keeps sizes within the core's range */
     }
 }
@@ -87,7 +87,7 @@ static void draw_mean(const struct target *t, const qtri_surface *surface)
 static int32_t halo_of(enum scene_antialias antialias)
 {
     return antialias == SCENE_ANTIALIAS_EDGES  ? EDGES_HALO
-           : antialias == SCENE_ANTIALIAS_FXAA ? QTRI_FXAA_HALO
+           : antialias == SCENE_ANTIALIAS_FXAA ? QTRI_FXAA_OVERLAP
                                                : 0;
 }
 

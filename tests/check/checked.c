@@ -390,8 +390,7 @@ static void bands_and_filters(void)
 {
     qtri_format no_colors = qtri_rgb565;
     const qtri_brush brush = {{1, 2, 3}, 255, NULL};
-    qtri_rolling rolling;
-    qtri_halo halo;
+    qtri_frame overlapped;
     qtri_surface band;
     qtri_edges edges;
     qtri_outline outline;
@@ -404,18 +403,18 @@ static void bands_and_filters(void)
     font.glyphs = NULL;
     texel.fetch = NULL;
     depth.decode = NULL;
-    (void)qtri_halo_init(&halo, &qtri_rgb565, 4, 4, 4, 1, memory, sizeof memory);
+    (void)qtri_frame_init(&overlapped, &qtri_rgb565, 4, 4, 4, memory, sizeof memory);
+    (void)qtri_frame_set_overlap(&overlapped, 1, NULL, 0);
     STOPS("format->colors",
           (void)qtri_frame_init(&frame, &no_colors, 4, 4, 4, memory, sizeof memory));
-    STOPS("decode != NULL", (void)qtri_frame_init_depth(&frame, &qtri_rgb565, &depth, 4, 4, 4,
-                                                        memory, sizeof memory));
+    STOPS("decode != NULL", (void)qtri_frame_set_depth(&overlapped, &depth));
     STOPS("frame != NULL", qtri_frame_share(NULL, 0, 2));
     STOPS("frame != NULL", (void)qtri_frame_changes(NULL));
-    STOPS("halo != NULL", qtri_halo_begin(NULL));
-    STOPS("shown != NULL", (void)qtri_halo_next_band(&halo, &band, NULL));
-    STOPS("rolling != NULL", qtri_rolling_begin(NULL));
-    STOPS("drawn != NULL", (void)qtri_rolling_next_band(&rolling, NULL, &band, &band));
-    STOPS("band != NULL", qtri_rolling_keep(&rolling, NULL));
+    STOPS("frame != NULL", qtri_frame_begin(NULL));
+    STOPS("frame != NULL", (void)qtri_frame_set_overlap(NULL, 1, NULL, 0));
+    STOPS("band != NULL", (void)qtri_frame_next_band(&overlapped, NULL));
+    STOPS("band != NULL", qtri_frame_join(&overlapped, NULL));
+    STOPS("shown != NULL", qtri_frame_shown(&overlapped, &band, NULL));
     STOPS("surface != NULL", (void)qtri_fxaa(NULL, NULL, 0));
     STOPS("memory != NULL", (void)qtri_fxaa(&surface, NULL, 999));
     STOPS("sums != NULL", qtri_sum_clear(NULL, 9));
@@ -425,7 +424,7 @@ static void bands_and_filters(void)
     STOPS("surface != NULL", (void)qtri_edges_begin(&edges, NULL, NULL, 0));
     STOPS("edges != NULL", qtri_edges_blend(NULL));
     STOPS("outline != NULL", qtri_edges_note(&edges, NULL));
-    STOPS("prepared != NULL", qtri_prepared_set_outline(NULL, NULL, 1));
+    STOPS("prepared != NULL", qtri_prepared_set_outline(NULL, NULL));
     STOPS("prepared != NULL", (void)qtri_prepared_find_edges(NULL, &outline));
     STOPS("gray != NULL", qtri_surface_gray(&surface, 0, 0, 1, NULL));
     STOPS("level != NULL", qtri_dither_row(QTRI_DITHER_BAYER4, 1, 0, 0, gray, 1, NULL));
@@ -538,10 +537,9 @@ static void small_numbers(void)
     memset(&prepared, 0xA5, sizeof prepared);
     qtri_prepared_init(&prepared, NULL, 0, NULL, 0);
     qtri_draw_prepared(&surface, &prepared);
-    qtri_prepared_set_rolling_outline(&prepared, NULL, QTRI_HALO_MAX);
     draw_all();
     (void)qtri_outline_init(&outline, &mesh, NULL, 0);
-    qtri_prepared_set_outline(&prepared, NULL, -1);
+    qtri_prepared_set_outline(&prepared, NULL);
     (void)qtri_prepared_find_edges(&prepared, &outline);
     qtri_draw_prepared(&surface, &zeros);
 }
@@ -558,11 +556,10 @@ static void garbage(int byte)
     STOPS("is_whole", (make_garbage(byte), draw_all()));
     STOPS("is_whole", (make_garbage(byte), qtri_draw_prepared(&surface, &prepared)));
     STOPS("is_whole", (make_garbage(byte), qtri_prepared_mark(&prepared, &frame)));
-    STOPS("is_whole", (make_garbage(byte), qtri_prepared_set_outline(&prepared, NULL, 1)));
-    STOPS("is_whole", (make_garbage(byte), qtri_prepared_set_rolling_outline(&prepared, NULL, 1)));
+    STOPS("is_whole", (make_garbage(byte), qtri_prepared_set_outline(&prepared, NULL)));
     STOPS("is_whole", (make_garbage(byte), (void)qtri_prepared_find_edges(&prepared, &outline)));
     STOPS("is_whole", (prepared.mesh = &mesh, qtri_draw_prepared(&surface, &prepared)));
-    STOPS("is_whole", (prepared.halo = QTRI_HALO_MAX + 1, draw_all()));
+    STOPS("is_whole", (prepared.overlap = QTRI_OVERLAP_MAX + 1, draw_all()));
 }
 
 /* Widths of strokes. */

@@ -234,7 +234,6 @@ static void draw(const picture *asked)
     sum = 2166136261u;
     error = qtri_frame_init(&frame, p.format, WIDTH, HEIGHT, ROWS, band_memory, sizeof band_memory);
     qtri_prepared_init(&prepared, vertices, POINTS, lists, sizeof lists / sizeof lists[0]);
-    qtri_frame_begin(&frame);
     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &p.material);
     while (error == QTRI_OK && qtri_frame_next_band(&frame, &surface)) {
         qtri_surface_clear(&surface, sky);

@@ -32,7 +32,6 @@ int main(void)
         qtri_ili9341.width != 240) {
         return 1;
     }
-    qtri_frame_begin(&frame);
     while (qtri_frame_next_band(&frame, &band)) {
         qtri_surface_clear(&band, sky);
         qtri_draw_triangles(&band, &view, &pose, corners, 3, &material);

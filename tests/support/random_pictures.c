@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "random_states.h"
+#include "layouts.h"
 
 /* Checksums of what was drawn ------------------------------------------------------------------ */
 
@@ -52,8 +53,8 @@ static void surface_at(random_states *w, qtri_surface *surface, uint8_t *memory,
         QTRI_BAND_BYTES_DEPTH(w->width, rows_of(w), format->pixels->bytes, depths->bytes);
     uint8_t *at = memory + (STATES_BYTES - bytes);
     memset(at, 0, bytes);
-    w->failed |= qtri_surface_init_depth(surface, format, depths, w->width, w->height, first,
-                                         rows_of(w), at, bytes) != QTRI_OK;
+    w->failed |= surface_with_depth(surface, format, depths, w->width, w->height, first, rows_of(w),
+                                    at, bytes) != QTRI_OK;
 }
 
 static void draw_twice(random_states *w, const qtri_surface *surface, random_draw *draw)
@@ -277,31 +278,30 @@ uint32_t random_in_bands(random_states *w, uint32_t hash, random_draw *draw)
     const qtri_rgb sky = random_rgb(w);
     const bool with_edges = random_one_in(w, 2);
     random_size(w, 1);
-    qtri_halo halo;
+    qtri_frame frame;
     qtri_prepared prepared;
     qtri_surface band, shown;
     (void)draw;
     random_pass(w);
-    w->failed |=
-        qtri_halo_init(&halo, format, STATES_WIDTH, STATES_HEIGHT, rows, 1 + random_below(w, 3),
-                       w->halo_memory, sizeof w->halo_memory) != QTRI_OK;
+    w->failed |= frame_with_overlap(&frame, format, STATES_WIDTH, STATES_HEIGHT, rows,
+                                    1 + random_below(w, 3), w->halo_memory,
+                                    sizeof w->halo_memory) != QTRI_OK;
     const uint32_t vertex_count = random_one_in(w, 4) ? 0 : LENGTH_OF(w->prepared_vertices);
     const uint32_t list_count =
         random_one_in(w, 3) ? (uint32_t)random_below(w, 200) : LENGTH_OF(w->lists);
     qtri_prepared_init(&prepared, w->prepared_vertices, vertex_count, w->lists, list_count);
-    qtri_prepared_set_outline(&prepared, with_edges ? &w->outlined : NULL, 1);
-    qtri_halo_begin(&halo);
-    qtri_prepare_mesh(&prepared, &halo.frame, &w->view, &w->pose, &w->mesh, &w->material);
+    qtri_prepared_set_outline(&prepared, with_edges ? &w->outlined : NULL);
+    qtri_prepare_mesh(&prepared, &frame, &w->view, &w->pose, &w->mesh, &w->material);
     if (with_edges) {
         (void)qtri_prepared_find_edges(&prepared, &w->outlined);
     }
-    qtri_prepared_mark(&prepared, &halo.frame);
-    const qtri_rect changes = qtri_frame_changes(&halo.frame);
+    qtri_prepared_mark(&prepared, &frame);
+    const qtri_rect changes = qtri_frame_changes(&frame);
     const int32_t touched[] = {changes.x0, changes.y0, changes.x1, changes.y1};
     for (int i = 0; i < 4; i++) {
         hash = random_hash(hash, (uint32_t)touched[i], 4);
     }
-    while (qtri_halo_next_band(&halo, &band, &shown)) {
+    while (next_shown(&frame, &band, &shown)) {
         qtri_surface_clear(&band, sky);
         qtri_draw_prepared(&band, &prepared);
         if (with_edges) {

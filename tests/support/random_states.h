@@ -59,7 +59,7 @@ typedef struct random_states {
     uint16_t lists[400];
     qtri_vertex prepared_vertices[STATES_VERTICES + STATES_VERTICES / 2];
     uint16_t neighbours[STATES_TRIANGLES][3];
-    uint8_t halo_memory[QTRI_HALO_BYTES(STATES_WIDTH, STATES_HEIGHT, 3, QTRI_XRGB8888_BYTES)];
+    uint8_t halo_memory[QTRI_FRAME_BYTES(STATES_WIDTH, STATES_HEIGHT + 2 * 3, QTRI_XRGB8888_BYTES)];
     qtri_outline outlined;
     qtri_edges pass;
     /* Surfaces. */

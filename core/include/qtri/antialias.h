@@ -11,18 +11,15 @@
  *
  * Wireframes have lines of their own, &qtri_smooth_wireframe (stroke.h).
  *
- * halo.h has bands that overlap, which the first and FXAA need, and rolling.h such bands for less
- * time, one after the other; jitter.h the views of which sums are made. `make antialias` prints how
- * good each is, what it costs and what memory it takes.
+ * frame.h has bands that overlap, which the first and FXAA need; jitter.h the views of which sums
+ * are made. `make antialias` prints how good each is, what it costs and what memory it takes.
  */
 #ifndef QTRI_ANTIALIAS_H
 #define QTRI_ANTIALIAS_H
 
 #include "edges.h"
-#include "halo.h"
 #include "filters.h"
 #include "jitter.h"
-#include "rolling.h"
 #include "samples.h"
 
 #endif

@@ -8,8 +8,8 @@
  *
  *     static uint8_t memory[QTRI_FRAME_BYTES_DEPTH(320, 16, QTRI_RGB565_BYTES,
  *                                                  QTRI_DEPTH_FLOAT16_BYTES)];
- *     qtri_frame_init_depth(&frame, &qtri_rgb565, &qtri_depth_float16, 320, 240, 16, memory,
- *                           sizeof memory);
+ *     qtri_frame_init(&frame, &qtri_rgb565, 320, 240, 16, memory, sizeof memory);
+ *     qtri_frame_set_depth(&frame, &qtri_depth_float16);
  *
  * Which one. In perspective window z has nearly all its steps close to the near plane: at a
  * distance d faces can be told apart that are d^2 / (65536 near) from each other with linear16,
@@ -45,7 +45,7 @@
  * light, colours, and RGB565 texels: some 1.5 KB each at -Os.
  *
  * Everything that knows depth takes every format: triangles, lines, strokes, points, fog, blends,
- * the edge pass (edges.h), frames and halos. Only surfaces of four samples (samples.h) have
+ * the edge pass (edges.h), frames. Only surfaces of four samples (samples.h) have
  * linear16 alone.
  *
  * A format of one's own is such a description in one's own file.

@@ -19,25 +19,26 @@
  *     qtri_edges_note(&edges, &outline);           // each mesh that has an outline
  *     qtri_edges_blend(&edges);                    // the depth buffer is spent
  *
- * In bands, with a row of halo above and below (halo.h), so that the pixels are the whole frame's:
+ * In bands that overlap by a row (frame.h), so that the pixels are the whole frame's:
  *
  *     qtri_prepared_init(&prepared, vertices, 500, lists, sizeof lists / sizeof lists[0]);
- *     qtri_prepared_set_outline(&prepared, &outline, 1);         // once, after init
+ *     qtri_prepared_set_outline(&prepared, &outline);            // once, after init
  *
- *     qtri_halo_begin(&frame);
- *     qtri_prepare_mesh(&prepared, &frame.frame, &view, &pose, &gear, &material);
+ *     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &gear, &material);
  *     qtri_prepared_find_edges(&prepared, &outline);
- *     while (qtri_halo_next_band(&frame, &band, &shown)) {
+ *     while (qtri_frame_next_band(&frame, &band)) {
  *         qtri_surface_clear(&band, sky);
  *         qtri_draw_prepared(&band, &prepared);
+ *         qtri_frame_join(&frame, &band);
  *         qtri_edges_begin(&edges, &band, edge_memory, ...);
  *         qtri_edges_note(&edges, &outline);
  *         qtri_edges_blend(&edges);
+ *         qtri_frame_shown(&frame, &band, &shown);
  *         qtri_panel_write(&panel, &shown);
  *     }
  *
- * Drawing the halo again takes three tenths of all that smoothing takes in bands; rolling.h keeps
- * it instead, for 2,568 bytes more in 320 columns.
+ * Drawing the overlap again takes three tenths of all that smoothing takes in bands; keeping it
+ * takes 2,568 bytes more in 320 columns.
  *
  * What it is not for: edges within textures (a filter), triangles that cut through each other and
  * those that the near plane cuts (neither has an edge there), and what is thinner than a pixel.
@@ -122,15 +123,9 @@ enum qtri_error qtri_find_outline(const qtri_surface *surface, const qtri_view *
 
 /*
  * After qtri_prepared_init: the prepared mesh finds what faces the eye for the outline, which must
- * be of the mesh that will be prepared, and its lists of triangles reach `halo` rows (clamped to
- * 0..8) beyond each band. NULL: it has no outline.
+ * be of the mesh that will be prepared. NULL: it has no outline.
  */
-void qtri_prepared_set_outline(qtri_prepared *prepared, const qtri_outline *outline, int32_t halo);
-
-/* For the bands of rolling.h with such a halo: lists of triangles reach no further than what is
-   drawn, those of edges also the rows that were kept. */
-void qtri_prepared_set_rolling_outline(qtri_prepared *prepared, const qtri_outline *outline,
-                                       int32_t halo);
+void qtri_prepared_set_outline(qtri_prepared *prepared, const qtri_outline *outline);
 
 /*
  * After qtri_prepare_mesh, once a frame: finds the edges and lists them by band.
@@ -153,7 +148,7 @@ typedef struct qtri_edges {
 } qtri_edges;
 
 /*
- * Words of memory for a surface of so many columns and rows, with the halo: a bit a pixel, and for
+ * Words of memory for a surface of so many columns and rows, with overlap: a bit a pixel, and for
  * formats of more than two bytes a row of colours. Notes are kept in the surface's depth; where it
  * has none, two bytes a pixel more. Depths of another format than linear16 become that as the pass
  * begins, so edges are compared in steps of 1/65535. Where depth_pitch is not the width,
@@ -171,7 +166,7 @@ typedef struct qtri_edges {
  * the width or more than 65536. The pass has no pixels then, and what follows does nothing.
  *
  * Pixels of the outermost rows and columns inside the scissor may lack a share from outside of it:
- * a scissor, like a band, needs a halo of one pixel. Inside of that the pixels do not depend on
+ * a scissor, like a band, needs one pixel more. Inside of that the pixels do not depend on
  * band or scissor. On the frame's border nothing is missing.
  */
 enum qtri_error qtri_edges_begin(qtri_edges *edges, const qtri_surface *surface, uint32_t *memory,

@@ -17,7 +17,7 @@
  *     }
  *
  * FXAA (Lottes 2009): edges are guessed from the colours of neighbours. For pictures whose geometry
- * is not at hand, before text is drawn. In bands with a halo of QTRI_FXAA_HALO rows (halo.h).
+ * is not at hand, before text is drawn. In bands that overlap by QTRI_FXAA_OVERLAP rows.
  *
  *     static uint32_t rows[QTRI_FXAA_565_WORDS(240)];
  *     qtri_fxaa(&band, rows, sizeof rows / sizeof rows[0]);
@@ -61,8 +61,8 @@ enum qtri_error qtri_halve(const qtri_surface *band, qtri_surface *out);
 /* ---- FXAA ---- */
 
 /* How far it looks for the ends of an edge: along a row, and across rows. */
-#define QTRI_FXAA_REACH 12
-#define QTRI_FXAA_HALO  2
+#define QTRI_FXAA_REACH   12
+#define QTRI_FXAA_OVERLAP 2
 
 /* Words of memory for surfaces of this width: old colours of five rows; for those stored like
    rgb565 old colours of three rows, and three of lumas. */
@@ -71,7 +71,7 @@ enum qtri_error qtri_halve(const qtri_surface *band, qtri_surface *out);
 
 /*
  * Smooths what lies inside the scissor, in place. Pixels do not depend on band and scissor where
- * these have QTRI_FXAA_HALO rows and QTRI_FXAA_REACH columns more than what is shown.
+ * these have QTRI_FXAA_OVERLAP rows and QTRI_FXAA_REACH columns more than what is shown.
  * QTRI_ERROR_MEMORY: too few words. The picture is as it was then.
  */
 enum qtri_error qtri_fxaa(const qtri_surface *surface, uint32_t *memory, uint32_t words);

@@ -7,7 +7,6 @@
  *     static uint16_t lists[QTRI_PREPARED_LISTS(996, 240, 16)];
  *     qtri_prepared_init(&gear, vertices, 500, lists, sizeof lists / sizeof lists[0]);
  *
- *     qtri_frame_begin(&frame);
  *     qtri_prepare_mesh(&gear, &frame, &view, &pose, &mesh, &material);
  *     while (qtri_frame_next_band(&frame, &band)) {
  *         qtri_surface_clear(&band, sky);
@@ -43,7 +42,7 @@ typedef struct qtri_prepared {
     uint8_t group_log2;
     uint32_t listed; /* triangles; those that follow are not in lists */
     int32_t width, height, rows;
-    int32_t halo;                     /* rows beyond each band that its list reaches; see edges.h */
+    int32_t overlap;                  /* rows beyond each band that its list reaches */
     int32_t edges_above, edges_below; /* and those that its list of edges reaches */
     uint32_t *front;                  /* an outline's, for this mesh; NULL: none */
     const qtri_mesh *front_of;

@@ -48,7 +48,7 @@ typedef struct qtri_surface {
 #define QTRI_BAND_BYTES(width, rows, pixel_bytes)                                                  \
     QTRI_BAND_BYTES_DEPTH(width, rows, pixel_bytes, QTRI_DEPTH_LINEAR16_BYTES)
 
-/* The same with depth of another format: QTRI_DEPTH_FLOAT16_BYTES and the like. */
+/* With depth of another format: QTRI_DEPTH_FLOAT16_BYTES and the like. */
 #define QTRI_BAND_BYTES_DEPTH(width, rows, pixel_bytes, depth_bytes)                               \
     ((size_t)(width) * (size_t)(rows) * ((size_t)(pixel_bytes) + (size_t)(depth_bytes)) + 8u)
 
@@ -67,15 +67,14 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
                                   size_t bytes);
 
 /*
- * The same with a format of depth, of depth.h; NULL: linear16. Bytes are then
- * QTRI_BAND_BYTES_DEPTH(width, rows, format->pixels->bytes, depth_format->bytes).
- * QTRI_ERROR_FORMAT also: a depth's bytes are not 2, 3 or 4; or the format has samples (samples.h),
- * whose depth is linear16.
+ * Gives a surface that was just laid out depth of another format, of depth.h; NULL: linear16.
+ * bytes: of its memory, QTRI_BAND_BYTES_DEPTH(width, rows, format->pixels->bytes,
+ * depth_format->bytes). QTRI_ERROR_FORMAT: the surface has no format; a depth's bytes are not 2, 3
+ * or 4; or the surface has samples (samples.h), whose depth is linear16. QTRI_ERROR_MEMORY: too few
+ * bytes. After an error the surface is all zero.
  */
-enum qtri_error qtri_surface_init_depth(qtri_surface *surface, const qtri_format *format,
-                                        const qtri_depth_format *depth_format, int32_t width,
-                                        int32_t height, int32_t first_row, int32_t rows,
-                                        void *memory, size_t bytes);
+enum qtri_error qtri_surface_set_depth(qtri_surface *surface, const qtri_depth_format *format,
+                                       size_t bytes);
 
 /* Inside the scissor fills colour, and depth where there is one with the farthest. */
 void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color);

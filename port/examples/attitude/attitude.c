@@ -121,7 +121,6 @@ enum qtri_error example_run(void)
             imu_sample sample = imu_read();
             step(&now, &sample);
         }
-        qtri_frame_begin(&frame);
         while (qtri_frame_next_band(&frame, &band) && error == QTRI_OK) {
             draw(&band, &view, &now);
             error = qtri_panel_write(&panel, &band);

@@ -132,7 +132,6 @@ enum qtri_error example_run(void)
         q16 degrees = angle_of(value);
         qtri_rect left = needle_box(&frame, before), entered = needle_box(&frame, degrees);
         qtri_surface band;
-        qtri_frame_begin(&frame);
         qtri_frame_mark(&frame, &left);
         qtri_frame_mark(&frame, &entered);
         qtri_frame_only_changes(&frame);

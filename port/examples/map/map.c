@@ -223,7 +223,6 @@ enum qtri_error example_run(void)
     do {
         qtri_surface band;
         qtri_rect left = mark_box(&seen, before), entered = mark_box(&seen, here);
-        qtri_frame_begin(&frame);
         if (!is_inside(&seen, here)) {
             center_on(&seen, here);
             since = 0;

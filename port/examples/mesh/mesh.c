@@ -74,7 +74,6 @@ enum qtri_error example_run(void)
         qtri_transform pose;
         qtri_surface band;
         set_pose(&pose, angle);
-        qtri_frame_begin(&frame);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &model, &material);
         while (qtri_frame_next_band(&frame, &band) && error == QTRI_OK) {
             qtri_surface_clear(&band, sky);

@@ -179,7 +179,6 @@ enum qtri_error example_run(void)
         qtri_transform_rotate_y(&turned, angle);
         phase_0 += 0x0A000000u;
         phase_1 += 0x07000000u;
-        qtri_frame_begin(&frame);
         while (error == QTRI_OK && qtri_frame_next_band(&frame, &band)) {
             qtri_surface_clear(&band, sky);
             qtri_draw_mesh(&band, &view, &turned, &land, &drawn);

@@ -205,7 +205,6 @@ enum qtri_error example_run(void)
         qtri_transform_identity(&view.camera);
         qtri_transform_look_at(&view.camera, eye, center, up);
         qtri_transform_identity(&still);
-        qtri_frame_begin(&frame);
         qtri_prepare_mesh(&prepared, &frame, &view, &still, &land, &material);
         while (qtri_frame_next_band(&frame, &band) && error == QTRI_OK) {
             qtri_surface_clear(&band, sky);

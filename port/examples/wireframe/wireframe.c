@@ -93,7 +93,6 @@ enum qtri_error example_run(void)
         qtri_transform_identity(&pose);
         qtri_transform_rotate_y(&pose, angle);
         qtri_transform_rotate_x(&pose, q16_mul(angle, Q16(.5)));
-        qtri_frame_begin(&frame);
         while (qtri_frame_next_band(&frame, &band) && error == QTRI_OK) {
             qtri_surface_clear(&band, black);
             qtri_draw_mesh(&band, &view, &pose, &icosahedron, &solid);

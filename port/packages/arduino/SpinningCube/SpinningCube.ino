@@ -93,7 +93,6 @@ void loop()
     qtri_transform_identity(&pose);
     qtri_transform_rotate_x(&pose, Q16(25));
     qtri_transform_rotate_y(&pose, angle);
-    qtri_frame_begin(&frame);
     qtri_surface band;
     while (qtri_frame_next_band(&frame, &band)) {
         qtri_surface_clear(&band, {24, 32, 48});
