@@ -246,8 +246,8 @@ prove: ## Prove by Frama-C that mathematics and kernels do nothing that C does n
 prove-inputs: ## The same by trying all 2^32 arguments of the functions of one, half an hour; FUNCTIONS="sqrt recip"
 	@JOBS=$(JOBS) $(ALIVE) prove-inputs sh tests/tools/prove.sh inputs
 
-setup-proof: ## Install what coverage, mutate, misra and prove need besides (Debian, as root)
-	apt-get install -y -qq --no-install-recommends python3 llvm cppcheck frama-c-base
+setup-proof: ## Install what coverage, mutate, misra, prove and plot-math need besides (Debian, as root)
+	apt-get install -y -qq --no-install-recommends python3 llvm cppcheck frama-c-base gnuplot-nox
 
 .PHONY: test-math-targets
 test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V, big-endian PowerPC, AVR

@@ -19,7 +19,7 @@ typedef struct table {
 static const char usage[] =
     "usage: qtri-verify [--quick | --full | --long] [--threads N] [--exact-only] [--quiet]\n"
     "                   [-o FILE.tsv] [FUNCTION...]\n"
-    "       qtri-verify --plot sin|atan2|sqrt -o FILE.svg\n"
+    "       qtri-verify --plot sin|atan2|sqrt -o FILE.gp\n"
     "       qtri-verify --list\n";
 
 static const char help[] =
@@ -37,7 +37,7 @@ static const char help[] =
     "  --exact-only  no shortcuts, every reference from MPFR or integers: the same table, days\n"
     "  --quiet       no progress on stderr\n"
     "  -o FILE       the table with tabs and a header line, or the plot\n"
-    "  --plot NAME   the error over the domain as a picture\n"
+    "  --plot NAME   the error over the domain as a program for gnuplot\n"
     "  --list        the names that FUNCTION can be\n"
     "\n"
     "Status: 0 when every row is within its limit, 1 when not, 2 when it could not be done.\n";

@@ -36,8 +36,10 @@ verify-math: $(BUILD)/qtri-verify ## Table of the error of every function, all i
 	    -o $(BUILD)/math.tsv $(FUNCTIONS)
 
 .PHONY: plot-math
-plot-math: $(BUILD)/qtri-verify ## Plots of the error of sin, atan2 and sqrt: build/plots/*.svg
+plot-math: $(BUILD)/qtri-verify ## Plots of the error of sin, atan2 and sqrt: build/plots/*.svg, by gnuplot
+	@command -v gnuplot >/dev/null || { echo "plot-math: no gnuplot: apt-get install gnuplot-nox" >&2; exit 1; }
 	@mkdir -p $(BUILD)/plots
 	for name in sin atan2 sqrt; do \
-	    $(BUILD)/qtri-verify --plot $$name -o $(BUILD)/plots/$$name.svg || exit 1; \
+	    $(BUILD)/qtri-verify --plot $$name -o $(BUILD)/plots/$$name.gp && \
+	    gnuplot $(BUILD)/plots/$$name.gp >$(BUILD)/plots/$$name.svg || exit 1; \
 	done
