@@ -92,13 +92,13 @@ static uint32_t intensity(const qtri_lighting *lighting, int64_t cosine_q16)
     return ((uint32_t)q16_clamp(sum, 0, Q16_ONE) + 1) >> 1;
 }
 
-/* For a normal of any length below 2^30. */
+/* For a normal of any length below 2^31. */
 static uint32_t light_direction(const qtri_lighting *lighting, const int32_t normal[3])
 {
     int64_t v[3] = {normal[0], normal[1], normal[2]};
     if (!lighting->even) {
         for (int i = 0; i < 3; i++) {
-            v[i] = dot_q30(normal, lighting->by.normal_q28[i]); /* < 3 2^58 */
+            v[i] = dot_q30(normal, lighting->by.normal_q28[i]); /* < 3 2^59 */
         }
     }
     int32_t scaled[3];
@@ -238,48 +238,61 @@ static uint32_t light_face(const qtri_lighting *lighting, const int32_t n[3])
                            mantissa16(n[2], zeros));
 }
 
-/* Any face, any light: the products of edges below 2^30 are exact, and longer ones lose 3 bits. */
-QTRI_NOINLINE static uint32_t light_any_face(const qtri_lighting *lighting, const qtri_vec3 *a,
-                                             const qtri_vec3 *b, const qtri_vec3 *c)
+/* The edges from a to b and to c, in 2^3 where they are 2^30 long. */
+QTRI_NOINLINE static void get_far_edges(int32_t edge[6], const qtri_vec3 *a, const qtri_vec3 *b,
+                                        const qtri_vec3 *c)
 {
-    const int64_t edge[6] = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z,
-                             (int64_t)c->x - a->x, (int64_t)c->y - a->y, (int64_t)c->z - a->z};
+    const int64_t far[6] = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z,
+                            (int64_t)c->x - a->x, (int64_t)c->y - a->y, (int64_t)c->z - a->z};
     uint64_t size = 0;
     for (int i = 0; i < 6; i++) {
-        size |= qtri_magnitude64(edge[i]);
+        size |= qtri_magnitude64(far[i]);
     }
     const int32_t down = size >> 30 != 0 ? 3 : 0;
-    int32_t e[6];
     for (int i = 0; i < 6; i++) {
-        e[i] = (int32_t)(edge[i] >> down);
+        edge[i] = (int32_t)(far[i] >> down);
     }
-    const int64_t cross[3] = {qtri_mul_s32(e[1], e[5]) - qtri_mul_s32(e[2], e[4]),
-                              qtri_mul_s32(e[2], e[3]) - qtri_mul_s32(e[0], e[5]),
-                              qtri_mul_s32(e[0], e[4]) - qtri_mul_s32(e[1], e[3])};
-    int32_t normal[3] = {0, 0, 0};
-    (void)normalize_scale(normal, cross); /* <= 2^61 */
-    return lighting->plain ? light_face(lighting, normal)
-                           : lighting->uneven->direction(lighting, normal);
 }
 
-/* Held to 32 bits: then it is not short either. */
-static inline int32_t difference(q16 a, q16 b)
+/* |x|, or one less. */
+static inline uint32_t size_of(int32_t x)
 {
-    return qtri_saturate32((int64_t)a - b);
+    return (uint32_t)(x ^ (x >> 31));
 }
 
 uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, const qtri_vec3 *b,
                             const qtri_vec3 *c)
 {
-    const int32_t e[3] = {difference(b->x, a->x), difference(b->y, a->y), difference(b->z, a->z)};
-    const int32_t f[3] = {difference(c->x, a->x), difference(c->y, a->y), difference(c->z, a->z)};
-    if (lighting->plain && is_short(e, f)) {
-        /* |e|, |f| < 2^15: below 2^31 */
-        const int32_t n[3] = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2],
-                              e[0] * f[1] - e[1] * f[0]};
-        return light_face(lighting, n);
+    int32_t e[6];
+    int32_t n[3];
+    const uint32_t size = size_of(a->x) | size_of(a->y) | size_of(a->z) | size_of(b->x) |
+                          size_of(b->y) | size_of(b->z) | size_of(c->x) | size_of(c->y) |
+                          size_of(c->z);
+    if (size >> 29 != 0) {
+        get_far_edges(e, a, b, c);
+    } else {
+        e[0] = b->x - a->x;
+        e[1] = b->y - a->y;
+        e[2] = b->z - a->z;
+        e[3] = c->x - a->x;
+        e[4] = c->y - a->y;
+        e[5] = c->z - a->z;
     }
-    return light_any_face(lighting, a, b, c);
+    if (is_short(e, &e[3])) {
+        n[0] = e[1] * e[5] - e[2] * e[4]; /* |e| < 2^15: below 2^31 */
+        n[1] = e[2] * e[3] - e[0] * e[5];
+        n[2] = e[0] * e[4] - e[1] * e[3];
+    } else {
+        const int64_t x = qtri_mul_s32(e[1], e[5]) - qtri_mul_s32(e[2], e[4]); /* <= 2^61 */
+        const int64_t y = qtri_mul_s32(e[2], e[3]) - qtri_mul_s32(e[0], e[5]);
+        const int64_t z = qtri_mul_s32(e[0], e[4]) - qtri_mul_s32(e[1], e[3]);
+        const uint64_t all = qtri_magnitude64(x) | qtri_magnitude64(y) | qtri_magnitude64(z);
+        const int32_t down = qtri_greatest32(35 - qtri_clz64(all), 0); /* leaves 29 bits */
+        n[0] = (int32_t)(x >> down);
+        n[1] = (int32_t)(y >> down);
+        n[2] = (int32_t)(z >> down);
+    }
+    return lighting->plain ? light_face(lighting, n) : lighting->uneven->direction(lighting, n);
 }
 
 /*
