@@ -137,6 +137,13 @@ static inline int64_t qtri_wrap64(uint64_t x)
     return x > (uint64_t)INT64_MAX ? -(int64_t)(UINT64_MAX - x) - 1 : (int64_t)x;
 }
 
+/* x 2^n for a result that fits, 0 <= n < 64: compilers make a product of two long numbers of that
+   where a shift of a negative one is not defined. */
+static inline int64_t qtri_shift_left64(int64_t x, int32_t n)
+{
+    return qtri_wrap64((uint64_t)x << n);
+}
+
 static inline int32_t qtri_least32(int32_t a, int32_t b)
 {
     return a < b ? a : b;

@@ -163,9 +163,12 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
 {
     const qtri_mesh *mesh = draw->mesh;
     qtri_transform object_to_eye;
+    if (is_empty(mesh) || draw->positions == NULL) {
+        return false;
+    }
     qtri_transform_mul(&object_to_eye, &view->camera, pose);
     qtri_primitive_place_in_eye(&draw->primitive, view, &object_to_eye);
-    if (is_empty(mesh) || draw->positions == NULL || is_missed(draw, draw->primitive.surface)) {
+    if (is_missed(draw, draw->primitive.surface)) {
         return false;
     }
     if (draw->positions->begin != NULL) {
@@ -400,7 +403,7 @@ bool qtri_mesh_draw(const qtri_vertex_stage *stage, const qtri_surface *surface,
     QTRI_CHECK(qtri_check_view(view, pose));
     QTRI_CHECK(qtri_check_mesh(mesh));
     qtri_mesh_job draw;
-    if (!begin(&draw, stage, surface, view, pose, mesh, material)) {
+    if (is_empty(mesh) || !begin(&draw, stage, surface, view, pose, mesh, material)) {
         return false;
     }
     draw.front = front;

@@ -49,7 +49,7 @@ static int32_t fold(folded *out, const qtri_row *row, const int32_t origin[3], q
 static int64_t shifted(int64_t x, int32_t shift)
 {
     if (shift <= 0) {
-        return x * ((int64_t)1 << (shift < -62 ? 62 : -shift));
+        return qtri_shift_left64(x, shift < -62 ? 62 : -shift);
     }
     return x >> (shift > 63 ? 63 : shift);
 }
@@ -100,7 +100,7 @@ void qtri_projector_point16(const qtri_projector *projector, const qtri_position
     int64_t v[4];
     for (int i = 0; i < 4; i++) {
         int32_t sum = qtri_row16_sum(&projector->row.compact[i], p->x, p->y, p->z);
-        v[i] = sum * ((int64_t)1 << projector->shift[i]);
+        v[i] = qtri_shift_left64(sum, projector->shift[i]);
     }
     out->x = v[0];
     out->y = v[1];

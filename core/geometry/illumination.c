@@ -28,7 +28,7 @@ bool qtri_direction_q14(int32_t out[3], const int64_t v[3])
     int32_t scaled[3];
     const int32_t down = 49 - qtri_clz64(all | 1u); /* leaves 15 bits */
     for (int i = 0; i < 3; i++) {
-        scaled[i] = (int32_t)(down >= 0 ? v[i] >> down : v[i] * ((int64_t)1 << -down));
+        scaled[i] = (int32_t)(down >= 0 ? v[i] >> down : qtri_shift_left64(v[i], -down));
     }
     const uint32_t square = square_of(scaled);
     if (square == 0) {
@@ -85,7 +85,7 @@ void qtri_illuminated_place_uneven(qtri_lit_point *point, const qtri_row row[3],
     for (int i = 0; i < 3; i++) {
         const int32_t down = row[i].exponent - 8 + exponent;
         point->place[i] = (int32_t)(down >= 0 ? sum[i] >> (down > 63 ? 63 : down)
-                                              : sum[i] * ((int64_t)1 << -down));
+                                              : qtri_shift_left64(sum[i], -down));
     }
     point->exponent = exponent;
 }

@@ -74,7 +74,7 @@ static bool normalize_scale(int32_t out[3], const int64_t v[3])
     }
     int32_t zeros = qtri_clz64(all); /* to become 35 */
     for (int i = 0; i < 3; i++) {
-        out[i] = zeros >= 35 ? (int32_t)(v[i] * ((int64_t)1 << (zeros - 35)))
+        out[i] = zeros >= 35 ? (int32_t)(qtri_shift_left64(v[i], zeros - 35))
                              : (int32_t)(v[i] >> (35 - zeros));
     }
     return true;

@@ -134,7 +134,7 @@ void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *con
 /* x / w times 2^31 over 2^15, for |x| <= 2^14 w: the mantissa that the reciprocal multiplies. */
 static int64_t scaled(int64_t x, int32_t zeros)
 {
-    int64_t aligned = zeros >= 15 ? x * ((int64_t)1 << (zeros - 15)) : x >> (15 - zeros);
+    int64_t aligned = zeros >= 15 ? qtri_shift_left64(x, zeros - 15) : x >> (15 - zeros);
     return aligned >> 32;
 }
 
@@ -170,7 +170,7 @@ void qtri_project(const qtri_projector *projector, const qtri_clip_vertex *v,
     out->inv_w_exponent = zeros;
 
     int64_t z = v->z > w ? w : (v->z < -w ? -w : v->z);
-    int32_t z_q31 = (int32_t)(z * ((int64_t)1 << (zeros - 1)) >> 32);
+    int32_t z_q31 = (int32_t)(qtri_shift_left64(z, zeros - 1) >> 32);
     int32_t least_q31 = -(int32_t)(w_q32 >> 1); /* z was rounded down, and w, too */
     out->depth_16p16 = qtri_vertex_depth(projector, qtri_greatest32(z_q31, least_q31), reciprocal);
 }
@@ -187,7 +187,7 @@ static int16_t rest_of(int64_t x, int64_t w, int32_t at, int32_t reciprocal)
         return 0; /* held to the guard band */
     }
     const int32_t zeros = qtri_clz64((uint64_t)w);
-    const int32_t size = (int32_t)(rest * ((int64_t)1 << (zeros - 1)) >> 32);
+    const int32_t size = (int32_t)(qtri_shift_left64(rest, zeros - 1) >> 32);
     return (int16_t)qtri_hold32((int32_t)(qtri_mul_s32(size, reciprocal) >> 46), -32768, 32767);
 }
 

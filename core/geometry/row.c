@@ -99,12 +99,15 @@ static bool scaled_product(int64_t *out, int32_t m, int64_t t, int32_t shift)
 /* Adds t 2^-shift, rounded down, where that is below 2^60. */
 static bool add_shifted(int64_t *sum, int64_t t, int32_t shift)
 {
+    if (t == 0) {
+        return true;
+    }
     if (shift < 0) {
         int32_t spare = qtri_clz64(qtri_magnitude64(t) | 1u) - 4;
         if (-shift > spare) {
-            return t == 0;
+            return false;
         }
-        *sum += t * ((int64_t)1 << -shift);
+        *sum += qtri_shift_left64(t, -shift);
         return true;
     }
     *sum += t >> (shift > 63 ? 63 : shift);
