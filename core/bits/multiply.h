@@ -76,7 +76,7 @@ static inline uint32_t qtri_mul_wrap12(uint32_t a, uint32_t b)
 static inline int32_t qtri_mul_s16(int32_t a, int32_t b)
 {
 #if QTRI_LONG_MULTIPLY
-    return (int32_t)(qtri_mul_s32(a, b) >> 16);
+    return (int32_t)(qtri_mul_s32(a, b * 65536) >> 32); /* as qtri_mul_high16() */
 #else
     return (a >> 16) * b + (((int32_t)qtri_low16((uint32_t)a) * b) >> 16);
 #endif

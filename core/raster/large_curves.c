@@ -435,6 +435,9 @@ QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool textured, bool color
 
 QTRI_INLINE int32_t next_pieces(qtri_large_job *job, bool textured, bool colored)
 {
+    if (job->is_quadratic) {
+        return qtri_large_quadratic_piece(job);
+    }
     if (!job->is_curved) {
         return qtri_large_linear_piece(job);
     }

@@ -537,7 +537,7 @@ void qtri_large_set_planes(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
     int64_t q_q8[3];
-    if (!qtri_large_set_linear(job, q_q8)) {
+    if (!qtri_large_set_linear(job, q_q8) && !qtri_large_set_quadratics(job)) {
         qtri_large_set_curved(job, q_q8);
     }
 }

@@ -68,7 +68,7 @@ typedef struct qtri_large_job {
     qtri_large_plane q;
     int32_t plane_y;                              /* of planes' rows */
     bool is_curved;                               /* planes are times q */
-    bool is_quadratic;                            /* colours are quadratics */
+    bool is_quadratic;                            /* attributes are quadratics */
     uint8_t quadratic_log2;                       /* pixels of a piece of these */
     uint32_t weight_q30[2][3];                    /* as weights, of these */
     bool may_be_level;                            /* q hardly changes along rows: by `steep` */
@@ -228,5 +228,9 @@ void qtri_large_set_lengths(qtri_large_job *job);
 /* By how much, n.16, colours may stray for going along chords: 2^this, 1/4 of a step. */
 int32_t qtri_large_chord_bound_log2(const qtri_large_job *job);
 bool qtri_large_begin_level(qtri_large_job *job);
+
+/* In large_quadratic.c: quadratics of all attributes; false: they do not serve. Then pieces. */
+bool qtri_large_set_quadratics(qtri_large_job *job);
+int32_t qtri_large_quadratic_piece(qtri_large_job *job);
 
 #endif

@@ -68,11 +68,13 @@ typedef struct qtri_large_plane {
 } qtri_large_plane;
 
 /* A polynomial of second order in the weights of vertices 1 and 2, and its slope along a row, which
-   is linear in them: 8.21 less the least. See large_quadratic.c. */
+   is linear in them. See large_quadratic.c. */
 typedef struct qtri_large_quadratic {
-    int32_t a1, a2, b11, b12, b22;
-    int32_t slope, slope1, slope2; /* a pixel */
+    int32_t a1, a2;
+    int32_t b11, b12, b22;         /* doubled, for products of Q15 */
+    int32_t slope, slope1, slope2; /* a pixel; the latter doubled */
     int32_t curve;                 /* half of what the slope grows by, a pixel */
+    uint32_t bend;                 /* a coordinate's, as pieces have it */
 } qtri_large_quadratic;
 
 typedef struct qtri_large_attribute {
@@ -132,21 +134,18 @@ typedef struct qtri_large {
 bool qtri_large_begin_samples(qtri_large *t, int32_t place);
 bool qtri_large_next_samples(qtri_large *t);
 
-/* Before the first row: what varies, then the planes of all of it. */
+/* Before the first row: what varies, then planes of all of it, or quadratics where these serve. */
 void qtri_large_set_texture(qtri_large *t);
 void qtri_large_set_colors(qtri_large *t);
 void qtri_large_set_alpha(qtri_large *t);
 void qtri_large_set_planes(qtri_large *t);
-/* Without texture: planes, or quadratics where these serve. */
-void qtri_large_set_color_planes(qtri_large *t);
 
 /* Goes on to the next row with pixels to draw; false: there is none. */
 bool qtri_large_next_row(qtri_large *t);
 
 /* Finds the row's next pieces, from t->x < x1 on: returns how many. Of texture coordinates only; of
-   all but these; of any attributes. */
+   any attributes. */
 int32_t qtri_large_next_uv(qtri_large *t);
-int32_t qtri_large_next_colors(qtri_large *t);
 int32_t qtri_large_next_any(qtri_large *t);
 
 /* In large_levels.c: of a texture that is mipmapped. Set once planes are; then pieces, with or
@@ -189,11 +188,7 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
         qtri_large_set_alpha(t);
     }
     if (qtri_large_has_pieces(o)) {
-        if (qtri_is_textured(o)) {
-            qtri_large_set_planes(t);
-        } else {
-            qtri_large_set_color_planes(t);
-        }
+        qtri_large_set_planes(t);
     }
     if (o->mipmapped) {
         qtri_large_set_levels(t);
@@ -214,10 +209,7 @@ QTRI_BODY int32_t qtri_large_next(const qtri_options *o, qtri_large *t)
     if (o->mipmapped) {
         return qtri_large_next_levels(t);
     }
-    if (!qtri_is_textured(o)) {
-        return qtri_large_next_colors(t);
-    }
-    if (!qtri_large_varies(o) && !o->vertex_alpha) {
+    if (qtri_is_textured(o) && !qtri_large_varies(o) && !o->vertex_alpha) {
         return qtri_large_next_uv(t);
     }
     return qtri_large_next_any(t);
