@@ -18,16 +18,11 @@ typedef struct stroke_job {
     uint32_t count;
     const qtri_vertex *vertices; /* of the first `kept` corners */
     uint32_t kept;
-    int32_t radius;
-    uint8_t cap;
-    bool closed;
 } stroke_job;
 
-/* projection camera pose, the material's depth bias, and what the stroke says; no vertices are
- * kept. */
+/* projection camera pose, and the material's depth bias; no vertices are kept. */
 static void job_init(stroke_job *job, const qtri_view *view, const qtri_transform *pose,
-                     const qtri_corner *corners, uint32_t count, const qtri_stroke *stroke,
-                     const qtri_material *material)
+                     const qtri_corner *corners, uint32_t count, const qtri_material *material)
 {
     qtri_transform object_to_clip;
     qtri_transform_mul(&object_to_clip, &view->camera, pose);
@@ -38,9 +33,6 @@ static void job_init(stroke_job *job, const qtri_view *view, const qtri_transfor
     job->count = count;
     job->vertices = NULL;
     job->kept = 0;
-    job->radius = qtri_stroke_radius(stroke->width);
-    job->cap = qtri_stroke_cap(stroke);
-    job->closed = stroke->closed && count > 2;
 }
 
 /* A corner on the screen; outside of a plane it is marked as vertices of meshes are. */
@@ -96,8 +88,8 @@ static bool is_inside(const qtri_vertex *v)
     return (v->depth_16p8 & QTRI_VERTEX_OUTSIDE) == 0;
 }
 
-/* The corners' parts, one after the other, with the caps of a polyline. */
-static bool job_place(const void *from, uint32_t part, qtri_stroke_place *place)
+/* The corners' parts, one after the other. */
+static bool job_place(const void *from, uint32_t part, qtri_screen_point end[2])
 {
     const stroke_job *job = from;
     uint32_t corner[2];
@@ -106,8 +98,8 @@ static bool job_place(const void *from, uint32_t part, qtri_stroke_place *place)
     find_vertex(job, corner[0], &v[0]);
     find_vertex(job, corner[1], &v[1]);
     if (is_inside(&v[0]) && is_inside(&v[1])) {
-        place->end[0] = v[0].at;
-        place->end[1] = v[1].at;
+        end[0] = v[0].at;
+        end[1] = v[1].at;
     } else {
         qtri_clip_vertex clip[2];
         if (!clip_part(job, corner, clip)) {
@@ -116,15 +108,10 @@ static bool job_place(const void *from, uint32_t part, qtri_stroke_place *place)
         for (int i = 0; i < 2; i++) {
             qtri_screen_vertex screen;
             qtri_project(&job->projector, &clip[i], &screen);
-            place->end[i].x_24p8 = screen.x_24p8;
-            place->end[i].y_24p8 = screen.y_24p8;
+            end[i].x_24p8 = screen.x_24p8;
+            end[i].y_24p8 = screen.y_24p8;
         }
     }
-    place->radius_24p8 = job->radius;
-    const bool is_first = part == 0 && !job->closed;
-    const bool is_last = part + 2 >= job->count && !job->closed;
-    place->caps[0] = is_first ? job->cap : QTRI_CAP_ROUND;
-    place->caps[1] = is_last ? job->cap : QTRI_CAP_ROUND;
     return true;
 }
 
@@ -175,25 +162,31 @@ static void job_ends(const void *from, uint32_t part, qtri_stroke_end end[2])
 /* Lines -----------------------------------------------------------------------------------------
  */
 
-void qtri_draw_polyline(const qtri_surface *surface, const qtri_view *view,
-                        const qtri_transform *pose, const qtri_corner *corners,
-                        uint32_t corner_count, const qtri_stroke *stroke,
-                        const qtri_material *material)
+static void check_draw(const qtri_surface *surface, const qtri_view *view,
+                       const qtri_transform *pose, const qtri_stroke *stroke,
+                       const qtri_material *material)
 {
     QTRI_CHECK(qtri_check_surface(surface));
     QTRI_CHECK(qtri_check_material(material));
     QTRI_CHECK(qtri_check_view(view, pose));
     QTRI_CHECK(qtri_check_stroke(stroke));
+    (void)surface, (void)material, (void)view, (void)pose, (void)stroke;
+}
+
+void qtri_draw_polyline(const qtri_surface *surface, const qtri_view *view,
+                        const qtri_transform *pose, const qtri_corner *corners,
+                        uint32_t corner_count, const qtri_stroke *stroke,
+                        const qtri_material *material)
+{
+    check_draw(surface, view, pose, stroke, material);
     QTRI_CHECK(qtri_check_corners(corners, corner_count, 1));
     stroke_job job;
     qtri_stroker stroker;
-    if (corner_count == 0 || !qtri_stroker_init(&stroker, surface, material, stroke)) {
+    if (corner_count == 0 || !qtri_stroker_init(&stroker, surface, material, stroke) ||
+        stroker.radius == 0) {
         return;
     }
-    job_init(&job, view, pose, corners, corner_count, stroke, material);
-    if (job.radius == 0) {
-        return;
-    }
+    job_init(&job, view, pose, corners, corner_count, material);
     const uint32_t kept = view->vertices == NULL              ? 0
                           : view->vertex_count < corner_count ? view->vertex_count
                                                               : corner_count;
@@ -202,9 +195,10 @@ void qtri_draw_polyline(const qtri_surface *surface, const qtri_view *view,
     }
     job.vertices = view->vertices;
     job.kept = kept;
-    const bool is_loop = job.closed || corner_count == 1;
-    const qtri_stroke_source source = {&job, is_loop ? corner_count : corner_count - 1, job_place,
-                                       job_ends};
+    const bool closed = stroke->closed && corner_count > 2;
+    const qtri_stroke_source source = {
+        &job, closed || corner_count == 1 ? corner_count : corner_count - 1, closed, job_place,
+        job_ends};
     qtri_stroker_draw(&stroker, &source);
 }
 
@@ -213,21 +207,15 @@ void qtri_draw_wide_lines(const qtri_surface *surface, const qtri_view *view,
                           uint32_t corner_count, const qtri_stroke *stroke,
                           const qtri_material *material)
 {
-    QTRI_CHECK(qtri_check_surface(surface));
-    QTRI_CHECK(qtri_check_material(material));
-    QTRI_CHECK(qtri_check_view(view, pose));
-    QTRI_CHECK(qtri_check_stroke(stroke));
+    check_draw(surface, view, pose, stroke, material);
     QTRI_CHECK(qtri_check_corners(corners, corner_count, 2));
     stroke_job job;
     qtri_stroker stroker;
-    if (!qtri_stroker_init(&stroker, surface, material, stroke)) {
+    if (!qtri_stroker_init(&stroker, surface, material, stroke) || stroker.radius == 0) {
         return;
     }
-    job_init(&job, view, pose, corners, 2, stroke, material);
-    if (job.radius == 0) {
-        return;
-    }
-    const qtri_stroke_source source = {&job, 1, job_place, job_ends};
+    job_init(&job, view, pose, corners, 2, material);
+    const qtri_stroke_source source = {&job, 1, false, job_place, job_ends};
     for (uint32_t i = 0; corner_count - i >= 2; i += 2) {
         qtri_vertex v[2];
         job.corners = &corners[i];
@@ -292,27 +280,22 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
                       const qtri_transform *pose, const qtri_corner *corners, uint32_t corner_count,
                       const qtri_stroke *stroke, const qtri_material *material)
 {
-    QTRI_CHECK(qtri_check_surface(surface));
-    QTRI_CHECK(qtri_check_material(material));
-    QTRI_CHECK(qtri_check_view(view, pose));
-    QTRI_CHECK(qtri_check_stroke(stroke));
+    check_draw(surface, view, pose, stroke, material);
     QTRI_CHECK(qtri_check_corners(corners, corner_count, 1));
     stroke_job job;
     qtri_stroker stroker;
     qtri_vec3 half = {0, 0, 0};
     qtri_stroke_place place;
     qtri_stroke_end end[2];
-    if (stroke->width <= 0 || !qtri_stroker_init(&stroker, surface, material, stroke)) {
+    if (!qtri_stroker_init(&stroker, surface, material, stroke)) {
         return;
     }
-    job_init(&job, view, pose, corners, corner_count, stroke, material);
+    job_init(&job, view, pose, corners, corner_count, material);
     if (stroke->in_space) {
         half = half_width_up(view, pose, stroke->width);
-    } else if (job.radius == 0) {
-        return;
     }
-    place.radius_24p8 = job.radius;
-    place.caps[0] = job.cap == QTRI_CAP_ROUND ? QTRI_CAP_ROUND : QTRI_CAP_SQUARE;
+    place.radius_24p8 = stroker.radius;
+    place.caps[0] = stroker.cap == QTRI_CAP_ROUND ? QTRI_CAP_ROUND : QTRI_CAP_SQUARE;
     place.caps[1] = place.caps[0];
     for (uint32_t i = 0; i < corner_count; i++) {
         qtri_vertex v;
@@ -408,21 +391,16 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
                               const qtri_transform *pose, const qtri_mesh *mesh,
                               const qtri_stroke *stroke, const qtri_material *material)
 {
-    QTRI_CHECK(qtri_check_surface(surface));
-    QTRI_CHECK(qtri_check_material(material));
-    QTRI_CHECK(qtri_check_view(view, pose));
-    QTRI_CHECK(qtri_check_stroke(stroke));
+    check_draw(surface, view, pose, stroke, material);
     QTRI_CHECK(qtri_check_mesh(mesh));
     wide_job wide;
     qtri_material wired = *material;
     wired.fill = &qtri_wireframe;
-    wide.place.radius_24p8 = qtri_stroke_radius(stroke->width);
-    if (wide.place.radius_24p8 == 0 ||
-        !qtri_stroker_init(&wide.stroker, surface, material, stroke)) {
+    if (!qtri_stroker_init(&wide.stroker, surface, material, stroke) || wide.stroker.radius == 0) {
         return;
     }
-    wide.place.caps[0] = qtri_stroke_cap(stroke);
-    wide.place.caps[1] = wide.place.caps[0];
+    wide.place.radius_24p8 = wide.stroker.radius;
+    wide.place.caps[0] = wide.place.caps[1] = wide.stroker.cap;
     /* Lines reach beyond their mesh: no box says that none can be seen. */
     const qtri_box everywhere = {{0, 0, 0}, {INT32_MAX, INT32_MAX, INT32_MAX}};
     qtri_mesh unbounded = *mesh;

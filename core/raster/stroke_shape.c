@@ -5,6 +5,81 @@
 #include "../bits/reciprocal.h"
 #include "../bits/seed.h"
 
+/* Discs ---------------------------------------------------------------------------------------- */
+
+/*
+ * Half of the chord of a disc at a level so far from its centre, |down| < radius: a root, to
+ * nearest; below 2^24 off by less than 3/4: the estimate is within 2^-13 of itself, so by half a
+ * unit of a root of 12 bits.
+ */
+static int32_t half_chord(int32_t radius, int32_t down)
+{
+    const uint64_t x = qtri_mul_u32((uint32_t)(radius - down), (uint32_t)(radius + down));
+    if (x >= (uint64_t)1 << 24) {
+        return (int32_t)qtri_sqrt64_round(x);
+    }
+    if (x == 0) {
+        return 0;
+    }
+    const int32_t zeros = qtri_clz32((uint32_t)x) & ~1; /* 8..30 */
+    const uint32_t t = ((uint32_t)x << zeros) >> 16;
+    const uint32_t root = (t * qtri_rsqrt_seed(t)) >> 15;
+    return (int32_t)((root + ((uint32_t)1 << (zeros >> 1) >> 1)) >> (zeros >> 1));
+}
+
+/* Regular polygons of 8, 12 and 16 vertices serve up to these radii, 24.8. */
+enum { REGULAR = 3 };
+static const int16_t regular_radius[REGULAR] = {160, 400, 800};
+
+/* The n-th: from the top to the side, in 2^-14 of the radius. */
+static int32_t set_regular(qtri_stroke_ring *ring, int32_t n)
+{
+    static const uint16_t side[REGULAR][5] = {
+        {0, 12210, 17267}, {0, 8383, 14520, 16766}, {0, 6351, 11736, 15334, 16597}};
+    const int32_t last = n + 2;
+    for (int32_t i = 0; i <= last; i++) {
+        ring->at[i].up = (uint16_t)((side[n][last - i] * ring->radius + 8192) >> 14);
+        ring->at[i].half = (uint16_t)((side[n][i] * ring->radius + 8192) >> 14);
+    }
+    return last;
+}
+
+/*
+ * Chords leave out what lies between them and the arc, which 2/256 of a pixel make up for in the
+ * mean. The largest disc has 64 chords.
+ */
+static int32_t set_levels(qtri_stroke_ring *ring)
+{
+    const int32_t radius = ring->radius;
+    int32_t last = 0;
+    for (; 16 * last * last < radius; last++) {
+        const int32_t up = radius - 16 * last * last;
+        const int32_t half = last == 0 ? 0 : half_chord(radius, up) + 2;
+        ring->at[last].up = (uint16_t)qtri_least32(up, UINT16_MAX);
+        ring->at[last].half = (uint16_t)qtri_least32(half, UINT16_MAX);
+    }
+    ring->at[last].up = 0;
+    ring->at[last].half = (uint16_t)qtri_least32(radius + 2, UINT16_MAX);
+    return last;
+}
+
+void qtri_stroke_ring_init(qtri_stroke_ring *ring, int32_t radius)
+{
+    ring->radius = radius;
+    int32_t n = 0;
+    while (n < REGULAR && radius > regular_radius[n]) {
+        n++;
+    }
+    ring->last = n < REGULAR ? set_regular(ring, n) : set_levels(ring);
+    for (int32_t i = 0; i < ring->last; i++) {
+        const int32_t height = qtri_greatest32(ring->at[i].up - ring->at[i + 1].up, 1);
+        const int32_t wide = ring->at[i + 1].half - ring->at[i].half; /* 0..2^11 */
+        ring->at[i].slope_q16 = wide * 65536 / height;
+    }
+}
+
+/* Shapes --------------------------------------------------------------------------------------- */
+
 /* dx / dy in Q32, |dx| < 2^25, 0 < dy < 2^25: off by 2^-30 of itself. */
 static int64_t slope_of(int32_t dx, int32_t dy)
 {
@@ -59,38 +134,45 @@ static void set_direction(qtri_stroke_shape *s, int32_t dx, int32_t dy)
     s->share_shift = (uint8_t)(37 - up - zeros); /* 6..31 */
 }
 
-enum { SHORT = 1 << 14 };
+/* The height of pieces of a side, 2^cut: along one x changes by at most 2^14, or it is 1. */
+static uint8_t cut_of(int64_t slope_q32)
+{
+    const uint32_t whole = qtri_magnitude32((int32_t)(slope_q32 >> 32)) + 1; /* < 2^26 */
+    return (uint8_t)qtri_greatest32(qtri_clz32(whole) - 18, 0);
+}
 
 /* From ends, which of them are round, and `out`, radius times direction from a to b. */
 static void set_outline(qtri_stroke_shape *s, int32_t out_x, int32_t out_y)
 {
+    const int32_t reach = s->ring != NULL ? s->ring->at[0].up : s->radius;
+    const int32_t dy = s->b.y_24p8 - s->a.y_24p8;
     /* To the left of the direction, or where that is down, so that its y is not negative. */
     s->offset_x = out_x < 0 ? out_y : -out_y;
     s->offset_y = out_x < 0 ? -out_x : out_x;
-    const int32_t dx = s->b.x_24p8 - s->a.x_24p8;
-    const int32_t dy = s->b.y_24p8 - s->a.y_24p8;
-    s->slope_q32 = dy == 0 ? 0 : slope_of(dx, dy);
-    s->end_slope_q32 =
-        s->offset_y == 0 || (s->round_a && s->round_b) ? 0 : slope_of(s->offset_x, s->offset_y);
-    s->is_short = dy < SHORT && dx < SHORT && dx > -SHORT;
-    s->slope_q16 = s->is_short ? (int32_t)((s->slope_q32 + 0x8000) >> 16) : 0;
-    s->top = s->a.y_24p8 - (s->round_a ? s->radius : s->offset_y);
-    s->bottom = s->b.y_24p8 + (s->round_b ? s->radius : s->offset_y);
-    s->level[0] = s->level[1] = s->row = INT32_MAX;
     /* To the right and down, the offset leads to the left bound; to the left, to the right one. */
     s->is_left = out_x >= 0;
+    s->slope_q32 = dy == 0 ? 0 : slope_of(s->b.x_24p8 - s->a.x_24p8, dy);
+    s->end_slope_q32 =
+        s->offset_y == 0 || (s->round_a && s->round_b) ? 0 : slope_of(s->offset_x, s->offset_y);
+    s->cut = cut_of(s->slope_q32);
+    s->end_cut = cut_of(s->end_slope_q32);
+    s->top = s->a.y_24p8 - (s->round_a ? reach : s->offset_y);
+    s->bottom = s->b.y_24p8 + (s->round_b ? reach : s->offset_y);
+    s->piece[0].top = s->piece[1].top = INT32_MIN; /* none are found */
+    s->piece[0].bottom = s->piece[1].bottom = INT32_MIN;
+    s->piece[0].vertex = s->piece[1].vertex = 0;
 }
 
-void qtri_stroke_shape_init(qtri_stroke_shape *s, const qtri_stroke_place *place, int32_t more)
+void qtri_stroke_shape_init(qtri_stroke_shape *s, const qtri_stroke_place *place,
+                            const qtri_stroke_ring *ring)
 {
     qtri_screen_point end[2] = {place->end[0], place->end[1]};
-    const int32_t radius = place->radius_24p8;
     set_direction(s, end[1].x_24p8 - end[0].x_24p8, end[1].y_24p8 - end[0].y_24p8);
     s->origin = end[0];
-    s->radius = radius;
-    s->more = (uint8_t)more;
-    int32_t out_x = times_q30(radius, s->along_x_q30);
-    int32_t out_y = times_q30(radius, s->along_y_q30);
+    s->radius = place->radius_24p8;
+    s->ring = ring;
+    int32_t out_x = times_q30(s->radius, s->along_x_q30);
+    int32_t out_y = times_q30(s->radius, s->along_y_q30);
     if (place->caps[0] == QTRI_CAP_SQUARE) {
         end[0].x_24p8 -= out_x;
         end[0].y_24p8 -= out_y;
@@ -105,31 +187,15 @@ void qtri_stroke_shape_init(qtri_stroke_shape *s, const qtri_stroke_place *place
     s->b = end[1 - upper];
     s->round_a = is_round[upper];
     s->round_b = is_round[1 - upper];
-    s->apart = 0;
-    if (s->round_a != s->round_b && s->length_24p8 != 0 && radius > s->length_24p8 - 1) {
-        s->apart = s->round_a ? 1 : 2;
-        s->round_a = s->round_b = false;
-    }
-    if (upper != 0) {
-        out_x = -out_x;
-        out_y = -out_y;
-    }
-    set_outline(s, out_x, out_y);
+    s->is_disc = s->length_24p8 == 0 && s->round_a && s->round_b;
+    set_outline(s, upper != 0 ? -out_x : out_x, upper != 0 ? -out_y : out_y);
 }
 
-void qtri_stroke_shape_disc(qtri_stroke_shape *disc, const qtri_stroke_shape *shape)
-{
-    *disc = *shape;
-    disc->a = shape->apart == 1 ? shape->a : shape->b;
-    disc->b = disc->a;
-    disc->round_a = disc->round_b = true;
-    disc->apart = 0;
-    set_outline(disc, shape->radius, 0);
-}
+/* Pieces of bounds ----------------------------------------------------------------------------- */
 
 /*
- * x of a side that passes through `from`, at a level y below it, to nearest. |x| < 2^24 along the
- * side, so that the product with the slope's whole part, which may be less by 1, is below 2^25.
+ * x of a side that passes through `from`, at a level so far below it, to nearest. |x| < 2^24 along
+ * the side, so that the product with the slope's whole part, which may be less by 1, is below 2^25.
  */
 static int32_t side_x(int32_t from_x, int32_t down, int64_t slope_q32)
 {
@@ -138,109 +204,110 @@ static int32_t side_x(int32_t from_x, int32_t down, int64_t slope_q32)
     return from_x + whole + (int32_t)((rest + ((uint32_t)1 << 31)) >> 32);
 }
 
-/*
- * The root of x, to nearest; below 2^24 off by less than 3/4: the estimate is within 2^-13 of
- * itself, so by half a unit of a root of 12 bits.
- */
-int32_t qtri_stroke_half_chord(int32_t radius, int32_t down)
+/* The piece at y of a side from level `top` to `bottom`. */
+static void set_side(qtri_stroke_piece *p, int32_t x, int32_t top, int32_t bottom,
+                     int64_t slope_q32, int cut, int32_t y)
 {
-    const uint64_t x = qtri_mul_u32((uint32_t)(radius - down), (uint32_t)(radius + down));
-    if (x >= (uint64_t)1 << 24) {
-        return (int32_t)qtri_sqrt64_round(x);
-    }
-    if (x == 0) {
-        return 0;
-    }
-    const int32_t zeros = qtri_clz32((uint32_t)x) & ~1; /* 8..30 */
-    const uint32_t t = ((uint32_t)x << zeros) >> 16;
-    const uint32_t root = (t * qtri_rsqrt_seed(t)) >> 15;
-    return (int32_t)((root + ((uint32_t)1 << (zeros >> 1) >> 1)) >> (zeros >> 1));
+    p->top = top + ((y - top) >> cut) * ((int32_t)1 << cut);
+    p->bottom = qtri_least32(p->top + ((int32_t)1 << cut), bottom);
+    p->x0 = side_x(x, p->top - top, slope_q32);
+    p->x1 = side_x(x, p->bottom - top, slope_q32);
+    p->slope_q16 = cut == 0 ? 0 : (int32_t)((slope_q32 + 0x8000) >> 16); /* < 2^29 */
 }
 
-/* Half of the chord of a disc at a level, 0 outside of it. Levels follow each other. */
-static int32_t half_chord(qtri_stroke_shape *s, int i, int32_t center_y, int32_t y)
+/* The piece of a disc's bound at y; sign: -1 for the left one. */
+static void set_arc(qtri_stroke_piece *p, const qtri_stroke_ring *ring,
+                    const qtri_screen_point *center, int32_t sign, int32_t y)
 {
-    if (s->level[i] != y) {
-        const int32_t down = y - center_y;
-        s->level[i] = y;
-        s->half[i] = down >= s->radius || -down >= s->radius
-                         ? 0
-                         : qtri_stroke_half_chord(s->radius, down) + s->more;
+    const int32_t down = y - center->y_24p8;
+    const int32_t level = down < 0 ? -down : down + 1;
+    int32_t k = p->vertex; /* from this to the next: up_k >= level > up_(k+1) */
+    while (k > 0 && ring->at[k].up < level) {
+        k--;
     }
-    return s->half[i];
+    while (k + 1 < ring->last && ring->at[k + 1].up >= level) {
+        k++;
+    }
+    const int32_t upper = sign * ring->at[k].half;
+    const int32_t lower = sign * ring->at[k + 1].half;
+    const int32_t slope = sign * ring->at[k].slope_q16;
+    p->vertex = k;
+    if (down < 0) {
+        p->top = center->y_24p8 - ring->at[k].up;
+        p->bottom = center->y_24p8 - ring->at[k + 1].up;
+        p->x0 = center->x_24p8 + upper;
+        p->x1 = center->x_24p8 + lower;
+        p->slope_q16 = slope;
+    } else {
+        p->top = center->y_24p8 + ring->at[k + 1].up;
+        p->bottom = center->y_24p8 + ring->at[k].up;
+        p->x0 = center->x_24p8 + lower;
+        p->x1 = center->x_24p8 + upper;
+        p->slope_q16 = -slope;
+    }
 }
 
-QTRI_NOINLINE static int32_t end_x(qtri_stroke_shape *s, int side, int32_t y, bool is_upper)
+/* Leaves of a piece what lies from `top` to `bottom`. */
+static void cut_piece(qtri_stroke_piece *p, int32_t top, int32_t bottom)
 {
+    if (bottom < p->bottom) {
+        p->x1 = qtri_stroke_piece_x(p, bottom);
+        p->bottom = bottom;
+    }
+    if (top > p->top) {
+        p->x0 = qtri_stroke_piece_x(p, top);
+        p->top = top;
+    }
+}
+
+/* Around an end from `top` to `bottom`. */
+static void set_end(qtri_stroke_shape *s, int side, bool is_upper, int32_t top, int32_t bottom,
+                    int32_t y)
+{
+    qtri_stroke_piece *p = &s->piece[side];
     const qtri_screen_point *center = is_upper ? &s->a : &s->b;
-    if (is_upper ? s->round_a : s->round_b) {
-        const int32_t half = half_chord(s, is_upper ? 0 : 1, center->y_24p8, y);
-        return side == 0 ? center->x_24p8 - half : center->x_24p8 + half;
+    const int32_t sign = side == 0 ? -1 : 1;
+    if (!(is_upper ? s->round_a : s->round_b)) {
+        set_side(p, center->x_24p8 - s->offset_x, center->y_24p8 - s->offset_y, bottom,
+                 s->end_slope_q32, s->end_cut, y);
+    } else if (s->ring != NULL) {
+        set_arc(p, s->ring, center, sign, y);
+        cut_piece(p, top, bottom);
+    } else {
+        const int32_t down = y - center->y_24p8;
+        const bool is_inside = down < s->radius && -down < s->radius;
+        p->top = y;
+        p->bottom = y + 1;
+        p->x0 = center->x_24p8 + (is_inside ? sign * half_chord(s->radius, down) : 0);
+        p->x1 = p->x0;
+        p->slope_q16 = 0;
     }
-    return side_x(center->x_24p8 - s->offset_x, y - (center->y_24p8 - s->offset_y),
-                  s->end_slope_q32);
 }
 
-/* By how many offsets a long side is apart from the line between a and b. */
-static inline int32_t side_sign(const qtri_stroke_shape *s, int side)
+void qtri_stroke_shape_find(qtri_stroke_shape *s, int side, int32_t y)
 {
-    return (side == 0) == s->is_left ? 1 : -1;
-}
-
-int32_t qtri_stroke_shape_x(qtri_stroke_shape *s, int side, int32_t y, bool below)
-{
-    const int32_t sign = side_sign(s, side);
-    const int32_t across = sign * s->offset_y;
-    const int32_t at = below ? y : y - 1; /* what is there from this level on to the next */
-    if (at < s->a.y_24p8 + across) {
-        return end_x(s, side, y, true);
+    if (s->is_disc && s->ring != NULL) {
+        set_arc(&s->piece[1], s->ring, &s->a, 1, y);
+        s->piece[0] = s->piece[1];
+        s->piece[0].x0 = 2 * s->a.x_24p8 - s->piece[1].x0;
+        s->piece[0].x1 = 2 * s->a.x_24p8 - s->piece[1].x1;
+        s->piece[0].slope_q16 = -s->piece[1].slope_q16;
+        return;
     }
-    if (at >= s->b.y_24p8 + across) {
-        return end_x(s, side, y, false);
-    }
-    const int32_t x = s->a.x_24p8 + sign * s->offset_x;
-    const int32_t down = y - (s->a.y_24p8 + across);
-    /* |slope| down <= |dx| < 2^14 */
-    return s->is_short ? x + ((s->slope_q16 * down + 0x8000) >> 16) : side_x(x, down, s->slope_q32);
-}
-
-/* Below y, an arc's next level around a disc, at most its bottom. */
-static int32_t next_of_disc(int32_t center, int32_t radius, int32_t y)
-{
-    static const int16_t down[6] = {16, 64, 144, 256, 400, 576};
-    const int32_t top = center - radius;
-    const int32_t bottom = center + radius;
-    const int32_t next = (y | 127) + 1; /* far from its top and its bottom: half a row */
-    if (y < center) {
-        int i = 0;
-        while (i < 6 && top + down[i] <= y) {
-            i++;
-        }
-        return qtri_least32(i < 6 ? top + down[i] : next, center);
-    }
-    int i = 5;
-    if (bottom - down[5] > y) {
-        return qtri_least32(bottom - down[5], next);
-    }
-    while (i >= 0 && bottom - down[i] <= y) {
-        i--;
-    }
-    return i >= 0 ? bottom - down[i] : bottom;
-}
-
-int32_t qtri_stroke_shape_next(const qtri_stroke_shape *s, int side, int32_t y)
-{
-    const int32_t across = side_sign(s, side) * s->offset_y;
-    const int32_t y0 = s->a.y_24p8 + across;
-    const int32_t y1 = s->b.y_24p8 + across;
+    const int32_t sign = (side == 0) == s->is_left ? 1 : -1; /* of the offset, on this bound */
+    const int32_t y0 = s->a.y_24p8 + sign * s->offset_y;
+    const int32_t y1 = s->b.y_24p8 + sign * s->offset_y;
     if (y < y0) {
-        return s->round_a ? qtri_least32(next_of_disc(s->a.y_24p8, s->radius, y), y0) : y0;
+        set_end(s, side, true, s->top, y0, y);
+    } else if (y >= y1) {
+        set_end(s, side, false, y1, s->bottom, y);
+    } else {
+        set_side(&s->piece[side], s->a.x_24p8 + sign * s->offset_x, y0, y1, s->slope_q32, s->cut,
+                 y);
     }
-    if (y < y1) {
-        return y1;
-    }
-    return s->round_b ? next_of_disc(s->b.y_24p8, s->radius, y) : s->bottom;
 }
+
+/* Along a part --------------------------------------------------------------------------------- */
 
 enum { NEAR = 1 << 14 };
 
@@ -287,15 +354,6 @@ void qtri_stroke_shape_shares(const qtri_stroke_shape *s, int32_t x, int32_t y, 
     }
     int64_t at = (qtri_mul_s32(to[0], s->share_x) + qtri_mul_s32(to[1], s->share_y)) >>
                  s->share_shift; /* < 2^56 */
-    if (s->length_24p8 >= 256) { /* no step is longer than the part: 32 of them do not lead from
-                                    where it is held into it */
-        int32_t share = (int32_t)(at < -most ? -most : at > most ? most : at);
-        share += skip * (int32_t)step;
-        for (int32_t i = 0; i < count; i++, share += (int32_t)step) {
-            share_q16[i] = held_share(share);
-        }
-        return;
-    }
     at += skip * step;
     for (int32_t i = 0; i < count; i++, at += step) {
         share_q16[i] = held_share((int32_t)(at < -most ? -most : at > most ? most : at));

@@ -17,7 +17,7 @@
  * and written where half of a pixel or more is covered. A frame in bands, or drawn by any scissor,
  * has the pixels of the whole frame.
  *
- * A call takes 4.3 KB of stack, a wide wireframe 6.5, with a view's lights 7.5. Instructions: the
+ * A call takes 4.6 KB of stack, a wide wireframe 6.8, with a view's lights 7.8. Instructions: the
  * rows K1, K5, KP and KW of `make bench`.
  *
  * Of a material count depth_compare, depth_read_only, depth_bias, fog and what a blend asks for;
@@ -113,7 +113,7 @@ extern const qtri_fill qtri_smooth_wireframe;
  * The edges of a mesh's triangles, culled as the material says, lit and coloured as those of
  * &qtri_wireframe; material->fill does not count. Each edge is a line by itself, drawn once where
  * neighbours share it and view->vertices has room for the mesh. Smooth edges of up to two pixels
- * with flat ends, QTRI_CAP_BUTT or SQUARE, take a fifth of the time of all others.
+ * with flat ends, QTRI_CAP_BUTT or SQUARE, take a third of the time of all others.
  */
 void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view,
                               const qtri_transform *pose, const qtri_mesh *mesh,

@@ -1,0 +1,294 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Parts of a stroke: where they are, which of them meet a strip and a row, and their shapes.
+ */
+#include "stroke.h"
+
+/* Whether a disc around one end may reach out of the other one. */
+static bool is_short(const qtri_stroke_place *place)
+{
+    const uint32_t dx = qtri_magnitude32(place->end[1].x_24p8 - place->end[0].x_24p8);
+    const uint32_t dy = qtri_magnitude32(place->end[1].y_24p8 - place->end[0].y_24p8);
+    const uint32_t reach = (uint32_t)place->radius_24p8 + 1;
+    return dx <= reach && dy <= reach;
+}
+
+/*
+ * Where the first or the last part ends flat and is short, the disc of its joint would make a shape
+ * of it that is not convex: each of these discs is a part of its own, behind all others.
+ */
+static uint32_t count_of(const qtri_stroker *stroker)
+{
+    const qtri_stroke_source *source = stroker->source;
+    const bool has_discs = source->count > 1 && !source->closed && stroker->cap != QTRI_CAP_ROUND;
+    return source->count + (has_discs ? 2 : 0);
+}
+
+bool qtri_stroker_place(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place)
+{
+    const qtri_stroke_source *source = stroker->source;
+    const uint32_t last = source->count - 1;
+    const uint32_t owner = part <= last ? part : part == last + 1 ? 0 : last;
+    if (!source->place(source->from, owner, place->end)) {
+        return false;
+    }
+    place->radius_24p8 = stroker->radius;
+    place->caps[0] = owner == 0 && !source->closed ? stroker->cap : QTRI_CAP_ROUND;
+    place->caps[1] = owner == last && !source->closed ? stroker->cap : QTRI_CAP_ROUND;
+    if (part <= last) {
+        return true;
+    }
+    const int joint = owner == 0 ? 1 : 0;
+    const bool is_disc = is_short(place);
+    place->end[1 - joint] = place->end[joint];
+    place->caps[0] = place->caps[1] = QTRI_CAP_ROUND;
+    return is_disc;
+}
+
+void qtri_stroker_ends(const qtri_stroker *stroker, uint32_t part, qtri_stroke_end end[2])
+{
+    const qtri_stroke_source *source = stroker->source;
+    const uint32_t last = source->count - 1;
+    source->ends(source->from, part <= last ? part : part == last + 1 ? 0 : last, end);
+    if (part > last) {
+        const int joint = part == last + 1 ? 1 : 0;
+        end[1 - joint] = end[joint];
+    }
+}
+
+/*
+ * A joint's disc belongs to the part before it: the next one begins flat, unless it is so short
+ * that the disc reaches out of it.
+ */
+static void set_joints(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place)
+{
+    qtri_stroke_place before;
+    if (is_short(place)) {
+        if (place->caps[0] != place->caps[1] &&
+            (place->caps[0] == QTRI_CAP_ROUND || place->caps[1] == QTRI_CAP_ROUND)) {
+            place->caps[place->caps[0] == QTRI_CAP_ROUND ? 0 : 1] = QTRI_CAP_BUTT;
+        }
+    } else if (place->caps[0] == QTRI_CAP_ROUND && part > 0 &&
+               qtri_stroker_place(stroker, part - 1, &before) &&
+               before.end[1].x_24p8 == place->end[0].x_24p8 &&
+               before.end[1].y_24p8 == place->end[0].y_24p8) {
+        place->caps[0] = QTRI_CAP_BUTT;
+    }
+}
+
+/* A corner of a square cap is 3/2 radii away at most; a small disc's polygon reaches out of it. */
+qtri_stroke_box qtri_stroke_box_of(const qtri_stroke_place *place)
+{
+    const bool has_corners = place->caps[0] == QTRI_CAP_SQUARE || place->caps[1] == QTRI_CAP_SQUARE;
+    const int32_t radius = place->radius_24p8;
+    const int32_t reach = radius + (radius >> (has_corners ? 1 : 4)) + 2;
+    const qtri_screen_point *a = &place->end[0];
+    const qtri_screen_point *b = &place->end[1];
+    const qtri_stroke_box box = {
+        (int16_t)((qtri_least32(a->x_24p8, b->x_24p8) - reach) >> 8),
+        (int16_t)((qtri_least32(a->y_24p8, b->y_24p8) - reach) >> 8),
+        (int16_t)(((qtri_greatest32(a->x_24p8, b->x_24p8) + reach) >> 8) + 1),
+        (int16_t)(((qtri_greatest32(a->y_24p8, b->y_24p8) + reach) >> 8) + 1)};
+    return box;
+}
+
+static bool do_meet(const qtri_stroke_box *a, const qtri_stroke_box *b)
+{
+    return a->x0 < b->x1 && b->x0 < a->x1 && a->y0 < b->y1 && b->y0 < a->y1;
+}
+
+/* Whether a part is to be seen and meets a box; *own: its box. */
+static bool is_near(const qtri_stroker *stroker, uint32_t part, const qtri_stroke_box *box,
+                    qtri_stroke_box *own)
+{
+    qtri_stroke_place place;
+    if (!qtri_stroker_place(stroker, part, &place)) {
+        return false;
+    }
+    *own = qtri_stroke_box_of(&place);
+    return do_meet(own, box);
+}
+
+static void add_box(qtri_stroke_box *sum, const qtri_stroke_box *box)
+{
+    sum->x0 = box->x0 < sum->x0 ? box->x0 : sum->x0;
+    sum->y0 = box->y0 < sum->y0 ? box->y0 : sum->y0;
+    sum->x1 = box->x1 > sum->x1 ? box->x1 : sum->x1;
+    sum->y1 = box->y1 > sum->y1 ? box->y1 : sum->y1;
+}
+
+/* Boxes of blocks of parts, and that of all; without a part that is seen it is empty. */
+qtri_stroke_box qtri_stroker_find_blocks(qtri_stroker *stroker)
+{
+    const qtri_stroke_box anywhere = {INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX};
+    const qtri_stroke_box none = {INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN};
+    const uint32_t count = count_of(stroker);
+    qtri_stroke_box all = none;
+    stroker->block_parts = (count + QTRI_STROKE_BLOCKS - 1) / QTRI_STROKE_BLOCKS;
+    for (uint32_t part = 0; part < count;) {
+        qtri_stroke_box *block = &stroker->block[part / stroker->block_parts];
+        const uint32_t left = count - part;
+        const uint32_t end = part + (left < stroker->block_parts ? left : stroker->block_parts);
+        *block = none;
+        for (; part < end; part++) {
+            qtri_stroke_box box;
+            if (is_near(stroker, part, &anywhere, &box)) {
+                add_box(block, &box);
+            }
+        }
+        add_box(&all, block);
+    }
+    return all;
+}
+
+/* The next part from `part` on that meets the box; QTRI_STROKE_NONE: there is none. */
+static uint32_t next_near(const qtri_stroker *stroker, uint32_t part, const qtri_stroke_box *box,
+                          qtri_stroke_box *own)
+{
+    const uint32_t count = count_of(stroker);
+    while (part < count) {
+        const uint32_t block = part / stroker->block_parts;
+        const uint32_t end = (block + 1) * stroker->block_parts;
+        if (do_meet(&stroker->block[block], box)) {
+            for (; part < end && part < count; part++) {
+                if (is_near(stroker, part, box, own)) {
+                    return part;
+                }
+            }
+        }
+        part = end;
+    }
+    return QTRI_STROKE_NONE;
+}
+
+/* Shapes --------------------------------------------------------------------------------------- */
+
+void qtri_stroker_init_shape(qtri_stroker *stroker, qtri_stroke_shape *shape,
+                             const qtri_stroke_place *place)
+{
+    const bool has_ring = stroker->edges != NULL;
+    if (has_ring && stroker->ring.radius != place->radius_24p8) {
+        stroker->edges->set_ring(&stroker->ring, place->radius_24p8);
+    }
+    qtri_stroke_shape_init(shape, place, has_ring ? &stroker->ring : NULL);
+    shape->min_x = INT32_MIN; /* not known */
+    shape->max_x = INT32_MAX;
+}
+
+/* Whether the row has it, as far as these are known. */
+static bool is_in_row(const qtri_stroke_window *w, const qtri_stroke_shape *shape)
+{
+    for (uint32_t i = 0; i < w->shape_count; i++) {
+        if (w->shape[i] == shape) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Room for another shape: best that of one which ends above the row. */
+static qtri_stroke_shape *free_shape(qtri_stroker *stroker)
+{
+    const qtri_stroke_window *w = &stroker->window;
+    uint32_t next = stroker->next_shape;
+    for (uint32_t i = 0; i < QTRI_STROKE_SHAPES; i++) {
+        qtri_stroke_shape *s = &stroker->shape[i];
+        if (s->part == QTRI_STROKE_NONE || s->bottom <= w->row * 256) {
+            return s;
+        }
+    }
+    do {
+        next = next + 1 < QTRI_STROKE_SHAPES ? next + 1 : 0;
+    } while (is_in_row(w, &stroker->shape[next]));
+    stroker->next_shape = next;
+    return &stroker->shape[next];
+}
+
+qtri_stroke_shape *qtri_stroker_shape(qtri_stroker *stroker, uint32_t part)
+{
+    for (int i = 0; i < QTRI_STROKE_SHAPES; i++) {
+        if (stroker->shape[i].part == part) {
+            return &stroker->shape[i];
+        }
+    }
+    qtri_stroke_place place;
+    qtri_stroke_shape *shape = free_shape(stroker);
+    (void)qtri_stroker_place(stroker, part, &place);
+    set_joints(stroker, part, &place);
+    qtri_stroker_init_shape(stroker, shape, &place);
+    shape->part = part;
+    return shape;
+}
+
+/* Lists the parts that meet a box; false: there are more than there is room for. */
+bool qtri_stroker_list(qtri_stroker *stroker, const qtri_stroke_box *box)
+{
+    qtri_stroke_box own;
+    stroker->near_count = 0;
+    stroker->others = QTRI_STROKE_NONE;
+    for (uint32_t part = 0; (part = next_near(stroker, part, box, &own)) != QTRI_STROKE_NONE;
+         part++) {
+        if (stroker->near_count == QTRI_STROKE_NEAR) {
+            stroker->others = part;
+            return false;
+        }
+        stroker->near[stroker->near_count].part = part;
+        stroker->near[stroker->near_count++].box = own;
+    }
+    return true;
+}
+
+/* The row's parts: *at counts those that are listed, then others. QTRI_STROKE_NONE: there are no
+ * more. */
+static uint32_t next_part(const qtri_stroker *stroker, uint32_t *at)
+{
+    const qtri_stroke_window *w = &stroker->window;
+    const uint32_t count = stroker->near_count;
+    const qtri_stroke_box box = {(int16_t)w->coverage.x, (int16_t)w->row, (int16_t)w->coverage.end,
+                                 (int16_t)(w->row + 1)};
+    while (*at < count) {
+        const qtri_stroke_near *near = &stroker->near[(*at)++];
+        if (do_meet(&near->box, &box)) {
+            return near->part;
+        }
+    }
+    if (stroker->others == QTRI_STROKE_NONE) {
+        return QTRI_STROKE_NONE;
+    }
+    qtri_stroke_box own;
+    const uint32_t part = next_near(stroker, stroker->others + (*at - count), &box, &own);
+    if (part != QTRI_STROKE_NONE) {
+        *at = part + 1 - stroker->others + count;
+    }
+    return part;
+}
+
+qtri_stroke_shape *qtri_stroker_find_next(qtri_stroker *stroker, uint32_t *at)
+{
+    const uint32_t part = next_part(stroker, at);
+    return part != QTRI_STROKE_NONE ? qtri_stroker_shape(stroker, part) : NULL;
+}
+
+/* Most often there is room for all shapes of a row, and nothing is looked up again. */
+void qtri_stroker_find_shapes(qtri_stroker *stroker)
+{
+    qtri_stroke_window *w = &stroker->window;
+    uint32_t at = 0;
+    w->shape_count = 0;
+    w->is_complete = true;
+    for (qtri_stroke_shape *s; (s = qtri_stroker_find_next(stroker, &at)) != NULL;) {
+        if (s->top >= (w->row + 1) * 256 || s->bottom <= w->row * 256) {
+            continue;
+        }
+        w->shape[w->shape_count++] = s;
+        if (w->shape_count == QTRI_STROKE_SHAPES) { /* the last room is for those to come */
+            w->shape_count = 0;
+            w->is_complete = false;
+            break;
+        }
+    }
+    for (int i = 0; !stroker->has_one_look && i < QTRI_STROKE_SHAPES; i++) {
+        stroker->shape[i].min_x = w->is_complete ? INT32_MAX : INT32_MIN;
+        stroker->shape[i].max_x = w->is_complete ? INT32_MIN : INT32_MAX;
+    }
+}
