@@ -335,6 +335,46 @@ static void inputs_of_all_commands_are_kept(void **state)
     }
 }
 
+/* Each frame is the picture of its moment; one file of all; what was drawn when Ctrl-C came. */
+static void animations(void **state)
+{
+    (void)state;
+    write_file("turn.scene", "viewport 32 24\nclear $t 0 0\nrotate 90*$t 0 0 1\n"
+                             "tri -.5 -.5 0 1 1 0 0  .5 -.5 0 1 0 1 0  0 .5 0 1 0 0 1\n");
+    assert_int_equal(run("render turn.scene -o t.ppm --frames 5"), 0);
+    for (int i = 0; i < 5; i++) {
+        char line[256];
+        snprintf(line, sizeof line,
+                 "$qtri render turn.scene -o one --at %g && cmp one.ppm t-%04d.ppm", i / 4.0, i);
+        assert_int_equal(shell(line), 0);
+    }
+    assert_false(exists("t-0005.ppm"));
+    assert_int_equal(shell("$qtri render turn.scene -o - --frames 3 --fps 50 >v.y4m && "
+                           "head -n 1 v.y4m | grep -q '^YUV4MPEG2 W32 H24 F50:1 ' && "
+                           "test $(wc -c <v.y4m) = $(($(head -n 1 v.y4m | wc -c) + "
+                           "3 * (6 + 3 * 32 * 24)))"),
+                     0);
+    assert_int_equal(run("render turn.scene -o a.apng --frames 4"), 0);
+    assert_int_equal(shell("head -c 45 a.apng | tail -c 12 | od -An -tx1 | tr -d ' \\n' | "
+                           "grep -q 6163544c00000004"), /* acTL, 4 frames */
+                     0);
+    assert_int_equal(shell("$qtri render turn.scene -o one.png && $qtri texture one.png -o one.h"),
+                     0);
+    assert_int_equal(run("render turn.scene -o a --frames 0"), 2);
+    assert_int_equal(run("render turn.scene -o a --frames 2 --dump"), 2);
+    assert_int_equal(run("render - -o a --frames 2"), 2);
+    assert_int_equal(run("render turn.scene -o a --at 1.5"), 2);
+    assert_int_equal(run("render turn.scene -o no/such/folder/x.png --frames 2"), 1);
+    write_file("bad.scene", "rotate 1/(1-2*$t) 0 0 1\n");
+    assert_int_equal(run("render bad.scene -o bad.apng --frames 3"), 1);
+    assert_true(messages_contain("bad.scene:1: rotate: '1/(1-2*$t)' is divided by 0 (column 18)"));
+    assert_int_equal(shell("timeout --preserve-status -s INT 1 $qtri render turn.scene -o i.apng "
+                           "--frames 100000; test $? = 1 && test -s i.apng && tail -c 8 i.apng | "
+                           "head -c 4 | grep -q IEND"),
+                     0);
+    assert_true(messages_contain("of 100000 frames"));
+}
+
 /* Standard input and output, pipes and devices. */
 static void streams(void **state)
 {
@@ -528,6 +568,7 @@ int main(void)
         cmocka_unit_test(textures),
         cmocka_unit_test(inputs_are_kept),
         cmocka_unit_test(inputs_of_all_commands_are_kept),
+        cmocka_unit_test(animations),
         cmocka_unit_test(streams),
         cmocka_unit_test(silent_pipe),
         cmocka_unit_test(full_output),

@@ -6,6 +6,7 @@
 
 #include "../io/file.h"
 #include "../io/lines.h"
+#include "png_write.h"
 
 static const char png_magic[8] = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1A', '\n'};
 
@@ -61,31 +62,6 @@ static bool parse_png(const char *path, const char *bytes, size_t length, struct
     return ok;
 }
 
-static bool write_png(const char *path, const struct picture *picture, struct text_error *error)
-{
-    struct file_output output;
-    png_image png;
-    memset(&png, 0, sizeof png);
-    png.version = PNG_IMAGE_VERSION;
-    png.width = (png_uint_32)picture->width;
-    png.height = (png_uint_32)picture->height;
-    png.format = PNG_FORMAT_RGB;
-    size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-    void *bytes = malloc(size);
-    if (bytes == NULL ||
-        png_image_write_to_memory(&png, bytes, &size, 0, picture->rgb, 0, NULL) == 0) {
-        free(bytes);
-        return fail(error, path, "out of memory");
-    }
-    bool ok = file_output_open(&output, path, error);
-    if (ok) {
-        file_output_write(&output, bytes, size);
-        ok = file_output_commit(&output, error);
-    }
-    free(bytes);
-    return ok;
-}
-
 #else
 
 static bool parse_png(const char *path, const char *bytes, size_t length, struct image *image,
@@ -95,12 +71,6 @@ static bool parse_png(const char *path, const char *bytes, size_t length, struct
     (void)length;
     (void)image;
     return fail(error, path, "this qtri was built without libpng and cannot read PNG");
-}
-
-static bool write_png(const char *path, const struct picture *picture, struct text_error *error)
-{
-    (void)picture;
-    return fail(error, path, "this qtri was built without libpng and writes PPM only");
 }
 
 #endif
@@ -203,11 +173,22 @@ bool image_read(const char *path, struct image *image, struct text_error *error)
     return ok;
 }
 
+static bool write_png(const char *path, const struct picture *picture, struct text_error *error)
+{
+    struct file_output output;
+    struct byte_list png = {.bytes = NULL};
+    bool ok = png_append(&png, picture) || fail(error, path, "out of memory");
+    ok = ok && file_output_open(&output, path, error);
+    if (ok) {
+        file_output_write(&output, png.bytes, png.count);
+        ok = file_output_commit(&output, error);
+    }
+    free(png.bytes);
+    return ok;
+}
+
 bool image_write_picture(const char *path, const struct picture *picture, struct text_error *error)
 {
-    size_t length = strlen(path);
-    if (length > 4 && strcmp(path + length - 4, ".png") == 0) {
-        return write_png(path, picture, error);
-    }
-    return picture_write_ppm(path, picture, error);
+    return file_name_ends_in(path, ".png") ? write_png(path, picture, error)
+                                           : picture_write_ppm(path, picture, error);
 }

@@ -9,7 +9,8 @@
  * same list, each with arithmetic of its own; nothing here computes anything.
  *
  * All numbers are Q16.16: read as decimal fractions and rounded to nearest. One that does not fit
- * is an error in the file, so both renderers start from exactly the same inputs.
+ * is an error in the file, so both renderers start from exactly the same inputs. A number may be an
+ * expression of the time $t (expression.h); without one it is 0.
  */
 #ifndef QTRI_HOST_IO_SCENE_H
 #define QTRI_HOST_IO_SCENE_H
@@ -333,17 +334,17 @@ bool scene_parse(const char *name, const char *text, size_t length, struct scene
 /* Reads a file and parses it as above. */
 bool scene_read(const char *path, struct scene *scene, struct text_error *error);
 
-/*
- * The same for a scene from elsewhere: meshes and textures must lie in its folder or below, links
- * followed, or they are an error. `output` (NULL: none) is a path that is going to be written: if
- * it leads to the scene or to a file that it names, that is an error too.
- */
-bool scene_read_below(const char *path, const char *output, struct scene *scene,
-                      struct text_error *error);
+struct scene_reading {
+    double time; /* $t of expressions, 0..1 */
+    /* Meshes and textures must lie in the scene's folder or below, links followed, or they are an
+       error: for scenes from elsewhere. */
+    bool below;
+    const char *output; /* NULL, or a path that is going to be written: if it leads to the scene or
+                           to a file that it names, that is an error, too */
+};
 
-/* scene_read, with the output looked at as above. */
-bool scene_read_for(const char *path, const char *output, struct scene *scene,
-                    struct text_error *error);
+bool scene_read_as(const char *path, const struct scene_reading *how, struct scene *scene,
+                   struct text_error *error);
 
 void scene_free(struct scene *scene);
 

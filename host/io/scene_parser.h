@@ -73,7 +73,9 @@ struct scene_parser {
     struct scene *scene;
     char *root;         /* files lie below this folder, which has no links; NULL: anywhere */
     const char *output; /* a path that must not be one of them; NULL: none */
+    double time;        /* $t of expressions */
     int line;
+    const char *line_text;                   /* where the line begins */
     const struct scene_statement *statement; /* the one being parsed */
     struct token arguments[SCENE_MAX_ARGUMENTS];
     int argument_count;

@@ -106,6 +106,7 @@ static bool parse_line(struct scene_parser *parser, struct line *line)
 {
     struct token keyword;
     parser->line = line->number;
+    parser->line_text = line->at;
     if (!line_token(line, &keyword)) {
         return true;
     }
@@ -146,8 +147,8 @@ static bool parse_all(struct scene_parser *parser, const char *text, size_t leng
 }
 
 /* Takes `root`, which it frees. */
-static bool parse(const char *name, const char *text, size_t length, char *root, const char *output,
-                  struct scene *scene, struct text_error *error)
+static bool parse(const char *name, const char *text, size_t length, char *root,
+                  const struct scene_reading *how, struct scene *scene, struct text_error *error)
 {
     struct scene_parser parser;
     memset(&parser, 0, sizeof parser);
@@ -155,7 +156,8 @@ static bool parse(const char *name, const char *text, size_t length, char *root,
     parser.error = error;
     parser.scene = scene;
     parser.root = root;
-    parser.output = output;
+    parser.output = how->output;
+    parser.time = how->time;
     parser.mode = 1;
     set_defaults(scene);
     parser.stroke.width = SCENE_ONE;
@@ -178,7 +180,8 @@ static bool parse(const char *name, const char *text, size_t length, char *root,
 bool scene_parse(const char *name, const char *text, size_t length, struct scene *scene,
                  struct text_error *error)
 {
-    return parse(name, text, length, NULL, NULL, scene, error);
+    const struct scene_reading how = {.output = NULL};
+    return parse(name, text, length, NULL, &how, scene, error);
 }
 
 /* The folder of `path` without links; NULL when memory runs out or it is gone. */
@@ -205,17 +208,17 @@ static bool is_same_file(const char *a, const char *b)
            file_is_same(&one, &other);
 }
 
-static bool read_scene(const char *path, bool below, const char *output, struct scene *scene,
-                       struct text_error *error)
+bool scene_read_as(const char *path, const struct scene_reading *how, struct scene *scene,
+                   struct text_error *error)
 {
     struct file_content file;
     memset(scene, 0, sizeof *scene);
-    if (output != NULL && is_same_file(path, output)) {
-        text_error_set(error, path, 0, "would be overwritten by %s", output);
+    if (how->output != NULL && is_same_file(path, how->output)) {
+        text_error_set(error, path, 0, "would be overwritten by %s", how->output);
         return false;
     }
-    char *root = below ? folder_of(path) : NULL;
-    if (below && root == NULL) {
+    char *root = how->below ? folder_of(path) : NULL;
+    if (how->below && root == NULL) {
         text_error_set(error, path, 0, "has no folder");
         return false;
     }
@@ -223,26 +226,15 @@ static bool read_scene(const char *path, bool below, const char *output, struct 
         free(root);
         return false;
     }
-    bool ok = parse(path, file.bytes, file.length, root, output, scene, error);
+    bool ok = parse(path, file.bytes, file.length, root, how, scene, error);
     free(file.bytes);
     return ok;
 }
 
 bool scene_read(const char *path, struct scene *scene, struct text_error *error)
 {
-    return read_scene(path, false, NULL, scene, error);
-}
-
-bool scene_read_for(const char *path, const char *output, struct scene *scene,
-                    struct text_error *error)
-{
-    return read_scene(path, false, output, scene, error);
-}
-
-bool scene_read_below(const char *path, const char *output, struct scene *scene,
-                      struct text_error *error)
-{
-    return read_scene(path, true, output, scene, error);
+    const struct scene_reading how = {.output = NULL};
+    return scene_read_as(path, &how, scene, error);
 }
 
 void scene_free(struct scene *scene)

@@ -4,9 +4,11 @@
  */
 #include "scene_parser.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "expression.h"
 #include "number.h"
 
 #define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
@@ -228,12 +230,43 @@ static bool fail_word(struct scene_parser *parser, int argument)
 
 /* ---- Values ---- */
 
+/* The value of an argument that is an expression; false with the error. */
+static bool evaluate(struct scene_parser *parser, int argument, double *value)
+{
+    const struct token *token = &parser->arguments[argument];
+    struct expression_error error;
+    char quoted[TOKEN_QUOTE_SIZE];
+    if (expression_evaluate(token, parser->time, value, &error)) {
+        return true;
+    }
+    text_error_set(parser->error, parser->name, parser->line, "%s: '%s' %s (column %d)",
+                   parser->statement->name, token_quote(token, quoted), error.problem,
+                   (int)((size_t)(token->text - parser->line_text) + error.column));
+    return false;
+}
+
+static bool is_expression(const struct scene_parser *parser, int argument)
+{
+    return expression_is(&parser->arguments[argument]);
+}
+
 bool scene_integer(struct scene_parser *parser, int argument, int minimum, int maximum,
                    int32_t *value)
 {
     const struct token *token = &parser->arguments[argument];
     int64_t parsed;
-    if (number_parse_integer(token->text, token->length, minimum, maximum, &parsed) != NUMBER_OK) {
+    double real;
+    enum number_result result =
+        number_parse_integer(token->text, token->length, minimum, maximum, &parsed);
+    if (result == NUMBER_MALFORMED && is_expression(parser, argument)) {
+        if (!evaluate(parser, argument, &real)) {
+            return false;
+        }
+        real = round(real);
+        result = real < minimum || real > maximum ? NUMBER_OUT_OF_RANGE : NUMBER_OK;
+        parsed = result == NUMBER_OK ? (int64_t)real : 0;
+    }
+    if (result != NUMBER_OK) {
         char problem[60];
         (void)snprintf(problem, sizeof problem, "is not a whole number in %d..%d", minimum,
                        maximum);
@@ -243,13 +276,28 @@ bool scene_integer(struct scene_parser *parser, int argument, int minimum, int m
     return true;
 }
 
+/* A number to the nearest Q16.16. */
+static bool read_q16(struct scene_parser *parser, int argument, int32_t *value)
+{
+    const struct token *token = &parser->arguments[argument];
+    double real;
+    enum number_result result = number_parse_q16(token->text, token->length, value);
+    if (result == NUMBER_MALFORMED && is_expression(parser, argument)) {
+        if (!evaluate(parser, argument, &real)) {
+            return false;
+        }
+        real = round(real * SCENE_ONE);
+        result = real < INT32_MIN || real > INT32_MAX ? NUMBER_OUT_OF_RANGE : NUMBER_OK;
+        *value = result == NUMBER_OK ? (int32_t)real : 0;
+    }
+    return result == NUMBER_OK || scene_fail_argument(parser, argument, number_problem(result));
+}
+
 static bool read_number(struct scene_parser *parser, int argument, const struct kind *kind,
                         int32_t *value)
 {
-    const struct token *token = &parser->arguments[argument];
-    const enum number_result result = number_parse_q16(token->text, token->length, value);
-    if (result != NUMBER_OK) {
-        return scene_fail_argument(parser, argument, number_problem(result));
+    if (!read_q16(parser, argument, value)) {
+        return false;
     }
     if (*value < (int64_t)kind->low * SCENE_ONE || *value > (int64_t)kind->high * SCENE_ONE) {
         return scene_fail_argument(parser, argument, kind->problem);

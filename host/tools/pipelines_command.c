@@ -297,8 +297,8 @@ static int draw_and_print(const struct options *options)
     struct scene scene;
     struct text_error error;
     struct picture picture;
-    const bool ok = options->allow_files ? scene_read_for(options->scene, NULL, &scene, &error)
-                                         : scene_read_below(options->scene, NULL, &scene, &error);
+    const struct scene_reading how = {.below = !options->allow_files};
+    const bool ok = scene_read_as(options->scene, &how, &scene, &error);
     if (!ok) {
         fprintf(stderr, "qtri pipelines: %s\n", error.message);
         return 1;

@@ -1,8 +1,13 @@
 /* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
+
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "../assets/animation.h"
 #include "../assets/image.h"
 #include "../reference/reference.h"
 #include "../reference/reference_picture.h"
@@ -23,6 +28,12 @@ static const char usage[] =
     "and never what it is drawn from. Meshes and textures are read in the scene's folder and "
     "below.\n"
     "\n"
+    "  --frames N       draw N pictures, in which $t of the scene's expressions goes from 0 to 1:\n"
+    "                   PICTURE.apng is one animated picture, PICTURE.y4m and - are video,\n"
+    "                   NAME.png and others become NAME-0000.png and so on. Ctrl-C ends with the\n"
+    "                   frames that are drawn\n"
+    "  --fps N          frames a second, 1..1000 (default 25)\n"
+    "  --at T           without --frames: $t, 0..1 (default 0)\n"
     "  --allow-files    read meshes and textures wherever the scene says they are\n"
     "  --format FORMAT  rgb888 (default), rgb565 or gray8: the surface's pixel format;\n"
     "                   the PPM shows its colours widened to 8 bits\n"
@@ -46,6 +57,9 @@ struct options {
     int format; /* see formats */
     bool dump, reference, allow_files, large;
     int snap, rows;
+    int frames; /* 0: one picture */
+    int per_second;
+    double time;
 };
 
 static const struct {
@@ -79,6 +93,30 @@ static bool set_rows(void *options, const char *value, struct option_words *more
     return ok;
 }
 
+static bool set_frames(void *options, const char *value, struct option_words *more)
+{
+    long frames = 0;
+    (void)more;
+    bool ok = option_whole(value, 1, 100000, &frames);
+    ((struct options *)options)->frames = (int)frames;
+    return ok;
+}
+
+static bool set_fps(void *options, const char *value, struct option_words *more)
+{
+    long per_second = 0;
+    (void)more;
+    bool ok = option_whole(value, 1, 1000, &per_second);
+    ((struct options *)options)->per_second = (int)per_second;
+    return ok;
+}
+
+static bool set_time(void *options, const char *value, struct option_words *more)
+{
+    (void)more;
+    return option_real(value, 0, 1, &((struct options *)options)->time);
+}
+
 static bool set_snap(void *options, const char *value, struct option_words *more)
 {
     long bits = 0;
@@ -95,6 +133,9 @@ static const struct option options_of_render[] = {
     {"--format", OPTION_SET, 0, set_format},
     {"--rows", OPTION_SET, 0, set_rows},
     {"--snap", OPTION_SET, 0, set_snap},
+    {"--frames", OPTION_SET, 0, set_frames},
+    {"--fps", OPTION_SET, 0, set_fps},
+    {"--at", OPTION_SET, 0, set_time},
     {"--dump", OPTION_FLAG, AT(dump), NULL},
     {"--reference", OPTION_FLAG, AT(reference), NULL},
     {"--allow-files", OPTION_FLAG, AT(allow_files), NULL},
@@ -113,6 +154,12 @@ static bool parse_options(int argc, char **argv, struct options *options)
     }
     if (options->scene == NULL || options->output == NULL) {
         return options_complain(&list, "a scene file and -o PICTURE are needed", "");
+    }
+    if (options->frames > 0 && options->dump) {
+        return options_complain(&list, "--dump is for one picture, not for --frames", "");
+    }
+    if (options->frames > 0 && strcmp(options->scene, "-") == 0) {
+        return options_complain(&list, "--frames reads the scene for each of them: not ", "-");
     }
     if (options->dump && file_is_stream(options->output)) {
         return options_complain(&list, "--dump writes three files: not to ", options->output);
@@ -254,8 +301,8 @@ static int render_file(const struct options *options, const char *path)
 {
     struct scene scene;
     struct text_error error;
-    bool ok = options->allow_files ? scene_read_for(options->scene, path, &scene, &error)
-                                   : scene_read_below(options->scene, path, &scene, &error);
+    const struct scene_reading how = {options->time, !options->allow_files, path};
+    bool ok = scene_read_as(options->scene, &how, &scene, &error);
     if (!ok) {
         fprintf(stderr, "qtri render: %s\n", error.message);
         return 1;
@@ -279,16 +326,81 @@ static int render_file(const struct options *options, const char *path)
     return ok ? 0 : 1;
 }
 
+static volatile sig_atomic_t is_interrupted;
+
+static void interrupt(int number)
+{
+    (void)number;
+    is_interrupted = 1;
+}
+
+/* Draws frame `i` of the animation; false with *error set. */
+static bool render_frame(const struct options *options, int i, struct animation *animation,
+                         struct text_error *error)
+{
+    struct scene scene;
+    struct picture picture;
+    const struct scene_reading how = {options->frames > 1 ? (double)i / (options->frames - 1) : 0,
+                                      !options->allow_files, options->output};
+    if (!scene_read_as(options->scene, &how, &scene, error)) {
+        return false;
+    }
+    bool ok = is_within_limits(options, &scene);
+    error->message[0] = '\0';
+    if (ok && !render(options, &scene, &picture)) {
+        text_error_set(error, options->scene, 0, "out of memory");
+        ok = false;
+    } else if (ok) {
+        ok = animation_add(animation, &picture, error);
+        picture_free(&picture);
+    }
+    scene_free(&scene);
+    return ok;
+}
+
+/* Draws all frames; returns the exit status. */
+static int render_frames(const struct options *options)
+{
+    struct animation animation;
+    struct text_error error = {""};
+    const bool is_watched = isatty(STDERR_FILENO) != 0;
+    bool ok = true;
+    (void)signal(SIGINT, interrupt);
+    animation_begin(&animation, options->output, options->per_second);
+    for (int i = 0; ok && i < options->frames && !is_interrupted; i++) {
+        ok = render_frame(options, i, &animation, &error);
+        if (is_watched) {
+            fprintf(stderr, "\rframe %d of %d%s", i + 1, options->frames,
+                    !ok || i + 1 == options->frames ? "\n" : "");
+        }
+    }
+    if (!ok && error.message[0] != '\0') {
+        fprintf(stderr, "qtri render: %s\n", error.message);
+    }
+    if (is_interrupted) {
+        fprintf(stderr, "qtri render: ended after %d of %d frames\n", animation.count,
+                options->frames);
+    }
+    if (!animation_end(&animation, &error)) {
+        fprintf(stderr, "qtri render: %s\n", error.message);
+        ok = false;
+    }
+    return ok && !is_interrupted ? 0 : 1;
+}
+
 int render_main(int argc, char **argv)
 {
     if (options_ask_help(argc, argv)) {
         print_help();
         return 0;
     }
-    struct options options = {0};
+    struct options options = {.per_second = 25};
     if (!parse_options(argc, argv, &options)) {
         fputs("Try `qtri render --help`.\n", stderr);
         return 2;
+    }
+    if (options.frames > 0) {
+        return render_frames(&options);
     }
     char *path = picture_path(&options);
     if (path == NULL) {
