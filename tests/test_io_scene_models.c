@@ -194,7 +194,8 @@ static void shapes(void **state)
     assert_error("frustumcull cone\n", "1: 'cone' is unknown here: frustumcull off|box|ball");
     static const char usage[] =
         " box HX HY HZ [color r g b], shape sphere R SLICES ROWS [color r g b], shape cylinder R H "
-        "SLICES [color r g b], shape cone R H SLICES [color r g b], shape torus R TUBE SLICES RINGS "
+        "SLICES [color r g b], shape cone R H SLICES [color r g b], shape torus R TUBE SLICES "
+        "RINGS "
         "[color r g b] or shape grid HX HZ COLUMNS ROWS [color r g b]";
     char message[400];
     (void)snprintf(message, sizeof message, "1: wrong number of values (6) for shape%s", usage);

@@ -159,7 +159,8 @@ void verify_run(const verify_test *test, const verify_options *options, verify_r
 
 /* --- pictures (plot.c) */
 
-/* Writes the error of sin, atan2 or sqrt over its domain for gnuplot; false: no such plot, or no file.
+/* Writes the error of sin, atan2 or sqrt over its domain for gnuplot; false: no such plot, or no
+ * file.
  */
 bool verify_plot(const char *name, FILE *file);
 
