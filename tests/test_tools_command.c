@@ -484,6 +484,31 @@ static void demo_makes_its_meshes_anew(void **state)
     assert_int_equal(shell("rm -r none waves"), 0);
 }
 
+/* One page with all pictures in it, and what scenes say of themselves; nothing is fetched. */
+static void demo_page(void **state)
+{
+    (void)state;
+    char text[400];
+    (void)snprintf(text, sizeof text, "# Less < more & none.\r\n# crop 3 4\n# qtri render it\n%s",
+                   triangle);
+    assert_int_equal(shell("mkdir page"), 0);
+    write_file("page/good.scene", text);
+    write_file("page/bare.scene", "#");
+    assert_int_equal(shell("$qtri demo --scenes page -o page --only bare.s"), 0);
+    assert_true(file_contains("page/index.html", "<!DOCTYPE html>"));
+    assert_int_equal(shell("cd page && test $(grep -c '<section' index.html) = 1 && "
+                           "! grep -q 'http' index.html && grep -q 'id=\"bare\"' index.html && "
+                           "test $(grep -o 'src=\"data:image/png;base64,' index.html | wc -l) = 3"),
+                     0);
+    assert_int_equal(shell("$qtri demo --scenes page -o page --only good.s && cd page && "
+                           "grep -q '<p> Less &lt; more &amp; none.' index.html && "
+                           "! grep -q 'qtri render it' index.html && "
+                           "grep -q 'left:-18px;top:-24px' index.html && "
+                           "grep -o 'base64,[^\"]*' index.html | head -n 1 | cut -c 8- | "
+                           "base64 -d | head -c 4 | grep -q PNG && rm -r ../page"),
+                     0);
+}
+
 /* A program in a folder below its sources finds their scenes wherever it is called. */
 static void demo_from_any_folder(void **state)
 {
@@ -575,6 +600,7 @@ int main(void)
         cmocka_unit_test(ended_by_signals),
         cmocka_unit_test(files_below),
         cmocka_unit_test(memory_of_references),
+        cmocka_unit_test(demo_page),
         cmocka_unit_test(demo_from_any_folder),
         cmocka_unit_test(demo_makes_its_meshes_anew),
         cmocka_unit_test(work_without_end),

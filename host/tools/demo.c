@@ -9,12 +9,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "../io/file.h"
 #include "../reference/reference.h"
 #include "../reference/reference_picture.h"
 #include "accuracy.h"
 #include "commands.h"
 #include "compare.h"
 #include "demo_scenes.h"
+#include "gallery.h"
 #include "scene_draw.h"
 
 static const char usage[] =
@@ -24,7 +26,8 @@ static const char usage[] =
     "OBJ file there, into the output folder. Both are, where nothing is said, those of the "
     "sources\n"
     "that this program was built in, wherever it is called: host/scenes and build/demo. Each is\n"
-    "NAME.ppm beside NAME-reference.ppm and NAME-difference.ppm. Prints one row a scene.\n"
+    "NAME.ppm beside NAME-reference.ppm and NAME-difference.ppm; index.html shows all of them.\n"
+    "Prints one row a scene.\n"
     "--only draws those whose names contain WORD.\n"
     "\n"
     "The reference has infinite sub-pixel precision; `snapped` counts coverage mismatches against\n"
@@ -39,14 +42,15 @@ enum { PATH_SIZE = 1024 };
 struct demo {
     const char *out, *scenes, *models;
     const char *only; /* a part of the names of what is drawn; NULL: all */
+    struct gallery gallery;
 };
 
 static const char header[] =
     "scene                          pixels  mismatch  snapped  colour  off by > 1  depth\n";
 
 /* Measures one scene against both references and writes its three pictures. */
-static bool run_scene(const struct demo *demo, const char *name, const struct scene *scene,
-                      struct text_error *error)
+static bool run_scene(struct demo *demo, const char *name, const struct file_content *file,
+                      const struct scene *scene, struct text_error *error)
 {
     struct picture picture = {0};
     struct picture expected = {0};
@@ -76,6 +80,10 @@ static bool run_scene(const struct demo *demo, const char *name, const struct sc
             snprintf(path, sizeof path, "%s/%s%s.ppm", demo->out, name, suffix[i]);
             ok = picture_write_ppm(path, pictures[i], error);
         }
+        const struct gallery_scene shown = {name,         file->bytes,
+                                            file->length, {&picture, &expected, &difference},
+                                            &to_exact,    &to_snapped};
+        gallery_add(&demo->gallery, &shown);
     }
     reference_free(&exact);
     reference_free(&snapped);
@@ -85,12 +93,12 @@ static bool run_scene(const struct demo *demo, const char *name, const struct sc
     return ok;
 }
 
-static bool is_wanted(const struct demo *demo, const char *file)
+static bool is_wanted(struct demo *demo, const char *file)
 {
     return demo->only == NULL || strstr(file, demo->only) != NULL;
 }
 
-static bool run_file(const struct demo *demo, const char *folder, const char *file)
+static bool run_file(struct demo *demo, const char *folder, const char *file)
 {
     char path[1024];
     char name[256];
@@ -101,11 +109,13 @@ static bool run_file(const struct demo *demo, const char *folder, const char *fi
     }
     snprintf(path, sizeof path, "%s/%s", folder, file);
     snprintf(name, sizeof name, "%.*s", (int)(strlen(file) - strlen(".scene")), file);
-    bool ok = scene_read(path, &scene, &error);
-    if (ok) {
-        ok = run_scene(demo, name, &scene, &error);
+    struct file_content text;
+    bool ok = file_read(path, &text, &error);
+    if (ok && (ok = scene_parse(path, text.bytes, text.length, &scene, &error))) {
+        ok = run_scene(demo, name, &text, &scene, &error);
         scene_free(&scene);
     }
+    free(text.bytes);
     if (!ok) {
         fprintf(stderr, "qtri demo: %s\n", error.message);
     }
@@ -130,9 +140,8 @@ static int is_model(const struct dirent *entry)
 }
 
 /* Calls `run` for the folder's entries that `filter` accepts, in order of their names. */
-static bool for_each(const struct demo *demo, const char *folder,
-                     int (*filter)(const struct dirent *),
-                     bool (*run)(const struct demo *, const char *folder, const char *file))
+static bool for_each(struct demo *demo, const char *folder, int (*filter)(const struct dirent *),
+                     bool (*run)(struct demo *, const char *folder, const char *file))
 {
     struct dirent **entries = NULL;
     int count = scandir(folder, &entries, filter, alphasort);
@@ -151,7 +160,7 @@ static bool for_each(const struct demo *demo, const char *folder,
 
 /* A model gets a scene file of its own beside the pictures, which is then rendered like any other.
  */
-static bool run_model(const struct demo *demo, const char *folder, const char *file)
+static bool run_model(struct demo *demo, const char *folder, const char *file)
 {
     char name[256];
     struct text_error error;
@@ -162,7 +171,7 @@ static bool run_model(const struct demo *demo, const char *folder, const char *f
     return run_file(demo, demo->out, name);
 }
 
-static bool run_generated(const struct demo *demo)
+static bool run_generated(struct demo *demo)
 {
     struct text_error error;
     bool ok = true;
@@ -242,7 +251,7 @@ static void set_folders(struct demo *demo, char scenes[PATH_SIZE], char out[PATH
 
 int demo_main(int argc, char **argv)
 {
-    struct demo demo = {"build/demo", "host/scenes", NULL, NULL};
+    struct demo demo = {.out = "build/demo", .scenes = "host/scenes"};
     char scenes[PATH_SIZE], out[PATH_SIZE];
     set_folders(&demo, scenes, out);
     for (int i = 1; i < argc; i++) {
@@ -271,7 +280,15 @@ int demo_main(int argc, char **argv)
     if (demo.models != NULL) {
         ok = for_each(&demo, demo.models, is_model, run_model) && ok;
     }
-    printf("\nPictures are in %s. mismatch: pixels covered in one of picture and reference only.\n",
+    char page[PATH_SIZE];
+    struct text_error error;
+    (void)snprintf(page, sizeof page, "%s/index.html", demo.out);
+    if (!gallery_write(&demo.gallery, page, &error)) {
+        fprintf(stderr, "qtri demo: %s\n", error.message);
+        ok = false;
+    }
+    printf("\nPictures are in %s, all of them in index.html. mismatch: pixels covered in one of\n"
+           "picture and reference only.\n",
            demo.out);
     return ok ? 0 : 1;
 }

@@ -27,7 +27,7 @@ static const char checker[] = "texture 64 64 8  255 240 220  90 130 200\n";
 
 /* mesh NULL: `pose` ends with what is drawn, of the meshes of demo_waves.h. */
 struct generated {
-    const char *name, *mesh, *state, *pose;
+    const char *name, *shows, *mesh, *state, *pose;
 };
 
 static const char flag[] = "cull none\ntwosided on\nambient .2 .2 .2\nlight 0 0 1 0 0\n"
@@ -35,49 +35,60 @@ static const char flag[] = "cull none\ntwosided on\nambient .2 .2 .2\nlight 0 0 
                            "texture 64 32 8  255 80 60  255 240 220\n";
 
 static const struct generated scenes[] = {
-    {"07-knot-textured.scene", "knot", checker, "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
-    {"07-knot-flat.scene", "knot", "shade flat\n", "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
-    {"07-knot-stretched.scene", "knot", "",
+    {"07-knot-textured.scene", "A textured knot of 5,760 small triangles.", "knot", checker,
+     "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
+    {"07-knot-flat.scene", "The knot, one colour a triangle.", "knot", "shade flat\n",
+     "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
+    {"07-knot-stretched.scene",
+     "The knot under a scale that is not uniform: its normals stay right.", "knot", "",
      "scale 1.5 .7 1\nrotate -35  1 0 0\nrotate 20  0 1 0\n"},
-    {"07-torus-wireframe.scene", "torus", "polygon line\n", "rotate -50  1 0 0\n"},
-    {"11-light-point.scene", "knot",
+    {"07-torus-wireframe.scene", "A torus as lines of one pixel.", "torus", "polygon line\n",
+     "rotate -50  1 0 0\n"},
+    {"11-light-point.scene", "A point light with highlights, and a directional light.", "knot",
      "light 0 0 1 0 0\nambient .1 .1 .15\nmaterial specular 1 1 1 40\n"
      "light point 1.5 1 .2 1 .9 .8 1 0 .1\nlight directional -1 0 .3 .2 .3 .6\n",
      "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
-    {"11-light-spots-flat.scene", "knot",
+    {"11-light-spots-flat.scene", "Three spot lights on flat triangles.", "knot",
      "light 0 0 1 0 0\nambient .05 .05 .05\nshade flat\nmaterial specular .6 .6 .6 20\n"
      "light spot 0 0 1  0 0 -1  5 20  1 1 1\n"
      "light spot 2 2 -1  -1 -1 -1  10 25  1 .2 .2  .5 0 .05 4\n"
      "light spot -2 1 -1  .8 -.5 -.8  10 25  .2 1 .2\n",
      "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
-    {"11-light-stretched.scene", "knot",
+    {"11-light-stretched.scene",
+     "Highlights, a colour of its own for ambient light, and emission, under a scale that is not "
+     "uniform.",
+     "knot",
      "light 0 0 1 0 0\nambient .1 .1 .15\nmaterial specular 1 1 1 100\n"
      "material emission .1 0 0\nmaterial ambient 0 .5 1\nlight point 1.5 1 .2 1 .9 .8 1 0 .1\n",
      "scale 1.5 .7 1\nrotate -35  1 0 0\nrotate 20  0 1 0\n"},
-    {"11-light-two-sided.scene", "torus",
+    {"11-light-two-sided.scene", "The inside of a torus, lit from both sides.", "torus",
      "light 0 0 1 0 0\ncull front\ntwosided on\nambient .1 .1 .15\nmaterial specular 1 1 1 30\n"
      "light point 0 1 0 1 1 1 1 .2 .2\nlight point 2 2 -2 1 .3 .3\n",
      "rotate -50  1 0 0\n"},
-    {"11-sphere-map.scene", "knot",
+    {"11-sphere-map.scene", "A sphere map: texture coordinates are those of the normals.", "knot",
      "light 0 0 1 1 0\ntexgen sphere\ntexture 256 256 8  255 200 60 60 30 90\n"
      "texwrap clamp\ntexmode replace\n",
      "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
-    {"11-torus-smooth-lines.scene", "torus", "polygon smooth\n", "rotate -50  1 0 0\n"},
-    {"11-torus-wide-lines.scene", "torus", "linewidth 2.5\npolygon wide\n", "rotate -50  1 0 0\n"},
-    {"11-torus-hidden-lines.scene", "torus", "cull none\npolygon hidden .004\n",
-     "rotate -50  1 0 0\n"},
-    {"12-morph.scene", NULL, flag,
+    {"11-torus-smooth-lines.scene", "A torus as lines with smooth edges.", "torus",
+     "polygon smooth\n", "rotate -50  1 0 0\n"},
+    {"11-torus-wide-lines.scene", "A torus as wide lines.", "torus",
+     "linewidth 2.5\npolygon wide\n", "rotate -50  1 0 0\n"},
+    {"11-torus-hidden-lines.scene",
+     "A torus as lines, of which those behind its surface are hidden.", "torus",
+     "cull none\npolygon hidden .004\n", "rotate -50  1 0 0\n"},
+    {"12-morph.scene", "A flag between two shapes.", NULL, flag,
      "rotate -25  0 1 0\nmorph .3 wave-0.obj wave-1.obj color 1 1 1\n"},
-    {"12-frames.scene", NULL, flag,
+    {"12-frames.scene", "Flags at moments between four shapes, and beyond them.", NULL, flag,
      "push\ntranslate 0 .8 0\nscale .7 .7 .7\nrotate -25  0 1 0\n"
      "frames 1.5 wave-0.obj wave-1.obj wave-2.obj wave-3.obj\npop\n"
      "push\ntranslate 0 -.1 0\nscale .7 .7 .7\nrotate -25  0 1 0\n"
      "frames -.25 wave-0.obj wave-1.obj wave-2.obj wave-3.obj\npop\n"
      "push\ntranslate 0 -1 0\nscale .7 .7 .7\nrotate -25  0 1 0\n"
      "frames 8 wave-0.obj wave-1.obj wave-2.obj wave-3.obj color .6 .8 1\npop\n"},
-    {"12-targets.scene", NULL, flag,
+    {"12-targets.scene", "A flag with weighted differences of other shapes.", NULL, flag,
      "rotate -25  0 1 0\ntargets wave-0.obj 1.5 wave-1.obj -.5 wave-2.obj color .9 1 .8\n"},
-    {"11-knot-edges.scene", "knot", "antialias edges\n", "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
+    {"11-knot-edges.scene", "A knot with its outlines smoothed by the edge pass.", "knot",
+     "antialias edges\n", "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
 };
 
 const char *const demo_generated_scenes[] = {"07-knot-textured.scene",
@@ -145,7 +156,7 @@ bool demo_write_generated_scene(const char *folder, const char *name, struct tex
         if (file == NULL) {
             return false;
         }
-        fprintf(file, "%s%s%s%s", stage, scene->state, camera, scene->pose);
+        fprintf(file, "# %s\n%s%s%s%s", scene->shows, stage, scene->state, camera, scene->pose);
         if (scene->mesh != NULL) {
             fprintf(file, "mesh %s.obj color 1 .75 .4\n", scene->mesh);
         }
@@ -205,7 +216,7 @@ bool demo_write_model_scene(const char *folder, const char *models, const char *
     snprintf(texture, sizeof texture, "%.*s_texture.ppm", (int)(strlen(absolute) - 4), absolute);
     FILE *out = create(folder, name, error);
     if (out != NULL) {
-        fputs(stage, out);
+        fprintf(out, "# The model %s.\n%s", file, stage);
         if (has_uvs && access(texture, R_OK) == 0) {
             fprintf(out, "texture %s\n", texture);
         }
