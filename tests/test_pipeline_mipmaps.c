@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Levels of a texture by pipelines: which one is drawn, against footprints in double precision; and
+ * Levels of a texture: which one is drawn, against footprints in double precision; and
  * where in it a pixel lies.
  */
 #include "support/by_pipeline.h"
