@@ -206,4 +206,23 @@ QTRI_INLINE void qtri_mix_put(qtri_mix mix, uint8_t *at, uint32_t stored)
     }
 }
 
+/* The cases of a switch over qtri_mix_of(): calls `function` with the kind and its bytes, constants
+   that the compiler makes a loop each of. */
+#define QTRI_MIX_CASES(function, ...)                                                              \
+    case QTRI_MIX_GRAY8:                                                                           \
+        function(QTRI_MIX_GRAY8, 1, __VA_ARGS__);                                                  \
+        break;                                                                                     \
+    case QTRI_MIX_565:                                                                             \
+        function(QTRI_MIX_565, 2, __VA_ARGS__);                                                    \
+        break;                                                                                     \
+    case QTRI_MIX_565_SWAPPED:                                                                     \
+        function(QTRI_MIX_565_SWAPPED, 2, __VA_ARGS__);                                            \
+        break;                                                                                     \
+    case QTRI_MIX_24:                                                                              \
+        function(QTRI_MIX_24, 3, __VA_ARGS__);                                                     \
+        break;                                                                                     \
+    case QTRI_MIX_32:                                                                              \
+        function(QTRI_MIX_32, 4, __VA_ARGS__);                                                     \
+        break
+
 #endif

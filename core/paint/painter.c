@@ -83,7 +83,7 @@ void qtri_hard_rect(const qtri_painter *painter, const qtri_area *box)
 
 /* ---- Blended pixels ---- */
 
-QTRI_INLINE void span_of(qtri_mix mix, uint8_t *at, int32_t bytes, int32_t count, uint32_t keep,
+QTRI_INLINE void span_of(qtri_mix mix, int32_t bytes, uint8_t *at, int32_t count, uint32_t keep,
                          qtri_mix_part share)
 {
     for (; count > 0; count--) {
@@ -134,21 +134,7 @@ void qtri_blend_span(const qtri_painter *painter, uint8_t *at, int32_t count, ui
     const uint32_t a = qtri_mix_weight(coverage, painter->alpha);
     const qtri_mix_part share = qtri_mix_part_of(mix, &painter->channels, painter->stored, a);
     switch (mix) {
-    case QTRI_MIX_GRAY8:
-        span_of(QTRI_MIX_GRAY8, at, 1, count, 256 - a, share);
-        break;
-    case QTRI_MIX_565:
-        span_of(QTRI_MIX_565, at, 2, count, 256 - a, share);
-        break;
-    case QTRI_MIX_565_SWAPPED:
-        span_of(QTRI_MIX_565_SWAPPED, at, 2, count, 256 - a, share);
-        break;
-    case QTRI_MIX_24:
-        span_of(QTRI_MIX_24, at, 3, count, 256 - a, share);
-        break;
-    case QTRI_MIX_32:
-        span_of(QTRI_MIX_32, at, 4, count, 256 - a, share);
-        break;
+        QTRI_MIX_CASES(span_of, at, count, 256 - a, share);
     default:
         span_of_others(painter, at, count, coverage);
         break;
@@ -178,21 +164,7 @@ void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
                       const uint8_t *coverage)
 {
     switch (qtri_mix_of(painter->surface->format)) {
-    case QTRI_MIX_GRAY8:
-        cover_of(QTRI_MIX_GRAY8, 1, painter, at, count, coverage);
-        break;
-    case QTRI_MIX_565:
-        cover_of(QTRI_MIX_565, 2, painter, at, count, coverage);
-        break;
-    case QTRI_MIX_565_SWAPPED:
-        cover_of(QTRI_MIX_565_SWAPPED, 2, painter, at, count, coverage);
-        break;
-    case QTRI_MIX_24:
-        cover_of(QTRI_MIX_24, 3, painter, at, count, coverage);
-        break;
-    case QTRI_MIX_32:
-        cover_of(QTRI_MIX_32, 4, painter, at, count, coverage);
-        break;
+        QTRI_MIX_CASES(cover_of, painter, at, count, coverage);
     default:
         cover_others(painter, at, count, coverage);
         break;
@@ -261,21 +233,7 @@ QTRI_NOINLINE static void bits_of_others(const qtri_painter *painter, uint8_t *t
 void qtri_blend_bits(const qtri_painter *painter, uint8_t *to, const qtri_ink_bits *bits)
 {
     switch (qtri_mix_of(painter->surface->format)) {
-    case QTRI_MIX_GRAY8:
-        bits_of(QTRI_MIX_GRAY8, 1, painter, to, bits);
-        break;
-    case QTRI_MIX_565:
-        bits_of(QTRI_MIX_565, 2, painter, to, bits);
-        break;
-    case QTRI_MIX_565_SWAPPED:
-        bits_of(QTRI_MIX_565_SWAPPED, 2, painter, to, bits);
-        break;
-    case QTRI_MIX_24:
-        bits_of(QTRI_MIX_24, 3, painter, to, bits);
-        break;
-    case QTRI_MIX_32:
-        bits_of(QTRI_MIX_32, 4, painter, to, bits);
-        break;
+        QTRI_MIX_CASES(bits_of, painter, to, bits);
     default:
         bits_of_others(painter, to, bits);
         break;

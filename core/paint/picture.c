@@ -253,21 +253,7 @@ void qtri_picture_mix(const qtri_surface *surface, uint8_t *at, uint32_t *stored
     const qtri_format *format = surface->format;
     const uint32_t first = mask << (32 - count); /* the sign is the first pixel's */
     switch (qtri_mix_of(format)) {
-    case QTRI_MIX_GRAY8:
-        mix_of(QTRI_MIX_GRAY8, 1, at, stored, first, a);
-        break;
-    case QTRI_MIX_565:
-        mix_of(QTRI_MIX_565, 2, at, stored, first, a);
-        break;
-    case QTRI_MIX_565_SWAPPED:
-        mix_of(QTRI_MIX_565_SWAPPED, 2, at, stored, first, a);
-        break;
-    case QTRI_MIX_24:
-        mix_of(QTRI_MIX_24, 3, at, stored, first, a);
-        break;
-    case QTRI_MIX_32:
-        mix_of(QTRI_MIX_32, 4, at, stored, first, a);
-        break;
+        QTRI_MIX_CASES(mix_of, at, stored, first, a);
     default:
         mix_others(format, at, stored, mask, count, a);
         break;
