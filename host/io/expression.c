@@ -45,6 +45,7 @@ static bool take(struct reader *r, const char *text)
     return true;
 }
 
+// NOLINTBEGIN(misc-no-recursion): DEPTH_MAX bounds it
 static bool sum(struct reader *r, double *value);
 
 /* "(", and `count` values with commas between, and ")". */
@@ -119,6 +120,7 @@ static bool primary(struct reader *r, double *value)
 
 static bool factor(struct reader *r, double *value)
 {
+    *value = 0;
     if (++r->depth > DEPTH_MAX) {
         return fail(r, "is nested too deep");
     }
@@ -135,7 +137,7 @@ static bool product(struct reader *r, double *value)
         return false;
     }
     for (;;) {
-        double other;
+        double other = 0;
         const bool divides = take(r, "/");
         if (!divides && !take(r, "*")) {
             return true;
@@ -156,7 +158,7 @@ static bool sum(struct reader *r, double *value)
         return false;
     }
     for (;;) {
-        double other;
+        double other = 0;
         const bool subtracts = take(r, "-");
         if (!subtracts && !take(r, "+")) {
             return true;
@@ -167,6 +169,8 @@ static bool sum(struct reader *r, double *value)
         *value += subtracts ? -other : other;
     }
 }
+
+// NOLINTEND(misc-no-recursion)
 
 bool expression_evaluate(const struct token *token, double t, double *value,
                          struct expression_error *error)
