@@ -1,73 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Draw calls of meshes: set up, transform, light, cull, and hand each triangle to the rasterizer,
- * to the clipper, or to the material's fill.
+ * Draw calls of meshes: set up, transform, cull, and draw each triangle.
  */
 #include "checked.h"
-#include "fill.h"
 #include "lights.h"
 #include "mesh_faces.h"
 #include "per_pixel.h"
 #include "qtri/body/pixel.h"
 #include "../raster/samples.h"
-
-/* ---- Light ---- */
-
-/* Which triangle of the mesh it is: 0xAAAAAAAB times 3 is 1 modulo 2^32. */
-static uint32_t number_of(const qtri_mesh *mesh, const void *indices)
-{
-    const uint8_t *at = indices;
-    const uint32_t offset = qtri_mesh_has_bytes(mesh)
-                                ? (uint32_t)(at - (const uint8_t *)mesh->triangles8)
-                                : (uint32_t)(at - (const uint8_t *)mesh->triangles) / 2;
-    return offset * 0xAAAAAAABu;
-}
-
-uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
-{
-    uint32_t index[3];
-    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-    return draw->stage->face_light->face(&draw->of.mesh.lighting, draw->mesh,
-                                         number_of(draw->mesh, indices), index);
-}
-
-static inline void light_corner(const qtri_mesh_job *draw, const void *indices, int corner,
-                                qtri_vertex *vertex)
-{
-    if (vertex->intensity_q15 != QTRI_VERTEX_UNLIT) {
-        return;
-    }
-    vertex->intensity_q15 = QTRI_INTENSITY_ONE;
-    if (draw->lit_per_vertex) {
-        vertex->intensity_q15 = (uint16_t)draw->stage->vertex_light->vertex(
-            &draw->of.mesh.lighting, draw->mesh, qtri_mesh_index(draw->mesh, indices, corner));
-    }
-}
-
-QTRI_NOINLINE void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices,
-                                           qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
-{
-    light_corner(draw, indices, 0, a);
-    light_corner(draw, indices, 1, b);
-    light_corner(draw, indices, 2, c);
-    if (draw->lights != NULL) {
-        draw->lights->model->meet(draw, indices);
-    }
-}
-
-/* Lights a triangle's vertices, or the triangle: qtri_small.light of meshes. */
-static uint32_t find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
-                           qtri_vertex *c)
-{
-    const qtri_mesh_job *draw = from;
-    if (draw->lit_per_vertex) {
-        if (!draw->lit && !qtri_vertices_are_lit(a, b, c)) {
-            qtri_mesh_light_corners(draw, indices, a, b, c);
-        }
-        return QTRI_VERTEX_UNLIT;
-    }
-    return draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE;
-}
 
 /* ---- Set-up ---- */
 
@@ -153,9 +93,10 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
         draw->primitive.to.lines.target.state.table = draw->of.mesh.table;
     } else {
         draw->primitive.to.solid.state.table = draw->of.mesh.table;
-        qtri_mesh_solid_init(
-            draw,
-            draw->lit_per_vertex || draw->lit_per_face || mesh->colors != NULL ? find_light : NULL);
+        qtri_mesh_solid_init(draw,
+                             draw->lit_per_vertex || draw->lit_per_face || mesh->colors != NULL
+                                 ? qtri_mesh_find_light
+                                 : NULL);
     }
 }
 
@@ -183,90 +124,6 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
     return true;
 }
 
-/* ---- One triangle whose vertices are transformed ---- */
-
-/* What light makes of the corners' colours. */
-static void light_triangle(uint32_t intensity_q15[3], const qtri_mesh_job *draw,
-                           const void *triangle, qtri_vertex *const vertex[3])
-{
-    uint32_t face_q15 =
-        draw->lit_per_face ? qtri_mesh_light_face(draw, triangle) : QTRI_INTENSITY_ONE;
-    if (draw->lit_per_vertex) {
-        qtri_mesh_light_corners(draw, triangle, vertex[0], vertex[1], vertex[2]);
-    }
-    for (int i = 0; i < 3; i++) {
-        intensity_q15[i] = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
-    }
-}
-
-/* One that is clipped: lit before, where the stack is not deep. */
-typedef struct lit_triangle {
-    const qtri_mesh_job *draw;
-    const void *indices;
-    uint32_t intensity_q15[3];
-} lit_triangle;
-
-/* Its colours and texture coordinates. */
-static void set_attributes(const void *from, qtri_screen_vertex out[3])
-{
-    const lit_triangle *triangle = from;
-    const qtri_mesh_job *draw = triangle->draw;
-    for (int i = 0; i < 3; i++) {
-        uint32_t index = qtri_mesh_index(draw->mesh, triangle->indices, i);
-        qtri_mesh_set_color(out[i].color_8p16, draw, index, triangle->intensity_q15[i]);
-        if (draw->material.fill == NULL && qtri_is_lit(&draw->primitive.to.solid.state.options)) {
-            out[i].color_8p16[0] = (int32_t)triangle->intensity_q15[i] * 510; /* 255.0 is 1 */
-        }
-        qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, index);
-    }
-}
-
-/* Rare: homogeneous coordinates are not kept but computed again. */
-QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *indices,
-                                       qtri_vertex *const vertex[3])
-{
-    if (qtri_mesh_is_outside(vertex)) {
-        return;
-    }
-    qtri_shape shape;
-    lit_triangle triangle;
-    for (int i = 0; i < 3; i++) {
-        draw->positions->transform(&draw->primitive.projector, draw->mesh,
-                                   qtri_mesh_index(draw->mesh, indices, i), &shape.clip[i]);
-    }
-    if (draw->material.fill == NULL) { /* whose alphas the vertices have */
-        qtri_mesh_indices(draw->primitive.to.solid.small.state->alpha_index, indices,
-                          qtri_mesh_has_bytes(draw->mesh));
-    }
-    if (draw->lights != NULL) {
-        draw->lights->model->clipped(draw, indices, &shape);
-        return;
-    }
-    triangle.draw = draw;
-    triangle.indices = indices;
-    light_triangle(triangle.intensity_q15, draw, indices, vertex);
-    qtri_primitive_triangle(&draw->primitive, &shape, set_attributes, &triangle);
-}
-
-QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
-                                       qtri_vertex *const vertex[3])
-{
-    if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
-        draw_clipped(draw, indices, vertex);
-    } else if (draw->material.fill != NULL) {
-        draw->material.fill->triangle(draw, indices, vertex);
-    } else {
-        qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
-    }
-}
-
-QTRI_NOINLINE bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a,
-                                         const qtri_vertex *b, const qtri_vertex *c)
-{
-    return qtri_mesh_is_inside(a, b, c) &&
-           qtri_is_culled(draw->material.cull, qtri_triangle_area(&a->at, &b->at, &c->at));
-}
-
 /* ---- All triangles ---- */
 
 /* The triangles of a mesh whose vertices are all there. */
@@ -287,13 +144,54 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
     }
 }
 
+/* Those of a mesh whose back faces are culled, no vertex outside, by a pipeline. */
+static inline void draw_whole_of(const qtri_mesh_job *draw, const void *triangles, bool narrow)
+{
+    qtri_small t = draw->primitive.to.solid.small;
+    bool (*const by)(qtri_small *) = t.state->small;
+    const uint32_t count = draw->mesh->vertex_count;
+    const uint32_t size = narrow ? 3 : 6;
+    const uint8_t *triangle = triangles;
+    const uint8_t *end = triangle + draw->mesh->triangle_count * size;
+    const uint32_t vertex_size = qtri_vertex_size();
+    for (; triangle != end; triangle += size) {
+        uint32_t index[3];
+        qtri_vertex *vertex[3];
+        qtri_mesh_indices(index, triangle, narrow);
+        if (qtri_mesh_find(vertex, draw->vertices, count, index, vertex_size) &&
+            !qtri_mesh_draw_small(by, &t, triangle, index, vertex) &&
+            !qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)) {
+            qtri_mesh_draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
+        }
+    }
+}
+
+QTRI_NOINLINE static void draw_wide(const qtri_mesh_job *draw)
+{
+    draw_whole_of(draw, draw->mesh->triangles, false);
+}
+
+QTRI_NOINLINE static void draw_narrow(const qtri_mesh_job *draw)
+{
+    draw_whole_of(draw, draw->mesh->triangles8, true);
+}
+
+QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw)
+{
+    if (qtri_mesh_has_bytes(draw->mesh)) {
+        draw_narrow(draw);
+    } else {
+        draw_wide(draw);
+    }
+}
+
 /* A slot for every vertex: each is transformed once. */
 QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
     const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
     if (inside && draw->material.cull == QTRI_CULL_BACK) {
-        qtri_mesh_draw_whole(draw);
+        draw_fronts(draw);
     } else if (qtri_mesh_has_bytes(mesh)) {
         draw_triangles(draw, mesh->triangles8, true);
     } else {

@@ -13,7 +13,6 @@
  * Lists are in the order of the mesh, as drawing is: where depths are equal, it decides.
  */
 #include "checked.h"
-#include "fill.h"
 #include "lights.h"
 #include "mesh_faces.h"
 #include "../raster/samples.h"

@@ -66,6 +66,27 @@ typedef struct qtri_mesh_job {
 } qtri_mesh_job;
 
 /*
+ * What draw calls make of triangles: material->fill. NULL fills them: mesh_triangle.c those of
+ * meshes, primitive.c what is clipped. Everything else is a description, whose functions nothing
+ * else names: what no material names is not linked.
+ */
+struct qtri_fill {
+    /* Sets primitive->to for its surface and its material. */
+    void (*begin)(qtri_primitive *primitive);
+    /* A triangle that may need clipping by `planes`, and culling; see qtri_primitive_triangle. */
+    void (*clipped)(const qtri_primitive *primitive, const qtri_clip_vertex v[3], unsigned planes,
+                    qtri_attribute_source source, const void *from);
+    /* A triangle of a mesh that is seen, all of it inside. */
+    void (*triangle)(const qtri_mesh_job *draw, const void *indices, qtri_vertex *const vertex[3]);
+    /* A mesh with a slot for every vertex, to be transformed yet. */
+    void (*mesh)(qtri_mesh_job *draw);
+    /* Before bands draw a mesh whose vertices all are in their slots, or were left out with all
+       their faces; and before one band does. */
+    void (*prepare)(const qtri_mesh_job *draw, bool back_only);
+    void (*band)(qtri_mesh_job *draw);
+};
+
+/*
  * How it looks and where to: all that triangles inside all planes need, once they are lit; and
  * memory for its vertices.
  */
@@ -111,11 +132,6 @@ void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices, qtr
 /* Of the triangle with these indices, for a mesh lit per face. */
 uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices);
 
-/* The colour of a vertex of the mesh, lit; its texture coordinates, 0 in a mesh without. */
-void qtri_mesh_set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
-                         uint32_t intensity_q15);
-void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index);
-
 /* Any culling, and triangles that may cross planes; those are never turned away. */
 bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
                            const qtri_vertex *c);
@@ -124,18 +140,13 @@ bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, cons
 void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
                          qtri_vertex *const vertex[3]);
 
-/*
- * In mesh_solid.c: triangles that are filled. `light`: gives a triangle's vertices their light, see
- * qtri_small.light; NULL: they have all of it.
- */
+/* For triangles that are filled. `light`: &qtri_mesh_find_light, or NULL: they have all of it. */
 void qtri_mesh_solid_init(qtri_mesh_job *draw, qtri_light_finder *light);
+qtri_light_finder qtri_mesh_find_light;
 
 /* One whose vertices are all inside. */
 void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                           qtri_vertex *b, qtri_vertex *c);
-
-/* All of a mesh whose back faces are culled, all vertices inside. */
-void qtri_mesh_draw_whole(const qtri_mesh_job *draw);
 
 /* One that the pipeline says is large. */
 void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,

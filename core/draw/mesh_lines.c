@@ -31,7 +31,6 @@
  * prepared mesh by its notes without writing to it, and every triangle with an edge is drawn in
  * every band that the edge touches.
  */
-#include "fill.h"
 #include "lights.h"
 #include "mesh_faces.h"
 
@@ -470,7 +469,7 @@ static void draw_triangle(const qtri_mesh_job *draw, const void *triangle,
             edges = qtri_mesh_note(draw, number);
         }
     }
-    draw_inside(draw, triangle, vertex, edges); /* as fill.h promises: nothing calls itself */
+    draw_inside(draw, triangle, vertex, edges); /* as qtri_fill promises: nothing calls itself */
 }
 
 static void prepare_mesh(const qtri_mesh_job *draw, bool back_only)

@@ -12,6 +12,7 @@
 
 #include "../raster/descriptions.h"
 #include "../raster/draw_state.h"
+#include "../raster/large.h"
 #include "../raster/line.h"
 #include "../raster/stroke_pixels.h"
 #include "../raster/triangle.h"
@@ -72,9 +73,26 @@ void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
  */
 typedef void (*qtri_attribute_source)(const void *from, qtri_screen_vertex attributes[3]);
 
+/* A vertex's texture coordinates, 0 in a mesh without. */
+void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index);
+
 /* Draws a triangle that may need clipping. `shape` brings clip, and is overwritten. */
 void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
                              qtri_attribute_source source, const void *from);
+
+/* ---- Large triangles ---- */
+
+/* Whether it matters where vertices truly are, which are snapped to 1/256 pixel. */
+bool qtri_rests_matter(const qtri_draw_state *state, const qtri_screen_point *const p[3],
+                       const uint32_t depth_16p16[3], int64_t area);
+
+/* Whether the triangle lies wholly on one side of what may be drawn. */
+bool qtri_is_beside(const qtri_draw_state *state, const qtri_screen_point *const p[3]);
+
+/* 0..255.0 each, rounded: 0x00RRGGBB. */
+uint32_t qtri_color_word(const int32_t color_8p16[3]);
+
+/* ---- Lines ---- */
 
 /* For lines, whatever the material says; then as above. */
 void qtri_primitive_begin_lines(qtri_primitive *primitive);

@@ -8,7 +8,6 @@
 #include "../geometry/projector.h"
 #include "../raster/stroke.h"
 #include "checked.h"
-#include "fill.h"
 #include "lights.h"
 
 /* Corners of one draw call on their way to the screen. */

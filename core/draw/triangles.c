@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "checked.h"
-#include "large_piece.h"
 #include "lights.h"
 #include "per_pixel.h"
 #include "qtri/raster.h"

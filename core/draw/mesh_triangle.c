@@ -1,0 +1,306 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A triangle of a mesh whose vertices are transformed: lit, then handed to the pipeline, to the
+ * clipper, or to the material's fill.
+ */
+#include "lights.h"
+
+/* ---- Light ---- */
+
+/* Which triangle of the mesh it is: 0xAAAAAAAB times 3 is 1 modulo 2^32. */
+static uint32_t number_of(const qtri_mesh *mesh, const void *indices)
+{
+    const uint8_t *at = indices;
+    const uint32_t offset = qtri_mesh_has_bytes(mesh)
+                                ? (uint32_t)(at - (const uint8_t *)mesh->triangles8)
+                                : (uint32_t)(at - (const uint8_t *)mesh->triangles) / 2;
+    return offset * 0xAAAAAAABu;
+}
+
+uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
+{
+    uint32_t index[3];
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    return draw->stage->face_light->face(&draw->of.mesh.lighting, draw->mesh,
+                                         number_of(draw->mesh, indices), index);
+}
+
+static inline void light_corner(const qtri_mesh_job *draw, const void *indices, int corner,
+                                qtri_vertex *vertex)
+{
+    if (vertex->intensity_q15 != QTRI_VERTEX_UNLIT) {
+        return;
+    }
+    vertex->intensity_q15 = QTRI_INTENSITY_ONE;
+    if (draw->lit_per_vertex) {
+        vertex->intensity_q15 = (uint16_t)draw->stage->vertex_light->vertex(
+            &draw->of.mesh.lighting, draw->mesh, qtri_mesh_index(draw->mesh, indices, corner));
+    }
+}
+
+QTRI_NOINLINE void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices,
+                                           qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+{
+    light_corner(draw, indices, 0, a);
+    light_corner(draw, indices, 1, b);
+    light_corner(draw, indices, 2, c);
+    if (draw->lights != NULL) {
+        draw->lights->model->meet(draw, indices);
+    }
+}
+
+/* Lights a triangle's vertices, or the triangle: qtri_small.light of meshes. */
+uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
+                              qtri_vertex *c)
+{
+    const qtri_mesh_job *draw = from;
+    if (draw->lit_per_vertex) {
+        if (!draw->lit && !qtri_vertices_are_lit(a, b, c)) {
+            qtri_mesh_light_corners(draw, indices, a, b, c);
+        }
+        return QTRI_VERTEX_UNLIT;
+    }
+    return draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE;
+}
+
+static void set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
+                      uint32_t intensity_q15)
+{
+    const qtri_rgb *color =
+        draw->mesh->colors != NULL ? &draw->mesh->colors[index] : &draw->material.color;
+    int32_t intensity = (int32_t)intensity_q15 * 2;
+    color_8p16[0] = color->r * intensity; /* <= 255.0 */
+    color_8p16[1] = color->g * intensity;
+    color_8p16[2] = color->b * intensity;
+}
+
+/* ---- Large triangles ---- */
+
+/*
+ * Where the vertices of large triangles truly are: vertices do not keep it, since the small
+ * triangles that meshes have most of do not ask. It is found again from the mesh's positions. Where
+ * a mesh was prepared, a band sets transforms for that alone.
+ */
+QTRI_NOINLINE static void place_late(const qtri_mesh_job *draw)
+{
+    qtri_late_place *late = draw->late;
+    qtri_primitive_place(late->primitive, late->view, late->pose);
+    if (draw->positions->begin != NULL) {
+        draw->positions->begin(&late->primitive->projector, draw->mesh);
+    }
+    late->is_set = true;
+}
+
+QTRI_NOINLINE static void set_rests(qtri_large_vertex v[3], const qtri_mesh_job *draw,
+                                    const uint32_t index[3], const qtri_screen_point *const p[3])
+{
+    if (draw->late != NULL && !draw->late->is_set) {
+        place_late(draw);
+    }
+    for (int i = 0; i < 3; i++) {
+        qtri_clip_vertex clip;
+        draw->positions->transform(&draw->primitive.projector, draw->mesh, index[i], &clip);
+        qtri_project_rest(v[i].rest, &clip, p[i], v[i].inv_w_q31);
+    }
+}
+
+static void find_true_places(qtri_large_vertex v[3], const qtri_mesh_job *draw,
+                             const uint32_t index[3], const qtri_screen_point *const p[3],
+                             int64_t area)
+{
+    const uint32_t depth_16p16[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
+    if (qtri_rests_matter(&draw->primitive.to.solid.state, p, depth_16p16, area)) {
+        set_rests(v, draw, index, p);
+    }
+}
+
+/* Those of its vertices in a view's lights; by pixel, shares of corners. */
+static void set_lit_colors(qtri_large_vertex v[3], const qtri_draw_state *state)
+{
+    if (state->options.per_pixel) {
+        for (int i = 0; i < 3; i++) {
+            v[i].color_8p16[0] = (int32_t)(i == 1) << 30;
+            v[i].color_8p16[1] = (int32_t)(i == 2) << 30;
+            v[i].color_8p16[2] = 0;
+        }
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        v[i].color_8p16[0] = (int32_t)(state->lit[i] & 0xFF0000u);
+        v[i].color_8p16[1] = (int32_t)(state->lit[i] << 8 & 0xFF0000u);
+        v[i].color_8p16[2] = (int32_t)(state->lit[i] << 16 & 0xFF0000u);
+    }
+}
+
+/* The triangle's colour, or those of its vertices in light. */
+static void set_colors(qtri_large_vertex v[3], const qtri_mesh_job *draw, const uint32_t index[3],
+                       qtri_vertex *const vertex[3], uint32_t face_q15)
+{
+    for (int i = 0; i < 3; i++) {
+        const uint32_t light_q15 = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
+        v[i].light_q15 = light_q15;
+        set_color(v[i].color_8p16, draw, index[i], light_q15);
+    }
+}
+
+static void set_place(qtri_large_vertex *out, const qtri_vertex *vertex)
+{
+    out->depth_16p16 = vertex->depth_16p8 & ~0xFFu;
+    out->inv_w_q31 = vertex->inv_w;
+    out->inv_w_exponent = (int32_t)(vertex->depth_16p8 & 0xFFu);
+    out->rest[0] = 0;
+    out->rest[1] = 0;
+}
+
+QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const uint32_t index[3],
+                                   qtri_vertex *const vertex[3],
+                                   const qtri_screen_point *const p[3], int64_t area,
+                                   uint32_t face_q15)
+{
+    qtri_draw_state *state = draw->primitive.to.solid.small.state;
+    const uint8_t *alphas = state->material->alphas;
+    qtri_large_vertex v[3];
+    for (int i = 0; i < 3; i++) {
+        set_place(&v[i], vertex[i]);
+        if (state->texture != NULL) {
+            qtri_mesh_set_uv(&v[i].u_q32, &v[i].v_q32, draw->mesh, index[i]);
+        }
+        v[i].alpha_q16 =
+            state->options.vertex_alpha ? ((uint32_t)alphas[index[i]] << 16) / 255 : 65536;
+    }
+    if (state->is_lit || state->options.per_pixel) {
+        set_lit_colors(v, state);
+    } else {
+        set_colors(v, draw, index, vertex, face_q15);
+    }
+    find_true_places(v, draw, index, p, area);
+    qtri_large_triangle(state, p, area,
+                        qtri_color_word(v[qtri_provoking_of(&draw->material)].color_8p16), v);
+}
+
+QTRI_NOINLINE void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices,
+                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+{
+    const qtri_screen_point *const p[3] = {&a->at, &b->at, &c->at};
+    qtri_vertex *const vertex[3] = {a, b, c};
+    const int64_t area = qtri_triangle_area(p[0], p[1], p[2]);
+    uint32_t index[3];
+    if (area == 0 || qtri_is_beside(&draw->primitive.to.solid.state, p)) {
+        return;
+    }
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    draw_lit(draw, index, vertex, p, area,
+             draw->find_large_light != NULL ? draw->find_large_light(draw, indices, a, b, c)
+                                            : QTRI_INTENSITY_ONE);
+}
+
+void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                          qtri_vertex *b, qtri_vertex *c)
+{
+    uint32_t index[3];
+    qtri_vertex *const vertex[3] = {a, b, c};
+    qtri_small t = draw->primitive.to.solid.small;
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    if (!qtri_mesh_draw_small(t.state->small, &t, indices, index, vertex)) {
+        qtri_mesh_draw_large(draw, indices, a, b, c);
+    }
+}
+
+void qtri_mesh_solid_init(qtri_mesh_job *draw, qtri_light_finder *light)
+{
+    qtri_small *t = &draw->primitive.to.solid.small;
+    t->mesh = draw->mesh;
+    t->light = light;
+    t->from = draw;
+    t->light_q15 = QTRI_VERTEX_UNLIT;
+    draw->find_large_light = light;
+    if (draw->lights != NULL) {
+        draw->primitive.to.solid.state.is_lit = true;
+        t->light = draw->lights->model->find;
+        draw->find_large_light = draw->lights->model->find_large;
+    }
+}
+
+/* ---- Any triangle ---- */
+
+/* What light makes of the corners' colours. */
+static void light_triangle(uint32_t intensity_q15[3], const qtri_mesh_job *draw,
+                           const void *triangle, qtri_vertex *const vertex[3])
+{
+    uint32_t face_q15 =
+        draw->lit_per_face ? qtri_mesh_light_face(draw, triangle) : QTRI_INTENSITY_ONE;
+    if (draw->lit_per_vertex) {
+        qtri_mesh_light_corners(draw, triangle, vertex[0], vertex[1], vertex[2]);
+    }
+    for (int i = 0; i < 3; i++) {
+        intensity_q15[i] = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
+    }
+}
+
+/* One that is clipped: lit before, where the stack is not deep. */
+typedef struct lit_triangle {
+    const qtri_mesh_job *draw;
+    const void *indices;
+    uint32_t intensity_q15[3];
+} lit_triangle;
+
+/* Its colours and texture coordinates. */
+static void set_attributes(const void *from, qtri_screen_vertex out[3])
+{
+    const lit_triangle *triangle = from;
+    const qtri_mesh_job *draw = triangle->draw;
+    for (int i = 0; i < 3; i++) {
+        uint32_t index = qtri_mesh_index(draw->mesh, triangle->indices, i);
+        set_color(out[i].color_8p16, draw, index, triangle->intensity_q15[i]);
+        if (draw->material.fill == NULL && qtri_is_lit(&draw->primitive.to.solid.state.options)) {
+            out[i].color_8p16[0] = (int32_t)triangle->intensity_q15[i] * 510; /* 255.0 is 1 */
+        }
+        qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, index);
+    }
+}
+
+/* Rare: homogeneous coordinates are not kept but computed again. */
+QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *indices,
+                                       qtri_vertex *const vertex[3])
+{
+    if (qtri_mesh_is_outside(vertex)) {
+        return;
+    }
+    qtri_shape shape;
+    lit_triangle triangle;
+    for (int i = 0; i < 3; i++) {
+        draw->positions->transform(&draw->primitive.projector, draw->mesh,
+                                   qtri_mesh_index(draw->mesh, indices, i), &shape.clip[i]);
+    }
+    if (draw->material.fill == NULL) { /* whose alphas the vertices have */
+        qtri_mesh_indices(draw->primitive.to.solid.small.state->alpha_index, indices,
+                          qtri_mesh_has_bytes(draw->mesh));
+    }
+    if (draw->lights != NULL) {
+        draw->lights->model->clipped(draw, indices, &shape);
+        return;
+    }
+    triangle.draw = draw;
+    triangle.indices = indices;
+    light_triangle(triangle.intensity_q15, draw, indices, vertex);
+    qtri_primitive_triangle(&draw->primitive, &shape, set_attributes, &triangle);
+}
+
+QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
+                                       qtri_vertex *const vertex[3])
+{
+    if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
+        draw_clipped(draw, indices, vertex);
+    } else if (draw->material.fill != NULL) {
+        draw->material.fill->triangle(draw, indices, vertex);
+    } else {
+        qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
+    }
+}
+
+QTRI_NOINLINE bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a,
+                                         const qtri_vertex *b, const qtri_vertex *c)
+{
+    return qtri_mesh_is_inside(a, b, c) &&
+           qtri_is_culled(draw->material.cull, qtri_triangle_area(&a->at, &b->at, &c->at));
+}
