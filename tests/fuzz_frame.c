@@ -6,6 +6,7 @@
  * at once.
  */
 #include "support/fuzz_input.h"
+#include "support/layouts.h"
 
 enum { SIDE = 40, CORNERS = 9, POINTS = 7, IMAGE = 8, WORDS = 8 * SIDE * SIDE };
 
@@ -369,7 +370,7 @@ static void draw_bands(struct reader *r, const job *j)
     }
     qtri_draw_mesh(&whole.surface, &j->view, &j->pose, &mesh, &material);
     abort_if(qtri_frame_init(&frame, format, SIDE, SIDE, rows, memory, sizeof memory) != QTRI_OK);
-    qtri_prepared_init(&prepared, vertices, take_byte(r) % (QTRI_LIT_VERTICES(VERTICES) + 1), lists,
+    prepared_init_with(&prepared, vertices, take_byte(r) % (QTRI_LIT_VERTICES(VERTICES) + 1), lists,
                        take_byte(r) % (sizeof lists / sizeof lists[0] + 1));
     qtri_frame_begin(&frame);
     qtri_prepare_mesh(&prepared, &frame, &j->view, &j->pose, &mesh, &material);
@@ -508,7 +509,7 @@ static void join(struct reader *r, const job *j)
     abort_if(qtri_frame_init(&frame, format, SIDE, SIDE, rows, memory, sizeof memory) != QTRI_OK);
     abort_if(qtri_frame_set_overlap(&frame, overlap, take_byte(r) % 4 ? kept : NULL, sizeof kept) !=
              QTRI_OK);
-    qtri_prepared_init(&prepared, vertices, QTRI_LIT_VERTICES(VERTICES), lists,
+    prepared_init_with(&prepared, vertices, QTRI_LIT_VERTICES(VERTICES), lists,
                        take_byte(r) % (sizeof lists / sizeof lists[0] + 1));
     qtri_prepared_set_outline(&prepared, &by.outline);
     qtri_prepare_mesh(&prepared, &frame, &view, &j->pose, &mesh, &material);

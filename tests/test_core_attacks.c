@@ -4,6 +4,7 @@
  * limits that no picture of the other tests depends on. Most of them fail by a sanitizer's word.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 
 enum { SIDE = 32 };
 
@@ -137,7 +138,7 @@ static void zero_meshes(void **state)
         view.vertices = n / 12 != 0 ? vertices : NULL;
         view.vertex_count = n / 12 != 0 ? 4 : 0;
         qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &material);
-        qtri_prepared_init(&prepared, view.vertices, view.vertex_count, NULL, 0);
+        prepared_init_with(&prepared, view.vertices, view.vertex_count, NULL, 0);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
         qtri_draw_prepared(&c.surface, &prepared);
         qtri_prepared_mark(&prepared, &frame);
@@ -273,7 +274,7 @@ static void failed_frames(void **state)
         qtri_frame_mark(&frame, &all);
         qtri_frame_mark_all(&frame);
         qtri_frame_share(&frame, 1, 2);
-        qtri_prepared_init(&prepared, vertices, 3, lists, LENGTH_OF(lists));
+        prepared_init_with(&prepared, vertices, 3, lists, LENGTH_OF(lists));
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &one, &material);
         qtri_prepared_mark(&prepared, &frame);
         assert_int_equal(qtri_frame_changes(&frame).x1, 0);

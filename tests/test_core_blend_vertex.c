@@ -4,6 +4,7 @@
  * the slope of a triangle.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 
 enum { WIDTH = 120, HEIGHT = 90 };
 
@@ -341,7 +342,7 @@ static void pieces(void **state)
 {
     (void)state;
     static sheet s;
-    static qtri_vertex vertices[QTRI_MESH_VERTICES(POINTS)];
+    static qtri_vertex vertices[POINTS];
     static uint16_t lists[QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, 13)];
     const qtri_rgb sky = {40, 90, 160};
     uint64_t seed = 11;
@@ -388,7 +389,7 @@ static void pieces(void **state)
         qtri_surface band;
         assert_int_equal(qtri_frame_init(&frame, format, WIDTH, HEIGHT, 13, memory, sizeof memory),
                          QTRI_OK);
-        qtri_prepared_init(&prepared, vertices, POINTS, lists, sizeof lists / sizeof lists[0]);
+        prepared_init_with(&prepared, vertices, POINTS, lists, sizeof lists / sizeof lists[0]);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &s.mesh, &m);
         while (qtri_frame_next_band(&frame, &band)) {
             qtri_surface_clear(&band, sky);

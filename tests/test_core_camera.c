@@ -330,6 +330,30 @@ static void where_ways_meet(void **state)
     assert_int_equal(other.row[1].exponent, 32);
 }
 
+/* A view's camera and projection are set anew, whatever they were, in the viewport's aspect. */
+static void views_are_set_anew(void **state)
+{
+    (void)state;
+    static const int32_t sizes[4][2] = {{320, 240}, {128, 64}, {9, 9}, {40, 0}};
+    const qtri_vec3 eye = {Q16(3), Q16(2), Q16(-5)};
+    const qtri_vec3 up = {0, Q16(1), 0};
+    qtri_transform camera;
+    qtri_transform_identity(&camera);
+    qtri_transform_look_at(&camera, eye, vec3_of(0, 1, 0), up);
+    for (int i = 0; i < 4; i++) {
+        qtri_view view;
+        const q16 aspect = i == 3 ? Q16(1) : q16_from_ratio(sizes[i][0], sizes[i][1]);
+        const qtri_transform projection = perspective_of(Q16(50), aspect, Q16(.5), Q16(90), false);
+        qtri_view_init(&view, sizes[i][0], sizes[i][1]);
+        for (int turn = 0; turn < 2; turn++) {
+            qtri_view_look_at(&view, eye, vec3_of(0, 1, 0), up);
+            qtri_view_perspective(&view, Q16(50), Q16(.5), Q16(90));
+            assert_memory_equal(&view.camera, &camera, sizeof camera);
+            assert_memory_equal(&view.projection, &projection, sizeof projection);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -341,6 +365,7 @@ int main(void)
         cmocka_unit_test(narrowest_and_widest),
         cmocka_unit_test(outside_of_ranges),
         cmocka_unit_test(where_ways_meet),
+        cmocka_unit_test(views_are_set_anew),
     };
     return cmocka_run_group_tests_name("core camera", tests, NULL, NULL);
 }

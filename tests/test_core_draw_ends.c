@@ -4,6 +4,7 @@
  * no picture needs: against the same picture made another way.
  */
 #include "support/cube.h"
+#include "support/layouts.h"
 
 #include "geometry/vertex.h"
 
@@ -66,7 +67,7 @@ static void draw_bands(canvas *c, const qtri_mesh *mesh, const qtri_view *view,
 {
     qtri_prepared prepared;
     qtri_frame frame;
-    qtri_prepared_init(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
+    prepared_init_with(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
     assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c->memory, c->bytes),
                      QTRI_OK);
     qtri_frame_begin(&frame);
@@ -136,7 +137,7 @@ static void vertices_that_were_never_met(void **state)
     qtri_prepared prepared;
     qtri_frame frame;
     canvas c = new_canvas();
-    qtri_prepared_init(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
+    prepared_init_with(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
     assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c.memory, c.bytes),
                      QTRI_OK);
     qtri_frame_begin(&frame);
@@ -443,7 +444,7 @@ static void prepared_in_many_lights(void **state)
         qtri_draw_mesh(&c[0].surface, &view, &pose, &mesh, &material);
         qtri_prepared prepared;
         qtri_frame frame;
-        qtri_prepared_init(&prepared, room, view.vertex_count, lists, list_counts[n & 3]);
+        prepared_init_with(&prepared, room, view.vertex_count, lists, list_counts[n & 3]);
         assert_int_equal(
             qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, c[1].memory, c[1].bytes),
             QTRI_OK);
@@ -479,7 +480,7 @@ static void prepared_light_that_was_lost(void **state)
     canvas c = new_canvas(), empty = new_canvas();
     assert_int_equal(qtri_lights_init(&lights, &source, 1, dark), QTRI_OK);
     view.lights = &lights;
-    qtri_prepared_init(&prepared, vertices, LENGTH_OF(vertices), lists, LENGTH_OF(lists));
+    prepared_init_with(&prepared, vertices, LENGTH_OF(vertices), lists, LENGTH_OF(lists));
     assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 40, c.memory, c.bytes),
                      QTRI_OK);
     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
@@ -512,7 +513,7 @@ static void prepared_for_another_frame(void **state)
         qtri_frame frame;
         canvas c[2] = {new_canvas(), new_canvas()};
         canvas empty = new_canvas();
-        qtri_prepared_init(&prepared, vertices, VERTICES, many, counts[n]);
+        prepared_init_with(&prepared, vertices, VERTICES, many, counts[n]);
         qtri_prepared_set_outline(&prepared, NULL);
         assert_int_equal(
             qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c[0].memory, c[0].bytes),
@@ -558,7 +559,7 @@ static void prepared_with_the_largest_groups(void **state)
     qtri_frame frame;
     assert_int_equal(
         qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 40, c[1].memory, c[1].bytes), QTRI_OK);
-    qtri_prepared_init(&prepared, vertices, VERTICES, lists, 16);
+    prepared_init_with(&prepared, vertices, VERTICES, lists, 16);
     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
     qtri_draw_prepared(&c[1].surface, &prepared);
     assert_same_picture(&c[0].surface, &c[1].surface);
@@ -580,7 +581,7 @@ static void prepared_in_rows(void **state)
         qtri_frame frame;
         canvas c[2] = {new_canvas(), new_canvas()};
         canvas empty = new_canvas();
-        qtri_prepared_init(&prepared, vertices, VERTICES, lists, counts[n & 3]);
+        prepared_init_with(&prepared, vertices, VERTICES, lists, counts[n & 3]);
         assert_int_equal(
             qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 1, c[0].memory, c[0].bytes),
             QTRI_OK);

@@ -298,7 +298,7 @@ static void bands_and_lists(void **state)
         material[0].color.g = 0;
         material[1].color.g = 200;
         for (int i = 0; i < 2; i++) {
-            qtri_prepared_init(&prepared[i], vertices[i], VERTICES, lists[i],
+            prepared_init_with(&prepared[i], vertices[i], VERTICES, lists[i],
                                (uint32_t)random_in(&seed, 0, LISTS));
             prepare(&b, &s, &prepared[i], &outline[i], &s.pose[i], &material[i]);
         }
@@ -935,7 +935,7 @@ static void rows_below_the_last_band(void **state)
         qtri_prepared prepared;
         begin_outlines(&s, WORDS);
         begin_bands(&b, &s, HEIGHT / 2, 2, sizeof memory);
-        qtri_prepared_init(&prepared, vertices[0], VERTICES, lists[0], LISTS);
+        prepared_init_with(&prepared, vertices[0], VERTICES, lists[0], LISTS);
         memset(lists[0], 0, sizeof lists[0]);
         prepare(&b, &s, &prepared, &outline[0], &s.pose[0], &s.material);
         for (int i = 0; i < 2; i++) {

@@ -4,6 +4,7 @@
  * the host makes keeps the contract.
  */
 #include "support/faces.h"
+#include "support/layouts.h"
 
 #include "geometry/eye.h"
 #include "geometry/lighting.h"
@@ -176,7 +177,7 @@ static void draw_in_bands(canvas *c, qtri_vertex *vertices, uint32_t count, uint
     assert_int_equal(
         qtri_frame_init(&frame, c->surface.format, WIDTH, HEIGHT, 16, memory, sizeof memory),
         QTRI_OK);
-    qtri_prepared_init(&prepared, vertices, count, lists, list_count);
+    prepared_init_with(&prepared, vertices, count, lists, list_count);
     qtri_prepare_mesh(&prepared, &frame, view, pose, mesh, material);
     while (qtri_frame_next_band(&frame, &band)) {
         band.pixels = c->surface.pixels + band.first_row * c->surface.pitch;

@@ -44,7 +44,7 @@ static void make_texels(void)
 static void draw_cube(const qtri_surface *s, qtri_material material)
 {
     qtri_mesh cube = cube_mesh();
-    qtri_vertex vertices[QTRI_MESH_VERTICES(CUBE_VERTICES)];
+    qtri_vertex vertices[CUBE_VERTICES];
     qtri_transform pose;
     const qtri_view view = cube_view(WIDTH, HEIGHT, 5, vertices, LENGTH_OF(vertices), &pose);
     cube.normals = NULL;

@@ -4,6 +4,7 @@
  * bands, their order and the memory there is; and what a frame says has changed.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 
 enum { WIDTH = 56, HEIGHT = 44, RINGS = 12, SIDES = 9, VERTICES = RINGS * SIDES };
 enum { TRIANGLES = 2 * VERTICES, EXTRA = 3, LISTS = 4000 };
@@ -120,7 +121,7 @@ static void random_scene(scene *s, uint64_t *seed)
 
 static void draw_whole(const qtri_surface *surface, scene *s)
 {
-    static qtri_vertex vertices[QTRI_MESH_VERTICES(VERTICES)];
+    static qtri_vertex vertices[VERTICES];
     s->view.vertices = vertices;
     s->view.vertex_count = VERTICES;
     qtri_surface_clear(surface, sky);
@@ -155,7 +156,7 @@ static void heights(void **state)
             const uint32_t few[4] = {VERTICES, VERTICES, 20, 0};
             const uint32_t short_lists[6] = {
                 QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, HEIGHT), LISTS, LISTS, 100, 20, 0};
-            qtri_prepared_init(&prepared, vertex_memory, few[random_in(&seed, 0, 3)], list_memory,
+            prepared_init_with(&prepared, vertex_memory, few[random_in(&seed, 0, 3)], list_memory,
                                short_lists[random_in(&seed, 0, 5)]);
             qtri_frame_begin(&frame);
             qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
@@ -165,6 +166,80 @@ static void heights(void **state)
                 assert_same_picture(&whole.surface, &band);
             }
         }
+        canvas_free(&whole);
+    }
+}
+
+/* A sphere as high as the frame, in bands down to one row: each triangle that is seen has its own
+   entries, in the memory that the macro says. */
+static void lists_have_room_for_thin_bands(void **state)
+{
+    (void)state;
+    enum { SIDE = 240, SLICES = 56, SPHERE = QTRI_SPHERE_VERTICES(SLICES, SLICES) };
+    static qtri_vec3 points[SPHERE];
+    static uint16_t corners[QTRI_SPHERE_TRIANGLES(SLICES, SLICES)][3];
+    static uint8_t memory[QTRI_PREPARED_BYTES(SPHERE, LENGTH_OF(corners), SIDE, 1)];
+    static uint8_t frame_memory[QTRI_FRAME_BYTES(SIDE, SIDE, QTRI_GRAY8_BYTES)];
+    const qtri_shape_memory room = {points, NULL, NULL, corners, SPHERE, LENGTH_OF(corners)};
+    const qtri_vec3 eye = {Q16(3), Q16(6), Q16(7)};
+    const qtri_vec3 up = {0, Q16(1), 0};
+    const qtri_material material = qtri_material_default();
+    for (int32_t slices = 4; slices <= SLICES; slices += 4) {
+        for (int32_t rows = 1; rows <= SIDE; rows *= 2) {
+            qtri_mesh mesh;
+            qtri_frame frame;
+            qtri_view view;
+            qtri_transform pose;
+            qtri_prepared prepared;
+            assert_int_equal(qtri_shape_sphere(&mesh, &room, Q16(1), slices, slices), QTRI_OK);
+            assert_int_equal(qtri_frame_init(&frame, &qtri_gray8, SIDE, SIDE, rows, frame_memory,
+                                             sizeof frame_memory),
+                             QTRI_OK);
+            qtri_view_init(&view, SIDE, SIDE);
+            qtri_view_look_at(&view, eye, vec3_of(0, 0, 0), up);
+            qtri_view_perspective(&view, Q16(11.9), Q16(1), Q16(20)); /* 2 asin(1 / sqrt(94)) */
+            qtri_transform_identity(&pose);
+            const size_t bytes =
+                QTRI_PREPARED_BYTES(mesh.vertex_count, mesh.triangle_count, SIDE, rows);
+            qtri_prepared_init(&prepared, memory, bytes);
+            qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
+            assert_int_equal(prepared.group_log2, 0);
+            assert_int_equal(prepared.listed, mesh.triangle_count);
+            assert_int_equal(prepared.vertex_count, mesh.vertex_count);
+        }
+    }
+}
+
+/* Memory of any size is divided inside of it, and what is drawn does not depend on it. */
+static void any_memory_draws_the_same(void **state)
+{
+    (void)state;
+    uint64_t seed = 77;
+    static uint8_t memory[QTRI_PREPARED_BYTES(QTRI_LIT_VERTICES(VERTICES), TRIANGLES, HEIGHT, 1)];
+    for (int n = 0; n < 200; n++) {
+        static scene s;
+        random_scene(&s, &seed);
+        canvas whole = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+        draw_whole(&whole.surface, &s);
+        qtri_frame frame;
+        qtri_surface band;
+        qtri_prepared prepared;
+        const int32_t first = random_in(&seed, 0, 3);
+        const int32_t bytes = random_in(&seed, 0, (int32_t)sizeof memory - first - 1);
+        memset(memory, 0x5A, sizeof memory);
+        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT,
+                                         random_in(&seed, 1, HEIGHT), band_memory,
+                                         sizeof band_memory),
+                         QTRI_OK);
+        qtri_prepared_init(&prepared, memory + first, (size_t)bytes);
+        qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
+        while (qtri_frame_next_band(&frame, &band)) {
+            qtri_surface_clear(&band, sky);
+            qtri_draw_prepared(&band, &prepared);
+            assert_same_picture(&whole.surface, &band);
+        }
+        assert_true(first == 0 || memory[0] == 0x5A);
+        assert_int_equal(memory[first + bytes], 0x5A);
         canvas_free(&whole);
     }
 }
@@ -183,7 +258,7 @@ static void other_rows(void **state)
                                          random_in(&seed, 1, HEIGHT), band_memory,
                                          sizeof band_memory),
                          QTRI_OK);
-        qtri_prepared_init(&prepared, vertex_memory, VERTICES, list_memory, LISTS);
+        prepared_init_with(&prepared, vertex_memory, VERTICES, list_memory, LISTS);
         qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
         for (int part = 0; part < 4; part++) {
             const int32_t first = random_in(&seed, 0, HEIGHT - 1);
@@ -221,7 +296,7 @@ static void only_reads(void **state)
                                          sizeof band_memory),
                          QTRI_OK);
         const uint32_t list_count = (uint32_t)random_in(&seed, 0, 2) * 150;
-        qtri_prepared_init(&prepared, vertex_memory, VERTICES, list_memory, list_count);
+        prepared_init_with(&prepared, vertex_memory, VERTICES, list_memory, list_count);
         qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
         memcpy(vertices, vertex_memory, sizeof vertices);
         memcpy(lists, list_memory, sizeof lists);
@@ -250,7 +325,7 @@ static void nothing_drawn(void **state)
     assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT - 1, 7, band_memory,
                                      sizeof band_memory),
                      QTRI_OK);
-    qtri_prepared_init(&prepared, NULL, 0, NULL, 0);
+    prepared_init_with(&prepared, NULL, 0, NULL, 0);
     qtri_draw_prepared(&c.surface, &prepared);
     qtri_prepared_mark(&prepared, &frame);
     qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
@@ -267,7 +342,7 @@ static void nothing_drawn(void **state)
         qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 0, band_memory, sizeof band_memory),
         QTRI_ERROR_SIZE);
     s.mesh.triangle_count = TRIANGLES;
-    qtri_prepared_init(&prepared, vertex_memory, VERTICES, list_memory, LISTS);
+    prepared_init_with(&prepared, vertex_memory, VERTICES, list_memory, LISTS);
     qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
     qtri_prepared_mark(&prepared, &frame);
     qtri_draw_prepared(&c.surface, &prepared);
@@ -465,7 +540,7 @@ static void display(void **state)
                          QTRI_OK);
         for (int i = 0; i < 2; i++) {
             random_scene(&s[i], &seed);
-            qtri_prepared_init(&prepared[i], vertices[i], random_flag(&seed) ? VERTICES : 30,
+            prepared_init_with(&prepared[i], vertices[i], random_flag(&seed) ? VERTICES : 30,
                                lists[i], LISTS);
         }
         for (int step = 0; step < 8; step++) {
@@ -533,7 +608,7 @@ static void tight(void **state)
         QTRI_OK);
     assert_true(qtri_frame_next_band(&frame, &band));
     qtri_frame_begin(&frame);
-    qtri_prepared_init(&prepared, vertex_memory, VERTICES, list_memory, LISTS);
+    prepared_init_with(&prepared, vertex_memory, VERTICES, list_memory, LISTS);
     qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
     qtri_prepared_mark(&prepared, &frame);
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
@@ -557,10 +632,18 @@ static void tight(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(heights), cmocka_unit_test(other_rows),    cmocka_unit_test(only_reads),
-        cmocka_unit_test(sizes),   cmocka_unit_test(nothing_drawn), cmocka_unit_test(bands),
-        cmocka_unit_test(shares),  cmocka_unit_test(marks),         cmocka_unit_test(display),
+        cmocka_unit_test(heights),
+        cmocka_unit_test(other_rows),
+        cmocka_unit_test(only_reads),
+        cmocka_unit_test(sizes),
+        cmocka_unit_test(nothing_drawn),
+        cmocka_unit_test(bands),
+        cmocka_unit_test(shares),
+        cmocka_unit_test(marks),
+        cmocka_unit_test(display),
         cmocka_unit_test(tight),
+        cmocka_unit_test(lists_have_room_for_thin_bands),
+        cmocka_unit_test(any_memory_draws_the_same),
     };
     return cmocka_run_group_tests_name("core frame", tests, make_torus, NULL);
 }

@@ -6,6 +6,7 @@
 #define _POSIX_C_SOURCE 200112L
 
 #include "support/core.h"
+#include "support/layouts.h"
 
 #include <pthread.h>
 
@@ -81,7 +82,7 @@ static void *draw_bands(void *argument)
 static void alternate_bands(void **state)
 {
     (void)state;
-    static qtri_vertex vertices[QTRI_MESH_VERTICES(VERTICES)];
+    static qtri_vertex vertices[VERTICES];
     static uint16_t lists[QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, ROWS)];
     static core cores[THREADS];
     const qtri_rgb sky = {10, 20, 30};
@@ -108,7 +109,7 @@ static void alternate_bands(void **state)
         qtri_draw_mesh(&whole.surface, &view, &pose, &mesh, &material);
 
         canvas shown = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-        qtri_prepared_init(&prepared, vertices, VERTICES, lists, n == 7 ? 0 : LENGTH_OF(lists));
+        prepared_init_with(&prepared, vertices, VERTICES, lists, n == 7 ? 0 : LENGTH_OF(lists));
         pthread_t thread[THREADS];
         for (int i = 0; i < THREADS; i++) {
             assert_int_equal(qtri_frame_init(&cores[i].frame, &qtri_rgb565, WIDTH, HEIGHT, ROWS,

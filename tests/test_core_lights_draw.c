@@ -4,6 +4,7 @@
  * triangles; the other side; power tables; spheres; and any bits as arguments.
  */
 #include "support/faces.h"
+#include "support/layouts.h"
 #include "support/transform.h"
 
 #include "geometry/lit_point.h"
@@ -94,7 +95,7 @@ static void draw_in_bands(canvas *whole, uint32_t vertex_count, uint32_t list_co
     assert_int_equal(
         qtri_frame_init(&frame, &qtri_xrgb8888, WIDTH, HEIGHT, ROWS, memory, sizeof memory),
         QTRI_OK);
-    qtri_prepared_init(&prepared, vertices, vertex_count, lists, list_count);
+    prepared_init_with(&prepared, vertices, vertex_count, lists, list_count);
     qtri_prepare_mesh(&prepared, &frame, view, pose, mesh, material);
     while (qtri_frame_next_band(&frame, &band)) {
         band.pixels = whole->surface.pixels + band.first_row * whole->surface.pitch;

@@ -6,6 +6,7 @@
  * fewer bits, all but one of 100,000, and the same depths.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 
 enum { WIDTH = 200, HEIGHT = 150, VERTICES = 12, TRIANGLES = 8, STEP = 8, TRIALS = 60 };
 enum { LISTS = QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, 1) };
@@ -103,7 +104,7 @@ static void assert_prepared(const qtri_surface *whole, sheet *s, const qtri_mesh
     assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, memory,
                                      QTRI_FRAME_BYTES(WIDTH, rows, QTRI_RGB565_BYTES)),
                      QTRI_OK);
-    qtri_prepared_init(&prepared, vertices, kept, lists, LISTS);
+    prepared_init_with(&prepared, vertices, kept, lists, LISTS);
     qtri_prepare_mesh(&prepared, &frame, &s->view, &s->pose, mesh, &s->material);
     while (qtri_frame_next_band(&frame, &band)) {
         qtri_surface_clear(&band, black);

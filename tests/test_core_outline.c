@@ -167,7 +167,7 @@ static void prepared_outlines_that_cannot_be(void **state)
         assert_int_equal(
             qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 11, c[0].memory, c[0].bytes),
             QTRI_OK);
-        qtri_prepared_init(&prepared, few, n == 3 ? VERTICES - 1 : VERTICES, lists,
+        prepared_init_with(&prepared, few, n == 3 ? VERTICES - 1 : VERTICES, lists,
                            LENGTH_OF(lists));
         qtri_prepared_set_outline(&prepared, n == 2 ? &second : &outline);
         material.fill = n == 5 ? &qtri_wireframe : NULL;
@@ -331,7 +331,7 @@ static void parts_that_have_no_list(void **state)
         assert_int_equal(
             qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, plain.memory, plain.bytes),
             QTRI_OK);
-        qtri_prepared_init(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
+        prepared_init_with(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
         qtri_prepared_set_outline(&prepared, &outline);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
         assert_int_equal(qtri_prepared_find_edges(&prepared, &outline), QTRI_OK);
@@ -384,7 +384,7 @@ static void draw_frame_and_bands(canvas *whole, canvas *banded, const qtri_mesh 
     assert_int_equal(
         frame_with_overlap(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, 1, memory, sizeof memory),
         QTRI_OK);
-    qtri_prepared_init(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
+    prepared_init_with(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
     qtri_prepared_set_outline(&prepared, &outline);
     qtri_prepare_mesh(&prepared, &frame, &view, &pose, mesh, material);
     assert_int_equal(qtri_prepared_find_edges(&prepared, &outline), QTRI_OK);

@@ -79,7 +79,7 @@ static void draw_triangles(const qtri_surface *s, const qtri_material *material,
 static void draw_cube(const qtri_surface *s, const qtri_material *material, double distance)
 {
     const qtri_mesh cube = cube_mesh();
-    qtri_vertex vertices[QTRI_MESH_VERTICES(CUBE_VERTICES)];
+    qtri_vertex vertices[CUBE_VERTICES];
     qtri_transform pose;
     const qtri_view view = cube_view(WIDTH, HEIGHT, distance, vertices, LENGTH_OF(vertices), &pose);
     qtri_draw_mesh(s, &view, &pose, &cube, material);

@@ -39,7 +39,7 @@ static canvas new_canvas(const qtri_format *format)
 /* A triangle in clip space: whole, and cut in two. */
 static void draw_both(canvas c[2], const qtri_mesh *mesh, const qtri_material *material)
 {
-    qtri_vertex vertices[QTRI_MESH_VERTICES(3)];
+    qtri_vertex vertices[3];
     qtri_transform pose;
     qtri_view view;
     qtri_view_init(&view, WIDTH, HEIGHT);
@@ -122,7 +122,7 @@ static void thin_lines_of_any_pitch(void **state)
             static const uint16_t triangle[1][3] = {{0, 1, 2}};
             const qtri_mesh mesh = {
                 .positions = p, .triangles = triangle, .vertex_count = 3, .triangle_count = 1};
-            qtri_vertex vertices[QTRI_MESH_VERTICES(3)];
+            qtri_vertex vertices[3];
             qtri_transform pose;
             qtri_view view;
             qtri_material material = qtri_material_default();
@@ -325,7 +325,7 @@ static void diagonals(void **state)
             .positions = p, .triangles = triangle, .vertex_count = 3, .triangle_count = 1};
         qtri_material material = qtri_material_default();
         qtri_stroke stroke = qtri_stroke_default();
-        qtri_vertex vertices[QTRI_MESH_VERTICES(3)];
+        qtri_vertex vertices[3];
         qtri_transform pose;
         qtri_view view;
         canvas c = canvas_new(&qtri_xrgb8888, PIXELS, PIXELS);

@@ -4,6 +4,7 @@
  * range, no seams, blends, bands, scissors, prepared meshes, resolves.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 
 #include "support/triangle.h"
 
@@ -385,7 +386,7 @@ static void bands(void **state)
         }
         qtri_frame frame = {.width = WIDTH, .height = HEIGHT, .rows = 5, .format = format};
         qtri_prepared prepared;
-        qtri_prepared_init(&prepared, slots, 64, lists, sizeof lists / sizeof lists[0]);
+        prepared_init_with(&prepared, slots, 64, lists, sizeof lists / sizeof lists[0]);
         if (has_mesh) {
             qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
         }

@@ -4,6 +4,7 @@
  * ends that change places, extremes; wireframes of them, whole, prepared and clipped.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 
 #include "raster/line.h"
 #include "reference/stroke_cover.h"
@@ -338,7 +339,7 @@ static void wireframes(void **state)
         canvas_clear(&whole);
         qtri_draw_mesh(&whole.surface, &view, &pose, &mesh, &material);
         const qtri_frame frame = {.width = WIDTH, .height = HEIGHT, .rows = 7, .format = format};
-        qtri_prepared_init(&prepared, slots, VERTICES, lists, sizeof lists / sizeof lists[0]);
+        prepared_init_with(&prepared, slots, VERTICES, lists, sizeof lists / sizeof lists[0]);
         for (int way = 0; way < 2; way++) {
             if (way == 1) {
                 qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);

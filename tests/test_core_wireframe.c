@@ -4,6 +4,7 @@
  * picture is that of every triangle drawn alone, in turn, for every way to look and to draw.
  */
 #include "support/core.h"
+#include "support/layouts.h"
 
 #include "draw/mesh_job.h"
 
@@ -232,7 +233,7 @@ static void prepared_mesh(void **state)
         const int32_t rows = random_in(&seed, 1, HEIGHT);
         assert_int_equal(
             qtri_frame_init(&frame, s.format, WIDTH, HEIGHT, rows, memory, sizeof memory), QTRI_OK);
-        qtri_prepared_init(&prepared, vertices, random_in(&seed, 0, 3) == 0 ? 20 : VERTICES, lists,
+        prepared_init_with(&prepared, vertices, random_in(&seed, 0, 3) == 0 ? 20 : VERTICES, lists,
                            random_in(&seed, 0, 2) == 0 ? LISTS / 4 : LISTS);
         qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
         for (int32_t first = 0; first < HEIGHT; first += rows) {
@@ -267,7 +268,7 @@ static void edges_once(void **state)
         assert_int_equal(
             qtri_frame_init(&frame, s.format, WIDTH, HEIGHT, HEIGHT, memory, sizeof memory),
             QTRI_OK);
-        qtri_prepared_init(&prepared, vertices, VERTICES, NULL, 0);
+        prepared_init_with(&prepared, vertices, VERTICES, NULL, 0);
         qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
         int edges = 0;
         for (int bit = 0; bit < 16 * VERTICES; bit++) {

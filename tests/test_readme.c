@@ -39,7 +39,7 @@ static void draw_gear(const qtri_surface *surface, q16 angle)
 {
     const qtri_vec3 eye = {0, 0, Q16(3)}, center = {0, 0, 0}, up = {0, Q16(1), 0};
     const qtri_light light = {{Q16(0.4), Q16(0.6), Q16(0.7)}, Q16(0.2), Q16(0.8)};
-    const qtri_rgb sky = {24, 32, 48}, steel = {170, 180, 200};
+    const qtri_rgb black = {0, 0, 0};
     qtri_view view;
     qtri_transform pose;
     qtri_material material = qtri_material_default();
@@ -47,10 +47,9 @@ static void draw_gear(const qtri_surface *surface, q16 angle)
     qtri_transform_look_at(&view.camera, eye, center, up);
     qtri_transform_perspective(&view.projection, Q16(60), q16_from_ratio(4, 3), Q16(0.1), Q16(100));
     view.light = &light;
-    material.color = steel;
     qtri_transform_identity(&pose);
     qtri_transform_rotate_y(&pose, angle);
-    qtri_surface_clear(surface, sky);
+    qtri_surface_clear(surface, black);
     qtri_draw_mesh(surface, &view, &pose, readme_gear(), &material);
 }
 

@@ -93,6 +93,8 @@ void qtri_prepared_reset(qtri_prepared *prepared)
     const qtri_prepared none = {.vertices = prepared->vertices,
                                 .vertex_count = prepared->vertex_count,
                                 .lists = prepared->lists,
+                                .memory = prepared->memory,
+                                .bytes = prepared->bytes,
                                 .list_count = prepared->list_count};
     *prepared = none;
 }

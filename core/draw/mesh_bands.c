@@ -71,16 +71,16 @@ static inline uint32_t next_group(const uint16_t *lists, uint32_t *place)
 
 enum { PLACES = 65536, GROUP_LOG2_MAX = 16 };
 
-void qtri_prepared_init(qtri_prepared *prepared, qtri_vertex *vertices, uint32_t vertex_count,
-                        uint16_t *lists, uint32_t list_count)
+void qtri_prepared_init(qtri_prepared *prepared, void *memory, size_t bytes)
 {
     QTRI_ASSERT(prepared != NULL);
-    QTRI_ASSERT(vertices != NULL || vertex_count == 0);
-    QTRI_ASSERT(lists != NULL || list_count == 0);
-    prepared->vertices = vertices;
-    prepared->vertex_count = vertex_count;
-    prepared->lists = lists;
-    prepared->list_count = list_count;
+    QTRI_ASSERT(memory != NULL || bytes == 0);
+    prepared->memory = memory;
+    prepared->bytes = bytes;
+    prepared->vertices = NULL;
+    prepared->vertex_count = 0;
+    prepared->lists = NULL;
+    prepared->list_count = 0;
     const qtri_rect nowhere = {0, 0, 0, 0};
     prepared->marked = nowhere;
     prepared->mesh = NULL;
@@ -90,6 +90,30 @@ void qtri_prepared_init(qtri_prepared *prepared, qtri_vertex *vertices, uint32_t
     prepared->front = NULL;
     prepared->front_of = NULL;
     QTRI_CHECK(qtri_prepared_reset(prepared));
+}
+
+/* Vertices for the mesh, with their colours in several lights, then lists. */
+static void divide_memory(qtri_prepared *prepared, bool in_lights)
+{
+    const size_t before = (0 - (uintptr_t)prepared->memory) % sizeof(uint32_t);
+    if (prepared->memory == NULL || prepared->bytes < before) {
+        return;
+    }
+    const size_t bytes = prepared->bytes - before;
+    const size_t room = bytes / sizeof(qtri_vertex);
+    const uint32_t count = prepared->mesh->vertex_count;
+    size_t vertices = count;
+    if (count > room) {
+        vertices = room / 2;
+    } else if (in_lights) {
+        const size_t colors = ((size_t)count + 4) / 5; /* of QTRI_LIT_VERTICES */
+        vertices += room - count < colors ? room - count : colors;
+    }
+    const size_t lists = (bytes - vertices * sizeof(qtri_vertex)) / sizeof(uint16_t);
+    prepared->vertices = (qtri_vertex *)(void *)((uint8_t *)prepared->memory + before);
+    prepared->vertex_count = (uint32_t)vertices;
+    prepared->lists = (uint16_t *)(void *)(prepared->vertices + vertices);
+    prepared->list_count = lists < PLACES ? (uint32_t)lists : PLACES;
 }
 
 typedef struct sorter {
@@ -493,6 +517,7 @@ void qtri_prepare_mesh_by(const qtri_vertex_stage *stage, qtri_prepared *prepare
     prepared->overlap = keeps ? 0 : overlap;
     prepared->edges_above = keeps ? 2 * overlap : overlap;
     prepared->edges_below = prepared->overlap;
+    divide_memory(prepared, view->lights != NULL);
     prepare(prepared, frame->format);
 }
 

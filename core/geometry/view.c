@@ -36,3 +36,20 @@ void qtri_view_init_pipelines(qtri_view *view, int32_t frame_width, int32_t fram
     view->lights = NULL;
     view->pipelines = pipelines;
 }
+
+void qtri_view_look_at(qtri_view *view, qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up)
+{
+    QTRI_ASSERT(view != NULL);
+    qtri_transform_identity(&view->camera);
+    qtri_transform_look_at(&view->camera, eye, center, up);
+}
+
+void qtri_view_perspective(qtri_view *view, q16 fovy, q16 near_z, q16 far_z)
+{
+    QTRI_ASSERT(view != NULL);
+    const qtri_viewport *viewport = &view->viewport;
+    const q16 aspect =
+        viewport->height == 0 ? Q16_ONE : q16_from_ratio(viewport->width, viewport->height);
+    qtri_transform_identity(&view->projection);
+    qtri_transform_perspective(&view->projection, fovy, aspect, near_z, far_z);
+}

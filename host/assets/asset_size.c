@@ -61,7 +61,7 @@ struct asset_memory asset_ram(const struct asset *asset, int32_t width, int32_t 
     };
     for (size_t i = 0; i < asset->count; i++) {
         const qtri_mesh *mesh = &asset->parts[i].mesh;
-        memory.vertices += QTRI_MESH_VERTICES(mesh->vertex_count) * sizeof(qtri_vertex);
+        memory.vertices += mesh->vertex_count * sizeof(qtri_vertex);
         memory.lists += QTRI_PREPARED_LISTS(mesh->triangle_count, height, rows) * sizeof(uint16_t);
     }
     return memory;

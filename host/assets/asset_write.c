@@ -313,7 +313,7 @@ static void write_declarations(const struct asset *asset, const char *name, cons
     fputs("\n#ifdef __cplusplus\n}\n#endif\n", out);
 }
 
-/* What QTRI_MESH_VERTICES and QTRI_PREPARED_LISTS are asked with. */
+/* Sizes of memory. */
 static void write_counts(const struct asset *asset, const char *capitals, FILE *out)
 {
     uint32_t vertices = 0, triangles = 0;
@@ -325,6 +325,13 @@ static void write_counts(const struct asset *asset, const char *capitals, FILE *
     fprintf(out, "#define %s_VERTICES %" PRIu32 "%s\n", capitals, vertices,
             asset->count > 1 ? " /* of the largest mesh */" : "");
     fprintf(out, "#define %s_TRIANGLES %" PRIu32 "\n\n", capitals, triangles);
+    fprintf(out,
+            "/* Memory to draw it in bands: static uint8_t memory[%s_BYTES(240, 16)]; of a frame "
+            "of 240 "
+            "rows. */\n"
+            "#define %s_BYTES(height, rows) \\\n"
+            "    QTRI_PREPARED_BYTES(%s_VERTICES, %s_TRIANGLES, height, rows)\n\n",
+            capitals, capitals, capitals, capitals);
 }
 
 void asset_write_c(const struct asset *asset, const char *name, const char *header_name,

@@ -11,11 +11,8 @@
 #define VERTICES  (RINGS * SIDES)
 #define TRIANGLES (2 * VERTICES)
 
-#ifndef APP_VERTICES_KEPT
-#define APP_VERTICES_KEPT 32
-#endif
-#ifndef APP_LISTS
-#define APP_LISTS 400
+#ifndef APP_PREPARED_BYTES
+#define APP_PREPARED_BYTES 1440
 #endif
 
 /* A torus: the ring's cosine and sine, then those of the angle around the tube. */
@@ -77,8 +74,7 @@ static const qtri_material material = {.color = {255, 180, 90},
 
 static uint32_t band_memory[(QTRI_FRAME_BYTES(APP_WIDTH, APP_BAND_ROWS, QTRI_RGB565_BYTES) + 3) /
                             sizeof(uint32_t)];
-static qtri_vertex vertex_memory[APP_VERTICES_KEPT];
-static uint16_t list_memory[APP_LISTS];
+static uint32_t prepared_memory[APP_PREPARED_BYTES / sizeof(uint32_t)];
 static qtri_frame frame;
 static qtri_prepared prepared;
 static qtri_view view;
@@ -96,7 +92,7 @@ void app_setup(void)
     qtri_transform_translate(&view.camera, back);
     qtri_transform_perspective(&view.projection, Q16(60), Q16(4.0 / 3.0), Q16(.5), Q16(20));
     view.light = &sun;
-    qtri_prepared_init(&prepared, vertex_memory, APP_VERTICES_KEPT, list_memory, APP_LISTS);
+    qtri_prepared_init(&prepared, prepared_memory, sizeof prepared_memory);
     (void)qtri_frame_init(&frame, &qtri_rgb565, APP_WIDTH, APP_HEIGHT, APP_BAND_ROWS, band_memory,
                           sizeof band_memory);
 }

@@ -63,7 +63,7 @@ static const qtri_texture wood = {
 static const qtri_light sun = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.2), Q16(.8)};
 
 static uint32_t band_memory[QTRI_BAND_BYTES(APP_WIDTH, APP_BAND_ROWS, QTRI_RGB565_BYTES) / 4];
-static qtri_vertex vertex_memory[QTRI_MESH_VERTICES(VERTICES)];
+static qtri_vertex vertex_memory[VERTICES];
 static qtri_view view;
 static qtri_transform pose;
 static qtri_material material;

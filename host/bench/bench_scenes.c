@@ -341,9 +341,11 @@ static void draw_bands(bench_frame *frame)
 
 static bool set_bands(bench_frame *frame)
 {
-    qtri_prepared_init(&frame->prepared, frame->vertices,
-                       sizeof frame->vertices / sizeof frame->vertices[0], frame->lists,
-                       sizeof frame->lists / sizeof frame->lists[0]);
+    qtri_prepared_init(&frame->prepared, NULL, 0); /* in memory that scenes share */
+    frame->prepared.vertices = frame->vertices;
+    frame->prepared.vertex_count = sizeof frame->vertices / sizeof frame->vertices[0];
+    frame->prepared.lists = frame->lists;
+    frame->prepared.list_count = sizeof frame->lists / sizeof frame->lists[0];
     return qtri_frame_init(&frame->bands, FORMAT, BENCH_WIDTH, BENCH_HEIGHT,
                            frame->scene->band_rows, frame->memory, sizeof frame->memory) == QTRI_OK;
 }

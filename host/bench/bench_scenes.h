@@ -105,7 +105,7 @@ typedef struct bench_frame {
     uint32_t
         memory[QTRI_BAND_BYTES(BENCH_WIDTH, BENCH_HEIGHT, QTRI_RGB565_BYTES) / sizeof(uint32_t)];
 #ifdef BENCH_PLAIN
-    qtri_vertex vertices[QTRI_MESH_VERTICES(BENCH_VERTICES_MAX)];
+    qtri_vertex vertices[BENCH_VERTICES_MAX];
 #else
     qtri_vertex vertices[QTRI_LIT_VERTICES(BENCH_VERTICES_MAX)];
     qtri_lights lights;

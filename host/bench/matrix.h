@@ -121,7 +121,7 @@ typedef struct matrix_frame {
     qtri_texture texture;
     qtri_mesh mesh;
     qtri_corner corners[6];
-    qtri_vertex vertices[QTRI_MESH_VERTICES(BENCH_VERTICES_MAX)];
+    qtri_vertex vertices[BENCH_VERTICES_MAX];
     qtri_rgb palette[256];
     uint32_t xrgb8888[MATRIX_TEXELS];
     uint16_t rgb565[MATRIX_TEXELS];

@@ -26,7 +26,7 @@ typedef struct board_scene_memory {
     qtri_normal normals[BOARD_TORUS_VERTICES];
     uint16_t triangles[2 * BOARD_TORUS_VERTICES][3];
     uint16_t texels[1 << (2 * BOARD_TEXTURE_LOG2)];
-    qtri_vertex vertices[QTRI_MESH_VERTICES(BOARD_TORUS_VERTICES)];
+    qtri_vertex vertices[BOARD_TORUS_VERTICES];
 } board_scene_memory;
 
 typedef struct board_scene {

@@ -11,7 +11,7 @@ enum { WIDTH = 128, HEIGHT = 64, VERTICES = 22, TRIANGLES = 24, GRID_LINES = 18 
 typedef struct attitude_memory {
     attitude_filter filter;
     qtri_transform pose;
-    qtri_vertex vertices[QTRI_MESH_VERTICES(VERTICES)];
+    qtri_vertex vertices[VERTICES];
     qtri_corner grid[2 * GRID_LINES];
 } attitude_memory;
 

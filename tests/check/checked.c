@@ -68,7 +68,7 @@ static void begin(void)
     memcpy(triangles, right, sizeof right);
     (void)qtri_surface_init(&surface, &qtri_rgb565, SIDE, SIDE, 0, SIDE, memory, sizeof memory);
     (void)qtri_frame_init(&frame, &qtri_rgb565, SIDE, SIDE, SIDE, memory, sizeof memory);
-    qtri_prepared_init(&prepared, vertices, 3, NULL, 0);
+    qtri_prepared_init(&prepared, vertices, sizeof vertices);
     qtri_view_init(&view, SIDE, SIDE);
     view.vertices = vertices;
     view.vertex_count = 3;
@@ -141,7 +141,7 @@ static void null_pointers(void)
     STOPS("frame != NULL", qtri_frame_begin(NULL));
     STOPS("prepared != NULL", qtri_prepare_mesh(NULL, &frame, &view, &pose, &mesh, &material));
     STOPS("prepared != NULL", qtri_draw_prepared(&surface, NULL));
-    STOPS("lists != NULL", qtri_prepared_init(&prepared, vertices, 3, NULL, 9));
+    STOPS("memory != NULL", qtri_prepared_init(&prepared, NULL, 9));
     STOPS("out != NULL", qtri_transform_mul(NULL, &pose, &pose));
     STOPS("vertices != NULL", (view.vertices = NULL, draw_all()));
     STOPS("positions != NULL", (mesh.positions = NULL, draw_all()));
@@ -535,7 +535,7 @@ static void small_numbers(void)
     view.viewport = qtri_viewport_top(3, 3, 1, 1);
     draw_all();
     memset(&prepared, 0xA5, sizeof prepared);
-    qtri_prepared_init(&prepared, NULL, 0, NULL, 0);
+    qtri_prepared_init(&prepared, NULL, 0);
     qtri_draw_prepared(&surface, &prepared);
     draw_all();
     (void)qtri_outline_init(&outline, &mesh, NULL, 0);

@@ -135,7 +135,7 @@ typedef struct picture {
 static uint64_t memory[(QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_XRGB8888_BYTES) + 7) / 8];
 static uint64_t band_memory[(QTRI_FRAME_BYTES(WIDTH, ROWS, QTRI_XRGB8888_BYTES) + 7) / 8];
 static qtri_vertex vertices[POINTS];
-static uint16_t lists[QTRI_PREPARED_LISTS(2 * POINTS, HEIGHT, ROWS)];
+static uint8_t prepared_memory[QTRI_PREPARED_BYTES(POINTS, 2 * POINTS, HEIGHT, ROWS)];
 
 /* The results that config.h names, for the arguments. */
 static void substitute(picture *p, qtri_texture *texture)
@@ -233,7 +233,7 @@ static void draw(const picture *asked)
     /* The mesh again in bands. */
     sum = 2166136261u;
     error = qtri_frame_init(&frame, p.format, WIDTH, HEIGHT, ROWS, band_memory, sizeof band_memory);
-    qtri_prepared_init(&prepared, vertices, POINTS, lists, sizeof lists / sizeof lists[0]);
+    qtri_prepared_init(&prepared, prepared_memory, sizeof prepared_memory);
     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &p.material);
     while (error == QTRI_OK && qtri_frame_next_band(&frame, &surface)) {
         qtri_surface_clear(&surface, sky);

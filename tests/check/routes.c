@@ -98,7 +98,7 @@ PLAIN static void draw(const char *what)
     } else {
         view.pipelines = lists[1];
         (void)qtri_frame_init(&frame, &qtri_rgb565, SIDE, SIDE, SIDE, memory, sizeof memory);
-        qtri_prepared_init(&prepared, vertices, 3, NULL, 0);
+        qtri_prepared_init(&prepared, vertices, sizeof vertices);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &flat, &material);
         (void)qtri_frame_next_band(&frame, &band);
         qtri_draw_prepared(&band, &prepared);

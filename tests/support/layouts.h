@@ -38,4 +38,15 @@ static inline bool next_shown(qtri_frame *frame, qtri_surface *band, qtri_surfac
     return true;
 }
 
+/* A prepared mesh whose memory is divided by hand: more or less than it wants of each. */
+static inline void prepared_init_with(qtri_prepared *prepared, qtri_vertex *vertices,
+                                      uint32_t vertex_count, uint16_t *lists, uint32_t list_count)
+{
+    qtri_prepared_init(prepared, NULL, 0);
+    prepared->vertices = vertices;
+    prepared->vertex_count = vertex_count;
+    prepared->lists = lists;
+    prepared->list_count = list_count;
+}
+
 #endif

@@ -289,7 +289,7 @@ uint32_t random_in_bands(random_states *w, uint32_t hash, random_draw *draw)
     const uint32_t vertex_count = random_one_in(w, 4) ? 0 : LENGTH_OF(w->prepared_vertices);
     const uint32_t list_count =
         random_one_in(w, 3) ? (uint32_t)random_below(w, 200) : LENGTH_OF(w->lists);
-    qtri_prepared_init(&prepared, w->prepared_vertices, vertex_count, w->lists, list_count);
+    prepared_init_with(&prepared, w->prepared_vertices, vertex_count, w->lists, list_count);
     qtri_prepared_set_outline(&prepared, with_edges ? &w->outlined : NULL);
     qtri_prepare_mesh(&prepared, &frame, &w->view, &w->pose, &w->mesh, &w->material);
     if (with_edges) {

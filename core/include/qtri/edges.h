@@ -21,7 +21,7 @@
  *
  * In bands that overlap by a row (frame.h), so that the pixels are the whole frame's:
  *
- *     qtri_prepared_init(&prepared, vertices, 500, lists, sizeof lists / sizeof lists[0]);
+ *     qtri_prepared_init(&prepared, memory, sizeof memory);
  *     qtri_prepared_set_outline(&prepared, &outline);            // once, after init
  *
  *     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &gear, &material);

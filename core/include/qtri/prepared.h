@@ -3,9 +3,8 @@
  * Meshes prepared for a frame in bands: vertices are transformed and lit once per frame, and each
  * band looks only at the triangles that may touch it.
  *
- *     static qtri_vertex vertices[QTRI_MESH_VERTICES(500)];
- *     static uint16_t lists[QTRI_PREPARED_LISTS(996, 240, 16)];
- *     qtri_prepared_init(&gear, vertices, 500, lists, sizeof lists / sizeof lists[0]);
+ *     static uint8_t memory[QTRI_PREPARED_BYTES(500, 996, 240, 16)];
+ *     qtri_prepared_init(&gear, memory, sizeof memory);
  *
  *     qtri_prepare_mesh(&gear, &frame, &view, &pose, &mesh, &material);
  *     while (qtri_frame_next_band(&frame, &band)) {
@@ -22,6 +21,8 @@
 #ifndef QTRI_PREPARED_H
 #define QTRI_PREPARED_H
 
+#include <stddef.h>
+
 #include "draw.h"
 #include "frame.h"
 #include "mesh.h"
@@ -32,7 +33,8 @@ extern "C" {
 #endif
 
 typedef struct qtri_prepared {
-    /* Memory, the caller's. */
+    void *memory; /* the caller's, divided anew for each mesh; NULL: divided by hand, below */
+    size_t bytes;
     qtri_vertex *vertices;
     uint32_t vertex_count; /* fewer than the mesh's: they are transformed again in every band */
     uint16_t *lists;
@@ -55,17 +57,40 @@ typedef struct qtri_prepared {
 } qtri_prepared;
 
 /*
- * Elements of `lists` for a mesh of so many triangles in bands of `rows` rows: a constant
- * expression. Enough to list every triangle by itself when half of them face away and those that do
- * not touch 1.5 bands on average. With less, groups of 2, 4, 8 ... triangles that follow each other
- * in the mesh are listed; a quarter is still quick when they lie close together.
+ * Memory for a mesh of so many vertices and triangles in bands of `rows` rows: a constant
+ * expression; what `qtri mesh` writes has one by name, GEAR_BYTES(height, rows). In coloured lights
+ * (light.h) count QTRI_LIT_VERTICES.
+ *
+ * Lists have room for every triangle by itself when half of them face away and the mesh is as high
+ * as the frame: each is in the list of every band that it touches, and the heights of t triangles
+ * that cover a square make up sqrt(t) of its sides. With less, groups of 2, 4, 8 ... triangles that
+ * follow each other in the mesh are listed; a quarter is still quick when they lie close together.
  */
-#define QTRI_PREPARED_LISTS(triangles, height, rows)                                               \
-    ((uint32_t)(triangles) + 10u * (((uint32_t)(height) + (uint32_t)(rows)-1u) / (uint32_t)(rows)))
+#define QTRI_PREPARED_BYTES(vertices, triangles, height, rows)                                     \
+    ((size_t)(vertices) * sizeof(qtri_vertex) +                                                    \
+     sizeof(uint16_t) * QTRI_PREPARED_LISTS(triangles, height, rows) + 3u)
+#define QTRI_PREPARED_LISTS(t, height, rows)                                                       \
+    (10u * QTRI_PREPARED_BANDS(height, rows) +                                                     \
+     (QTRI_PREPARED_SPLIT(t, height, rows) > (t) ? QTRI_PREPARED_SPLIT(t, height, rows) : (t)))
+#define QTRI_PREPARED_SPLIT(t, height, rows)                                                       \
+    ((t) / 7u * 4u + QTRI_PREPARED_BANDS(height, rows) * QTRI_PREPARED_ROOT(t))
+#define QTRI_PREPARED_BANDS(height, rows)                                                          \
+    (((uint32_t)(height) + (uint32_t)(rows)-1u) / (uint32_t)(rows))
+#define QTRI_PREPARED_ROOT(t) /* sqrt(t) or more */                                                \
+    ((t) <= 64     ? 8u                                                                            \
+     : (t) <= 256  ? 16u                                                                           \
+     : (t) <= 512  ? 23u                                                                           \
+     : (t) <= 1024 ? 32u                                                                           \
+     : (t) <= 2048 ? 46u                                                                           \
+     : (t) <= 4096 ? 64u                                                                           \
+     : (t) <= 8192 ? 91u                                                                           \
+                   : 256u)
 
-/* vertices and lists may be NULL with a count of 0. */
-void qtri_prepared_init(qtri_prepared *prepared, qtri_vertex *vertices, uint32_t vertex_count,
-                        uint16_t *lists, uint32_t list_count);
+/*
+ * Vertices come first in the memory, the rest is lists; where there is not room for all vertices,
+ * half of it is. NULL, with 0 bytes: everything is found anew in each band.
+ */
+void qtri_prepared_init(qtri_prepared *prepared, void *memory, size_t bytes);
 
 /*
  * Prepares what qtri_draw_mesh would draw with these arguments, for the bands of this frame.

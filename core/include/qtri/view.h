@@ -61,9 +61,6 @@ typedef struct qtri_vertex {
     uint16_t intensity_q15; /* of the light, 0..2^15; more: not lit yet */
 } qtri_vertex;
 
-/* Vertices to keep for a mesh of `count`: static qtri_vertex memory[QTRI_MESH_VERTICES(500)]; */
-#define QTRI_MESH_VERTICES(count) (count)
-
 typedef struct qtri_view {
     qtri_transform camera;     /* world to eye */
     qtri_transform projection; /* eye to clip space */
@@ -82,6 +79,14 @@ void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height);
 /* With a list of pipelines, which NULL ends: what neither it nor a format names is not linked. */
 void qtri_view_init_pipelines(qtri_view *view, int32_t frame_width, int32_t frame_height,
                               const qtri_pipeline *const *pipelines);
+
+/*
+ * Camera and projection set anew: from `eye` to `center`, and with a vertical field of view of
+ * `fovy` degrees in the aspect of the viewport, which is set before. As qtri_transform_look_at and
+ * qtri_transform_perspective; a viewport without height has aspect 1.
+ */
+void qtri_view_look_at(qtri_view *view, qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up);
+void qtri_view_perspective(qtri_view *view, q16 fovy, q16 near_z, q16 far_z);
 
 #ifdef __cplusplus
 }

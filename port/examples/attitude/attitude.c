@@ -12,6 +12,8 @@
 #include <qtri.h>
 #include <qtri/pipeline_make.h>
 
+#include "qtri_port/screen.h"
+
 #include "../example.h"
 #include "imu.h"
 
@@ -72,7 +74,6 @@ static void step(attitude *a, const imu_sample *sample)
 
 static void draw(const qtri_surface *band, const qtri_view *view, const attitude *a)
 {
-    static const qtri_rgb sky = {150, 150, 150};
     qtri_corner ladder[2 * RUNGS];
     qtri_material plain = qtri_material_default();
     plain.depth_compare = QTRI_DEPTH_OFF;
@@ -84,7 +85,6 @@ static void draw(const qtri_surface *band, const qtri_view *view, const attitude
     qtri_transform_rotate_z(&world, a->bank);
     qtri_transform_translate(&world, down);
     make_ladder(ladder);
-    qtri_surface_clear(band, sky);
     qtri_draw_triangles(band, view, &world, ground, 6, &plain);
     qtri_draw_lines(band, view, &world, horizon, 2, &plain);
     qtri_draw_lines(band, view, &world, ladder, 2 * RUNGS, &plain);
@@ -97,20 +97,19 @@ static const qtri_pipeline *const pipelines[] = {&ground_pipeline, NULL};
 
 enum qtri_error example_run(void)
 {
-    qtri_panel panel;
-    qtri_frame frame;
+    qtri_screen screen;
     qtri_view view;
     attitude now = {0, 0};
-    enum qtri_error error = example_display(&panel);
-    int32_t width = qtri_panel_width(&panel);
-    int32_t height = qtri_panel_height(&panel);
+    enum qtri_error error = example_display(&screen.panel);
     if (error == QTRI_OK) {
-        error = qtri_frame_init(&frame, &qtri_gray8, width, height, ROWS, band_memory,
-                                sizeof band_memory);
+        error = qtri_screen_begin(&screen, &qtri_gray8, ROWS, band_memory, sizeof band_memory);
     }
     if (error != QTRI_OK) {
         return error;
     }
+    const int32_t width = screen.frame.width, height = screen.frame.height;
+    const qtri_rgb sky = {150, 150, 150};
+    screen.background = sky;
     q16 aspect = q16_from_ratio(width, height);
     qtri_view_init_pipelines(&view, width, height, pipelines);
     qtri_transform_ortho(&view.projection, -aspect, aspect, Q16(-1), Q16(1), Q16(-1), Q16(1));
@@ -121,10 +120,9 @@ enum qtri_error example_run(void)
             imu_sample sample = imu_read();
             step(&now, &sample);
         }
-        while (qtri_frame_next_band(&frame, &band) && error == QTRI_OK) {
+        while (qtri_screen_next(&screen, &band)) {
             draw(&band, &view, &now);
-            error = qtri_panel_write(&panel, &band);
         }
-    } while (error == QTRI_OK && example_next_frame(&panel));
-    return error;
+    } while (screen.error == QTRI_OK && example_next_frame(&screen.panel));
+    return screen.error;
 }

@@ -7,6 +7,8 @@
 #include <qtri.h>
 #include <qtri/pipeline_make.h>
 
+#include "qtri_port/screen.h"
+
 #include "../example.h"
 
 enum { WIDTH = 320, HEIGHT = 320, ROWS = 16, TICKS = 41, ARC = 40 };
@@ -102,24 +104,22 @@ static const qtri_pipeline *const pipelines[] = {&dial_pipeline, NULL};
 
 enum qtri_error example_run(void)
 {
-    qtri_panel panel;
-    qtri_frame frame;
+    qtri_screen screen;
     qtri_view view;
     qtri_transform still;
     qtri_material plain = qtri_material_default();
     plain.depth_compare = QTRI_DEPTH_OFF;
     plain.cull = QTRI_CULL_NONE;
     make_dial();
-    enum qtri_error error = example_display(&panel);
-    int32_t width = qtri_panel_width(&panel);
-    int32_t height = qtri_panel_height(&panel);
+    enum qtri_error error = example_display(&screen.panel);
     if (error == QTRI_OK) {
-        error = qtri_frame_init(&frame, &qtri_rgb565, width, height, ROWS, band_memory,
-                                sizeof band_memory);
+        error = qtri_screen_begin(&screen, &qtri_rgb565, ROWS, band_memory, sizeof band_memory);
     }
     if (error != QTRI_OK) {
         return error;
     }
+    const int32_t width = screen.frame.width, height = screen.frame.height;
+    screen.background = face;
     /* -1..1 is the shorter side. */
     q16 across = width > height ? q16_from_ratio(width, height) : Q16(1);
     q16 up = height > width ? q16_from_ratio(height, width) : Q16(1);
@@ -130,22 +130,21 @@ enum qtri_error example_run(void)
     q16 value = 0, wanted = Q16(.1), before = angle_of(0);
     do {
         q16 degrees = angle_of(value);
-        qtri_rect left = needle_box(&frame, before), entered = needle_box(&frame, degrees);
+        qtri_rect left = needle_box(&screen.frame, before),
+                  entered = needle_box(&screen.frame, degrees);
         qtri_surface band;
-        qtri_frame_mark(&frame, &left);
-        qtri_frame_mark(&frame, &entered);
-        qtri_frame_only_changes(&frame);
-        while (qtri_frame_next_band(&frame, &band) && error == QTRI_OK) {
-            qtri_surface_clear(&band, face);
+        qtri_frame_mark(&screen.frame, &left);
+        qtri_frame_mark(&screen.frame, &entered);
+        qtri_frame_only_changes(&screen.frame);
+        while (qtri_screen_next(&screen, &band)) {
             qtri_draw_triangles(&band, &view, &still, arc, 6 * ARC, &plain);
             qtri_draw_triangles(&band, &view, &still, ticks, 6 * TICKS, &plain);
             draw_needle(&band, &view, degrees, &plain);
-            error = qtri_panel_write_rect(&panel, &band, qtri_frame_changes(&frame));
         }
         before = degrees;
         /* What a sensor would say: here a value that jumps, and a needle that follows. */
         value += q16_mul(wanted - value, Q16(.35));
         wanted = q16_mod(wanted + Q16(.13), Q16(1));
-    } while (error == QTRI_OK && example_next_frame(&panel));
-    return error;
+    } while (screen.error == QTRI_OK && example_next_frame(&screen.panel));
+    return screen.error;
 }

@@ -8,6 +8,8 @@
  */
 #include <qtri.h>
 
+#include "qtri_port/screen.h"
+
 #include "../example.h"
 
 enum { WIDTH = 320, HEIGHT = 320, ROWS = 16, FRESH = 20, BAR = 12, MARK = 7, MARGIN = 24 };
@@ -159,7 +161,6 @@ static void draw_mark(const qtri_surface *band, const window *w, place p)
 static void draw(const qtri_surface *band, const window *w, place here, int32_t metres)
 {
     const qtri_brush blue = qtri_brush_of(water), green = qtri_brush_of(grass);
-    qtri_surface_clear(band, white);
     draw_polygon(band, w, park, sizeof park / sizeof park[0], &green);
     draw_polygon(band, w, lake, sizeof lake / sizeof lake[0], &blue);
     draw_way(band, w, river, sizeof river / sizeof river[0], QTRI_PX(9), &blue);
@@ -205,17 +206,16 @@ static place walk(place from, int32_t *corner)
 
 enum qtri_error example_run(void)
 {
-    qtri_panel panel;
-    qtri_frame frame;
-    enum qtri_error error = example_display(&panel);
-    window seen = {0, 0, qtri_panel_width(&panel), qtri_panel_height(&panel)};
+    qtri_screen screen;
+    enum qtri_error error = example_display(&screen.panel);
     if (error == QTRI_OK) {
-        error = qtri_frame_init(&frame, &qtri_gray8, seen.width, seen.height, ROWS, band_memory,
-                                sizeof band_memory);
+        error = qtri_screen_begin(&screen, &qtri_gray8, ROWS, band_memory, sizeof band_memory);
     }
     if (error != QTRI_OK) {
         return error;
     }
+    screen.background = white;
+    window seen = {0, 0, screen.frame.width, screen.frame.height};
 
     place here = route[0], before = here;
     int32_t corner = 1, metres = 0, since = 0; /* since everything was refreshed */
@@ -228,23 +228,24 @@ enum qtri_error example_run(void)
             since = 0;
         }
         if (since == 0) { /* the number below the map changes only then */
-            qtri_frame_mark_all(&frame);
+            qtri_frame_mark_all(&screen.frame);
         } else {
-            qtri_frame_mark(&frame, &left);
-            qtri_frame_mark(&frame, &entered);
-            qtri_frame_only_changes(&frame);
+            qtri_frame_mark(&screen.frame, &left);
+            qtri_frame_mark(&screen.frame, &entered);
+            qtri_frame_only_changes(&screen.frame);
         }
-        while (qtri_frame_next_band(&frame, &band) && error == QTRI_OK) {
+        while (qtri_screen_next(&screen, &band)) {
             draw(&band, &seen, here, metres);
-            error = qtri_panel_write_rect(&panel, &band, qtri_frame_changes(&frame));
         }
+        error = screen.error;
         if (error == QTRI_OK) {
-            error = since == 0 ? qtri_panel_refresh(&panel) : qtri_panel_refresh_changes(&panel);
+            error = since == 0 ? qtri_panel_refresh(&screen.panel)
+                               : qtri_panel_refresh_changes(&screen.panel);
         }
         since = (since + 1) % FRESH;
         before = here;
         here = walk(here, &corner);
         metres = (metres + 4 * STEP) % 1000000;
-    } while (error == QTRI_OK && example_next_frame(&panel));
+    } while (error == QTRI_OK && example_next_frame(&screen.panel));
     return error;
 }

@@ -12,8 +12,7 @@ enum {
     TRIANGLES = 2 * AROUND * ACROSS,
     SIDE_LOG2 = 5
 };
-#define MODEL_VERTICES  VERTICES
-#define MODEL_TRIANGLES TRIANGLES
+#define MODEL_BYTES(height, rows) QTRI_PREPARED_BYTES(VERTICES, TRIANGLES, height, rows)
 
 static qtri_mesh model;
 static qtri_texture skin;

@@ -7,6 +7,8 @@
 #include <qtri.h>
 #include <qtri/pipeline_make.h>
 
+#include "qtri_port/screen.h"
+
 #include "../example.h"
 
 enum {
@@ -26,7 +28,7 @@ enum {
 const char example_name[] = "shaders";
 
 static uint8_t band_memory[QTRI_FRAME_BYTES_DOUBLE(WIDTH, ROWS, QTRI_RGB565_BYTES)];
-static qtri_vertex vertices[QTRI_MESH_VERTICES(LAND_POINTS)];
+static qtri_vertex vertices[LAND_POINTS];
 
 static qtri_vec3 water_positions[WATER_POINTS];
 static qtri_vec2 water_uvs[WATER_POINTS];
@@ -137,8 +139,8 @@ enum qtri_error example_run(void)
                             .triangle_count = LAND_TRIANGLES};
     const qtri_texture coordinates = {
         .texels = one_texel, .format = &qtri_texel_rgb565, .width_log2 = 1, .height_log2 = 1};
-    qtri_panel panel;
-    enum qtri_error error = example_display(&panel);
+    qtri_screen screen;
+    enum qtri_error error = example_display(&screen.panel);
     if (error != QTRI_OK) {
         return error;
     }
@@ -148,19 +150,21 @@ enum qtri_error example_run(void)
     make_water();
     make_land();
 
-    const int32_t width = qtri_panel_width(&panel), height = qtri_panel_height(&panel);
-    qtri_frame frame;
-    error = qtri_frame_init(&frame, &qtri_rgb565_swapped, width, height, ROWS, band_memory,
-                            sizeof band_memory);
+    if (error == QTRI_OK) {
+        error =
+            qtri_screen_begin(&screen, &qtri_rgb565_swapped, ROWS, band_memory, sizeof band_memory);
+    }
+    if (error != QTRI_OK) {
+        return error;
+    }
+    screen.background = sky;
     qtri_view view;
-    qtri_view_init(&view, width, height);
-    qtri_transform_look_at(&view.camera, eye, center, up);
-    qtri_transform_perspective(&view.projection, Q16(50), q16_from_ratio(width, height), Q16(.2),
-                               Q16(60));
+    qtri_view_init_pipelines(&view, screen.frame.width, screen.frame.height, pipelines);
+    qtri_view_look_at(&view, eye, center, up);
+    qtri_view_perspective(&view, Q16(50), Q16(.2), Q16(60));
     view.light = &light;
     view.vertices = vertices;
     view.vertex_count = LAND_POINTS;
-    view.pipelines = pipelines;
 
     qtri_material wet = qtri_material_default();
     wet.texture = &coordinates;
@@ -171,7 +175,8 @@ enum qtri_error example_run(void)
     drawn.cull = QTRI_CULL_NONE;
     drawn.fragment = toon;
 
-    for (q16 angle = 0; error == QTRI_OK; angle = q16_mod(angle + Q16(3), Q16(360))) {
+    q16 angle = 0;
+    do {
         qtri_transform still, turned;
         qtri_surface band;
         qtri_transform_identity(&still);
@@ -179,15 +184,11 @@ enum qtri_error example_run(void)
         qtri_transform_rotate_y(&turned, angle);
         phase_0 += 0x0A000000u;
         phase_1 += 0x07000000u;
-        while (error == QTRI_OK && qtri_frame_next_band(&frame, &band)) {
-            qtri_surface_clear(&band, sky);
+        while (qtri_screen_next(&screen, &band)) {
             qtri_draw_mesh(&band, &view, &turned, &land, &drawn);
             qtri_draw_mesh(&band, &view, &still, &sea, &wet);
-            error = qtri_panel_write(&panel, &band);
         }
-        if (error == QTRI_OK && !example_next_frame(&panel)) {
-            return QTRI_OK;
-        }
-    }
-    return error;
+        angle = q16_mod(angle + Q16(3), Q16(360));
+    } while (screen.error == QTRI_OK && example_next_frame(&screen.panel));
+    return screen.error;
 }

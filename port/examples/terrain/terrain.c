@@ -8,6 +8,8 @@
 #include <qtri.h>
 #include <qtri/pipeline_make.h>
 
+#include "qtri_port/screen.h"
+
 #include "../example.h"
 
 enum {
@@ -23,8 +25,7 @@ enum {
 const char example_name[] = "terrain";
 
 static uint8_t band_memory[QTRI_FRAME_BYTES_DOUBLE(WIDTH, ROWS, QTRI_RGB565_BYTES)];
-static qtri_vertex vertices[QTRI_MESH_VERTICES(VERTICES)];
-static uint16_t lists[QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, ROWS)];
+static uint8_t mesh_memory[QTRI_PREPARED_BYTES(VERTICES, TRIANGLES, HEIGHT, ROWS)];
 
 static qtri_vec3 positions[VERTICES];
 static qtri_rgb colors[VERTICES];
@@ -167,24 +168,21 @@ enum qtri_error example_run(void)
     material.fog = &haze;
     make_triangles();
 
-    qtri_panel panel;
-    qtri_frame frame;
+    qtri_screen screen;
     qtri_prepared prepared;
     qtri_view view;
-    enum qtri_error error = example_display(&panel);
-    int32_t width = qtri_panel_width(&panel);
-    int32_t height = qtri_panel_height(&panel);
+    enum qtri_error error = example_display(&screen.panel);
     if (error == QTRI_OK) {
-        error = qtri_frame_init(&frame, &qtri_rgb565_swapped, width, height, ROWS, band_memory,
-                                sizeof band_memory);
+        error =
+            qtri_screen_begin(&screen, &qtri_rgb565_swapped, ROWS, band_memory, sizeof band_memory);
     }
     if (error != QTRI_OK) {
         return error;
     }
-    qtri_prepared_init(&prepared, vertices, VERTICES, lists, sizeof lists / sizeof lists[0]);
-    qtri_view_init_pipelines(&view, width, height, pipelines);
-    qtri_transform_perspective(&view.projection, Q16(50), q16_from_ratio(width, height),
-                               range.near_z, range.far_z);
+    screen.background = sky;
+    qtri_prepared_init(&prepared, mesh_memory, sizeof mesh_memory);
+    qtri_view_init_pipelines(&view, screen.frame.width, screen.frame.height, pipelines);
+    qtri_view_perspective(&view, Q16(50), range.near_z, range.far_z);
 
     int32_t made_column = 0, made_row = 0; /* of the land that was made last: none yet */
     flight now = {60, Q16(4), 0, Q16(6), 0};
@@ -202,15 +200,12 @@ enum qtri_error example_run(void)
             made_column = column;
             made_row = now.row;
         }
-        qtri_transform_identity(&view.camera);
-        qtri_transform_look_at(&view.camera, eye, center, up);
+        qtri_view_look_at(&view, eye, center, up);
         qtri_transform_identity(&still);
-        qtri_prepare_mesh(&prepared, &frame, &view, &still, &land, &material);
-        while (qtri_frame_next_band(&frame, &band) && error == QTRI_OK) {
-            qtri_surface_clear(&band, sky);
+        qtri_prepare_mesh(&prepared, &screen.frame, &view, &still, &land, &material);
+        while (qtri_screen_next(&screen, &band)) {
             qtri_draw_prepared(&band, &prepared);
-            error = qtri_panel_write(&panel, &band);
         }
-    } while (error == QTRI_OK && example_next_frame(&panel));
-    return error;
+    } while (screen.error == QTRI_OK && example_next_frame(&screen.panel));
+    return screen.error;
 }

@@ -6,6 +6,8 @@
 #include <qtri.h>
 #include <qtri/pipeline_make.h>
 
+#include "qtri_port/screen.h"
+
 #include "../example.h"
 
 enum { WIDTH = 128, HEIGHT = 64, ROWS = 16, VERTICES = 12, TRIANGLES = 20, LINES = 14 };
@@ -13,7 +15,7 @@ enum { WIDTH = 128, HEIGHT = 64, ROWS = 16, VERTICES = 12, TRIANGLES = 20, LINES
 const char example_name[] = "wireframe";
 
 static uint8_t band_memory[QTRI_FRAME_BYTES(WIDTH, ROWS, QTRI_GRAY8_BYTES)];
-static qtri_vertex vertices[QTRI_MESH_VERTICES(VERTICES)];
+static qtri_vertex vertices[VERTICES];
 static qtri_corner grid[2 * LINES];
 
 /* On a sphere of radius 1: three golden rectangles. */
@@ -65,23 +67,18 @@ enum qtri_error example_run(void)
     qtri_material plain = qtri_material_default();
     make_grid();
 
-    qtri_panel panel;
-    qtri_frame frame;
+    qtri_screen screen;
     qtri_view view;
-    enum qtri_error error = example_display(&panel);
-    int32_t width = qtri_panel_width(&panel);
-    int32_t height = qtri_panel_height(&panel);
+    enum qtri_error error = example_display(&screen.panel);
     if (error == QTRI_OK) {
-        error = qtri_frame_init(&frame, &qtri_gray8, width, height, ROWS, band_memory,
-                                sizeof band_memory);
+        error = qtri_screen_begin(&screen, &qtri_gray8, ROWS, band_memory, sizeof band_memory);
     }
     if (error != QTRI_OK) {
         return error;
     }
-    qtri_view_init_pipelines(&view, width, height, pipelines);
-    qtri_transform_look_at(&view.camera, eye, center, up);
-    qtri_transform_perspective(&view.projection, Q16(45), q16_from_ratio(width, height), Q16(.1),
-                               Q16(100));
+    qtri_view_init_pipelines(&view, screen.frame.width, screen.frame.height, pipelines);
+    qtri_view_look_at(&view, eye, center, up);
+    qtri_view_perspective(&view, Q16(45), Q16(.1), Q16(100));
     view.vertices = vertices;
     view.vertex_count = VERTICES;
 
@@ -93,14 +90,12 @@ enum qtri_error example_run(void)
         qtri_transform_identity(&pose);
         qtri_transform_rotate_y(&pose, angle);
         qtri_transform_rotate_x(&pose, q16_mul(angle, Q16(.5)));
-        while (qtri_frame_next_band(&frame, &band) && error == QTRI_OK) {
-            qtri_surface_clear(&band, black);
+        while (qtri_screen_next(&screen, &band)) {
             qtri_draw_mesh(&band, &view, &pose, &icosahedron, &solid);
             qtri_draw_lines(&band, &view, &ground, grid, 2 * LINES, &plain);
             qtri_draw_mesh(&band, &view, &pose, &icosahedron, &edges);
-            error = qtri_panel_write(&panel, &band);
         }
         angle = q16_mod(angle + Q16(5), Q16(720));
-    } while (error == QTRI_OK && example_next_frame(&panel));
-    return error;
+    } while (screen.error == QTRI_OK && example_next_frame(&screen.panel));
+    return screen.error;
 }

@@ -3,6 +3,7 @@
 #include <SPI.h>
 #include <qtri.h>
 #include <qtri_port/ili9341.h>
+#include <qtri_port/screen.h>
 
 const int PIN_CS = 10, PIN_DC = 9, PIN_RESET = 8;
 
@@ -46,12 +47,10 @@ static const qtri_vec3 corners[8] = {
 static const uint16_t faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
 
-static uint8_t bandMemory[QTRI_FRAME_BYTES(240, 16, QTRI_RGB565_BYTES)];
-static uint8_t lineMemory[QTRI_PANEL_LINE_BYTES(240)];
-static qtri_vertex vertices[QTRI_MESH_VERTICES(8)];
+static uint8_t screenMemory[QTRI_SCREEN_BYTES(240, 16, QTRI_RGB565_BYTES)];
+static qtri_vertex vertices[8];
 
-static qtri_panel panel;
-static qtri_frame frame;
+static qtri_screen screen;
 static qtri_view view;
 static qtri_mesh cube;
 static qtri_material material;
@@ -75,14 +74,14 @@ void setup()
 
     const qtri_vec3 eye = {0, 0, Q16(5)}, center = {0, 0, 0}, up = {0, Q16(1), 0};
     qtri_view_init(&view, 240, 320);
-    qtri_transform_look_at(&view.camera, eye, center, up);
-    qtri_transform_perspective(&view.projection, Q16(60), q16_from_ratio(3, 4), Q16(0.1), Q16(100));
+    qtri_view_look_at(&view, eye, center, up);
+    qtri_view_perspective(&view, Q16(60), Q16(0.1), Q16(100));
     view.light = &light;
     view.vertices = vertices;
     view.vertex_count = 8;
 
-    qtri_panel_init(&panel, &qtri_ili9341, &bus, QTRI_ROTATE_0, lineMemory, sizeof lineMemory);
-    qtri_frame_init(&frame, &qtri_rgb565, 240, 320, 16, bandMemory, sizeof bandMemory);
+    qtri_screen_init(&screen, &qtri_ili9341, &bus, QTRI_ROTATE_0, &qtri_rgb565, 16, screenMemory, sizeof screenMemory);
+    screen.background = {24, 32, 48};
 }
 
 void loop()
@@ -94,9 +93,7 @@ void loop()
     qtri_transform_rotate_x(&pose, Q16(25));
     qtri_transform_rotate_y(&pose, angle);
     qtri_surface band;
-    while (qtri_frame_next_band(&frame, &band)) {
-        qtri_surface_clear(&band, {24, 32, 48});
+    while (qtri_screen_next(&screen, &band)) {
         qtri_draw_mesh(&band, &view, &pose, &cube, &material);
-        qtri_panel_write(&panel, &band);
     }
 }

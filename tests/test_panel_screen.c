@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A screen: what its panel shows is what was drawn, whatever the display, the rotation, the height
+ * of bands, the number of buffers and how the bus sends.
+ */
+#include "support/panel.h"
+
+#include <qtri_port/screen.h>
+
+enum { ROWS_MAX = 24, SIDE_MAX = 320 };
+
+static uint8_t memory[QTRI_SCREEN_BYTES(SIDE_MAX, ROWS_MAX, QTRI_XRGB8888_BYTES)];
+
+/* The picture on all of the display at once, and as it should be seen. */
+static uint32_t *expected_of(const qtri_screen *screen, const qtri_format *format, uint64_t seed)
+{
+    canvas whole =
+        canvas_new(format, qtri_panel_width(&screen->panel), qtri_panel_height(&screen->panel));
+    draw_picture(&whole.surface, seed);
+    uint32_t *expected = picture_expected(&whole.surface, &screen->panel);
+    canvas_free(&whole);
+    return expected;
+}
+
+static void assert_shows(setup *s, const qtri_screen *screen, const qtri_format *format,
+                         uint64_t seed)
+{
+    uint32_t *expected = expected_of(screen, format, seed);
+    s->panel = screen->panel;
+    assert_seen(s, expected);
+    free(expected);
+}
+
+static void every_display_shows_what_is_drawn(void **state)
+{
+    (void)state;
+    static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_rgb565_swapped,
+                                                  &qtri_xrgb8888};
+    uint64_t seed = 1;
+    for (int n = 0; n < 4 * SETUPS; n++) {
+        static setup s;
+        qtri_screen screen;
+        qtri_surface band;
+        setup_init(&s, n % SETUPS);
+        const qtri_rotation rotation =
+            is_gray(s.description) ? QTRI_ROTATE_0 : (qtri_rotation)(n % 4);
+        const qtri_format *format = formats[random_in(&seed, 0, 2)];
+        const int32_t rows = 8 * random_in(&seed, 1, ROWS_MAX / 8);
+        const int32_t width = rotation % 2 != 0 ? s.description->height : s.description->width;
+        const size_t bytes = random_flag(&seed)
+                                 ? QTRI_SCREEN_BYTES(width, rows, format->pixels->bytes)
+                                 : QTRI_FRAME_BYTES(width, rows, format->pixels->bytes) +
+                                       QTRI_PANEL_LINE_BYTES(width);
+        assert_int_equal(qtri_screen_init(&screen, s.description, &s.wire.bus, rotation, format,
+                                          rows, memory, bytes),
+                         QTRI_OK);
+        for (uint64_t frame = 0; frame < 2; frame++) {
+            while (qtri_screen_next(&screen, &band)) {
+                draw_picture(&band, (uint64_t)n + frame);
+            }
+            assert_int_equal(screen.error, QTRI_OK);
+            assert_int_equal(qtri_panel_finish(&screen.panel), QTRI_OK);
+            if (s.description->refresh != NULL) {
+                assert_int_equal(qtri_panel_refresh(&screen.panel), QTRI_OK);
+            }
+            assert_shows(&s, &screen, format, (uint64_t)n + frame);
+        }
+        setup_end(&s);
+    }
+}
+
+/* Rows that overlap are not sent, whether they are drawn again or kept; nor is what did not change.
+ */
+static void only_what_is_shown_is_sent(void **state)
+{
+    (void)state;
+    enum { ILI9341_DMA = 8, ROWS = 16, WIDTH = 240 };
+    static uint8_t kept[QTRI_FRAME_KEPT_BYTES(WIDTH, 2, QTRI_RGB565_BYTES)];
+    for (int keeps = 0; keeps < 2; keeps++) {
+        static setup s;
+        qtri_screen screen;
+        qtri_surface band;
+        setup_init(&s, ILI9341_DMA);
+        assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+        screen.panel = s.panel;
+        assert_int_equal(qtri_screen_begin(&screen, &qtri_rgb565, ROWS, memory, sizeof memory),
+                         QTRI_OK);
+        assert_int_equal(qtri_frame_set_overlap(&screen.frame, 2, keeps ? kept : NULL, sizeof kept),
+                         QTRI_OK);
+        s.wire.data_bytes = 0;
+        while (qtri_screen_next(&screen, &band)) {
+            draw_picture(&band, 5);
+            qtri_frame_join(&screen.frame, &band);
+        }
+        assert_int_equal(qtri_panel_finish(&screen.panel), QTRI_OK);
+        assert_in_range(s.wire.data_bytes, 2 * 240 * 320, 2 * 240 * 320 + 20 * 16);
+        assert_shows(&s, &screen, &qtri_rgb565, 5);
+        if (!keeps) {
+            const qtri_rect changed = {100, 100, 110, 130};
+            s.wire.data_bytes = 0;
+            qtri_frame_mark(&screen.frame, &changed);
+            qtri_frame_only_changes(&screen.frame);
+            while (qtri_screen_next(&screen, &band)) {
+                draw_picture(&band, 5);
+            }
+            assert_int_equal(qtri_panel_finish(&screen.panel), QTRI_OK);
+            assert_in_range(s.wire.data_bytes, 2 * 14 * 34, 2 * 14 * 34 + 3 * 16);
+            assert_shows(&s, &screen, &qtri_rgb565, 5);
+        }
+        setup_end(&s);
+    }
+}
+
+/* Bands are black where nothing is drawn, or of the colour that the user sets. */
+static void bands_are_cleared(void **state)
+{
+    (void)state;
+    static setup s;
+    qtri_screen screen;
+    qtri_surface band;
+    setup_init(&s, 7);
+    assert_int_equal(qtri_screen_init(&screen, s.description, &s.wire.bus, QTRI_ROTATE_0,
+                                      &qtri_xrgb8888, 16, memory, sizeof memory),
+                     QTRI_OK);
+    for (int i = 0; i < 2; i++) {
+        while (qtri_screen_next(&screen, &band)) {
+            const qtri_rgb is = qtri_surface_pixel(&band, 3, band.first_row);
+            assert_memory_equal(&is, &screen.background, sizeof is);
+            assert_int_equal(band.depth[9], 65535);
+        }
+        screen.background = (qtri_rgb){10, 200, 30};
+    }
+    setup_end(&s);
+}
+
+static void errors_end_the_frame(void **state)
+{
+    (void)state;
+    static setup s;
+    qtri_screen screen;
+    qtri_surface band;
+    setup_init(&s, 7);
+    assert_int_equal(qtri_screen_init(&screen, s.description, &s.wire.bus, QTRI_ROTATE_0,
+                                      &qtri_rgb565, 16, memory, 1000),
+                     QTRI_ERROR_MEMORY);
+    assert_false(qtri_screen_next(&screen, &band));
+    assert_int_equal(screen.error, QTRI_ERROR_MEMORY);
+    assert_int_equal(qtri_screen_init(&screen, s.description, &s.wire.bus, QTRI_ROTATE_0,
+                                      &qtri_rgb565, 16, NULL, sizeof memory),
+                     QTRI_ERROR_MEMORY);
+    assert_int_equal(qtri_screen_init(&screen, s.description, &s.wire.bus, (qtri_rotation)9,
+                                      &qtri_rgb565, 16, memory, sizeof memory),
+                     QTRI_ERROR_SIZE);
+    assert_false(qtri_screen_next(&screen, &band));
+    s.wire.fail_at = s.wire.calls + 3;
+    assert_int_equal(qtri_screen_init(&screen, s.description, &s.wire.bus, QTRI_ROTATE_0,
+                                      &qtri_rgb565, 16, memory, sizeof memory),
+                     QTRI_ERROR_BUS);
+    assert_false(qtri_screen_next(&screen, &band));
+    assert_int_equal(screen.error, QTRI_ERROR_BUS);
+    setup_end(&s);
+    /* While it shows: the frame ends, and the next one is whole again. */
+    setup_init(&s, 7);
+    assert_int_equal(qtri_screen_init(&screen, s.description, &s.wire.bus, QTRI_ROTATE_0,
+                                      &qtri_rgb565, 16, memory, sizeof memory),
+                     QTRI_OK);
+    s.wire.fail_at = s.wire.calls + 9;
+    int bands = 0;
+    while (qtri_screen_next(&screen, &band)) {
+        bands++;
+    }
+    assert_in_range(bands, 1, 19);
+    assert_int_equal(screen.error, QTRI_ERROR_BUS);
+    while (qtri_screen_next(&screen, &band)) {
+        draw_picture(&band, 7);
+    }
+    assert_int_equal(screen.error, QTRI_OK);
+    assert_shows(&s, &screen, &qtri_rgb565, 7);
+    setup_end(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_display_shows_what_is_drawn),
+        cmocka_unit_test(only_what_is_shown_is_sent),
+        cmocka_unit_test(bands_are_cleared),
+        cmocka_unit_test(errors_end_the_frame),
+    };
+    return cmocka_run_group_tests_name("panel screen", tests, NULL, NULL);
+}
