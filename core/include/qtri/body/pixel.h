@@ -139,12 +139,13 @@ QTRI_BODY bool qtri_door_is_open(const qtri_options *o, const qtri_pixel_walk *w
 
 /* Pixel and loop ------------------------------------------------------------------------------- */
 
-/* Where code is to be small, and in one file of all, loops have one pixel; the generic's have, too.
- */
-#if defined(__OPTIMIZE_SIZE__) || defined(QTRI_PIPELINE_IS_ANY) || defined(QTRI_AMALGAMATION)
-#define QTRI_BODY_UNROLLS 0
-#else
+/* How many pixels a loop may have: in one file of all, and in the generic pipeline, one. */
+#if defined(QTRI_PIPELINE_IS_ANY) || defined(QTRI_AMALGAMATION)
 #define QTRI_BODY_UNROLLS 1
+#elif defined(__OPTIMIZE_SIZE__)
+#define QTRI_BODY_UNROLLS 2
+#else
+#define QTRI_BODY_UNROLLS 8
 #endif
 
 /* A pixel of so little work that what a loop adds to it can be seen. */
@@ -162,10 +163,11 @@ QTRI_BODY bool qtri_is_short(const qtri_options *o)
 /* How many pixels a loop has: short ones gain by it, where pieces are not short themselves. */
 QTRI_BODY int qtri_unrolled(const qtri_options *o, bool bent)
 {
-    if (!QTRI_BODY_UNROLLS || !qtri_is_short(o)) {
+    const int most = bent || (qtri_is_textured(o) && !QTRI_LONG_MULTIPLY) ? 4 : 8;
+    if (!qtri_is_short(o) || (QTRI_BODY_UNROLLS == 2 && (bent || o->shade == QTRI_TINT))) {
         return 1;
     }
-    return bent || (qtri_is_textured(o) && !QTRI_LONG_MULTIPLY) ? 4 : 8;
+    return most < QTRI_BODY_UNROLLS ? most : QTRI_BODY_UNROLLS;
 }
 
 QTRI_BODY bool qtri_pixel_function(const qtri_options *o, const qtri_pixel_walk *w, uint32_t *color)
@@ -387,9 +389,29 @@ QTRI_BODY void qtri_pixel_alone(const qtri_options *o, qtri_pixel_walk *w, bool 
 }
 
 /* `count` pixels of a row, 0 or less: none. */
+#if QTRI_BODY_UNROLLS <= 2
+/* Where code is to be small: two pixels at a time, after one where the count is odd. */
 QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t count)
 {
-#if QTRI_BODY_UNROLLS
+    const bool in_pairs = qtri_unrolled(o, bent) == 2;
+    if (count > 0 && (!in_pairs || (count & 1) != 0)) {
+        do { /* GCC does not turn loops round by itself */
+            qtri_pixel_alone(o, w, bent);
+        } while (!in_pairs && --count > 0);
+    }
+    if (in_pairs && count > 1) {
+        count >>= 1;
+        do {
+            qtri_pixel_next(o, w, bent, 0);
+            qtri_pixel_next(o, w, bent, 1);
+            qtri_walk_move(o, w, 2);
+            QTRI_BODY_BARRIER(count);
+        } while (--count > 0);
+    }
+}
+#else
+QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t count)
+{
     const int together = qtri_unrolled(o, bent);
     if (together > 1) {
         /* Where the sign tells the end, one instruction counts and compares; on Armv6-M GCC 12 then
@@ -409,17 +431,11 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool 
         }
         count += early;
     }
-#endif
-    if (QTRI_BODY_UNROLLS) {
-        for (; count > 0; count--) {
-            qtri_pixel_alone(o, w, bent);
-        }
-    } else if (count > 0) {
-        do { /* at -Os GCC does not turn loops round by itself */
-            qtri_pixel_alone(o, w, bent);
-        } while (--count > 0);
+    for (; count > 0; count--) {
+        qtri_pixel_alone(o, w, bent);
     }
 }
+#endif
 
 /* The texture that texels are read from, or the level of it. */
 QTRI_BODY void qtri_walk_set_texture(const qtri_options *o, qtri_pixel_walk *w)
