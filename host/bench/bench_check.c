@@ -69,11 +69,7 @@
 #define WALL             "mesh wall.obj" MESH_COLOR
 #define WALL_COMPACT     "mesh wall-compact.obj" MESH_COLOR
 #define TORUS(triangles) "rotate 25 0 1 0\nmesh torus" triangles "-compact.obj" MESH_COLOR
-#ifdef BENCH_PLAIN
-#define COMPACT(mesh) mesh
-#else
-#define COMPACT(mesh) mesh##_COMPACT
-#endif
+#define COMPACT(mesh)    mesh##_COMPACT
 
 /* The scenes once more, in the language of scene files. Colours of a mesh's vertices are not in the
    language: the triangles of such a mesh are written behind the text. */
@@ -277,7 +273,6 @@ static bool compare(const bench_frame *frame, const struct expectation *expected
 /* Numbers of a vertex as all its renderers read them, and its normal, of any length. */
 static void vertex_of(const qtri_mesh *mesh, uint32_t i, double position[3], double normal[3])
 {
-#ifndef BENCH_PLAIN
     if (mesh->positions == NULL) {
         const int16_t p[3] = {mesh->positions16[i].x, mesh->positions16[i].y,
                               mesh->positions16[i].z};
@@ -288,7 +283,6 @@ static void vertex_of(const qtri_mesh *mesh, uint32_t i, double position[3], dou
         }
         return;
     }
-#endif
     const q16 p[3] = {mesh->positions[i].x, mesh->positions[i].y, mesh->positions[i].z};
     const int16_t n[3] = {mesh->normals[i].x, mesh->normals[i].y, mesh->normals[i].z};
     for (int axis = 0; axis < 3; axis++) {
@@ -327,7 +321,6 @@ static size_t write_triangle(char *out, const bench_scene *scene, uint32_t trian
     return length + (size_t)snprintf(out + length, TRIANGLE_TEXT - length, "\n");
 }
 
-#ifndef BENCH_PLAIN
 /* Writes the scene's polyline or points; returns the length. */
 static size_t write_strokes(char *out, const bench_scene *scene)
 {
@@ -346,14 +339,6 @@ static size_t write_strokes(char *out, const bench_scene *scene)
     }
     return length;
 }
-#else
-static size_t write_strokes(char *out, const bench_scene *scene)
-{
-    (void)out;
-    (void)scene;
-    return 0;
-}
-#endif
 
 /* The scene file of what is expected; free() it. */
 static char *text_of(const struct expectation *expected, const bench_scene *scene)

@@ -2,12 +2,11 @@
 /*
  * Writes the meshes of the benchmark as C and as OBJ: bench_meshes FOLDER MODELS
  *
- * FOLDER/bench_meshes.c has a qtri_mesh for each and a compact one (mesh.h), unless BENCH_PLAIN is
- * defined: for a core from before there were compact meshes and bounds. Beside them lies a colour
- * for each vertex, 127.5 (1 + n) of its normal, which a scene may give the mesh. FOLDER/NAME.obj
- * and FOLDER/NAME-compact.obj have the same numbers, for the double-precision reference. MODELS
- * holds spot.obj and teapot.obj; without one of them its meshes are empty. The knot, the wall and
- * the tori are the project's own.
+ * FOLDER/bench_meshes.c has a qtri_mesh for each and a compact one (mesh.h). Beside them lies a
+ * colour for each vertex, 127.5 (1 + n) of its normal, which a scene may give the mesh.
+ * FOLDER/NAME.obj and FOLDER/NAME-compact.obj have the same numbers, for the double-precision
+ * reference. MODELS holds spot.obj and teapot.obj; without one of them its meshes are empty. The
+ * knot, the wall and the tori are the project's own.
  *
  * Meshes of files are centred on their bounding box and scaled. Vertices are the file's positions,
  * or, where the texture coordinates are kept, its pairs of both. Normals of the file are not used:

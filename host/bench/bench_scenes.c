@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "bench_scenes.h"
 
-#ifndef BENCH_PLAIN
 #include "bench_paint.h"
-#endif
 
 /*
  * Meshes are compact: 16-bit positions, 8-bit normals, 16-bit texture coordinates but for the
@@ -25,11 +23,7 @@
  * S2 added; F2, F4, F6: S2, S4, S6 in fog, D1, D2, D3, D6: S1, S2, S3, S6 of depths float16, F5: K5
  * in fog. B5 and B6: S2, and a quad turned sideways, with alpha of their vertices.
  */
-#ifdef BENCH_PLAIN
-#define COMPACT(mesh) &bench_mesh_##mesh
-#else
-#define COMPACT(mesh) &bench_mesh_##mesh##_compact
-#endif
+#define COMPACT(mesh)        &bench_mesh_##mesh##_compact
 #define QUAD(quad_, colors_) .work = BENCH_QUAD, .quad = (quad_), .colors = (colors_)
 #define MESH(mesh_, turn_)   .work = BENCH_MESH, .mesh = (mesh_), .turn = (turn_)
 #define FLAT                 .shading = QTRI_FLAT_LAST
@@ -82,7 +76,6 @@ const bench_scene bench_scenes[] = {
     {.name = "S4k", MESH(COMPACT(knot), Q16(30))},
     {.name = "S5k", MESH(COMPACT(knot), Q16(30)), FLAT},
     {.name = "S7k", MESH(COMPACT(knot), Q16(30)), .wireframe = true},
-#ifndef BENCH_PLAIN
     {.name = "S4w", MESH(&bench_mesh_spot, Q16(150))},
     {.name = "S5w", MESH(&bench_mesh_teapot, Q16(30)), FLAT},
     {.name = "S4b", MESH(COMPACT(spot), Q16(150)), BANDS},
@@ -205,11 +198,9 @@ const bench_scene bench_scenes[] = {
      .work = BENCH_PAINT,
      .paint = bench_paint_text,
      .characters = BENCH_PAINT_CHARACTERS},
-#endif
     {.name = NULL},
 };
 
-#ifndef BENCH_PLAIN
 /* The mean of four texels, without what makes it right in linear light. */
 static uint16_t mean_of(const uint16_t *row, uint32_t side)
 {
@@ -240,7 +231,6 @@ static void set_levels(bench_frame *frame)
     frame->texture.level_count = BENCH_TEXTURE_LOG2 - 1;
     frame->texture.filter = frame->scene->filter;
 }
-#endif
 
 static void set_texture(bench_frame *frame, qtri_texture_mode mode)
 {
@@ -253,14 +243,11 @@ static void set_texture(bench_frame *frame, qtri_texture_mode mode)
                                   .width_log2 = BENCH_TEXTURE_LOG2,
                                   .height_log2 = BENCH_TEXTURE_LOG2};
     frame->texture = texture;
-#ifndef BENCH_PLAIN
     set_levels(frame);
-#endif
     frame->material.texture = &frame->texture;
     frame->material.texture_mode = mode;
 }
 
-#ifndef BENCH_PLAIN
 static const qtri_light_source sources[] = {
     {.kind = &qtri_point_light,
      .position = {Q16(1.5), Q16(1), Q16(3)},
@@ -295,12 +282,6 @@ static void set_lights(bench_frame *frame)
     frame->view.lights = &frame->lights;
     frame->view.vertex_count = QTRI_LIT_VERTICES(BENCH_VERTICES_MAX);
 }
-#else
-static void set_lights(bench_frame *frame)
-{
-    (void)frame;
-}
-#endif
 
 static void set_mesh(bench_frame *frame)
 {
@@ -324,7 +305,6 @@ static void set_corners(bench_frame *frame)
     }
 }
 
-#ifndef BENCH_PLAIN
 /* Bands lie in the memory of the whole frame, one below the other, so that there is a picture. */
 static void draw_bands(bench_frame *frame)
 {
@@ -349,19 +329,7 @@ static bool set_bands(bench_frame *frame)
     return qtri_frame_init(&frame->bands, FORMAT, BENCH_WIDTH, BENCH_HEIGHT,
                            frame->scene->band_rows, frame->memory, sizeof frame->memory) == QTRI_OK;
 }
-#else
-static void draw_bands(bench_frame *frame)
-{
-    (void)frame;
-}
 
-static bool set_bands(bench_frame *frame)
-{
-    return frame == NULL;
-}
-#endif
-
-#ifndef BENCH_PLAIN
 /* Half of each pixel; fog that hides a quarter of the middle. */
 static void set_effects(bench_frame *frame, const bench_scene *scene)
 {
@@ -376,7 +344,6 @@ static void set_effects(bench_frame *frame, const bench_scene *scene)
         frame->material.fog = &frame->fog;
     }
 }
-#endif
 
 bool bench_prepare(bench_frame *frame, const bench_scene *scene)
 {
@@ -396,9 +363,7 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     frame->material.fill = scene->thin        ? &qtri_smooth_wireframe
                            : scene->wireframe ? &qtri_wireframe
                                               : NULL;
-#ifndef BENCH_PLAIN
     set_effects(frame, scene);
-#endif
     if (scene->without_depth) {
         frame->material.depth_compare = QTRI_DEPTH_OFF;
     }
@@ -415,13 +380,11 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     } else if (scene->work == BENCH_CORNERS) {
         set_corners(frame);
     }
-#ifndef BENCH_PLAIN
     if (scene->work == BENCH_STROKE) {
         (void)bench_set_strokes(frame->corners, scene);
         frame->view.vertices = frame->vertices;
         frame->view.vertex_count = BENCH_VERTICES_MAX;
     }
-#endif
     if (qtri_surface_init(&frame->surface, FORMAT, BENCH_WIDTH, BENCH_HEIGHT, 0, BENCH_HEIGHT,
                           frame->memory, sizeof frame->memory) != QTRI_OK) {
         return false;
@@ -435,22 +398,14 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
     if (scene->work == BENCH_CLEAR) {
         qtri_surface_clear_depth(&frame->surface, 0);
     }
-#ifndef BENCH_PLAIN
     return scene->smooth == BENCH_JAGGED || bench_prepare_smooth(frame);
-#else
-    return true;
-#endif
 }
 
 void bench_finish(bench_frame *frame)
 {
-#ifndef BENCH_PLAIN
     if (frame->scene->smooth != BENCH_JAGGED) {
         bench_finish_smooth(frame);
     }
-#else
-    (void)frame;
-#endif
 }
 
 /* Copies of the mesh in rows of eight. */
@@ -469,12 +424,10 @@ static void draw_calls(bench_frame *frame)
 
 void bench_draw(bench_frame *frame)
 {
-#ifndef BENCH_PLAIN
     if (frame->scene->smooth != BENCH_JAGGED) {
         bench_draw_smooth(frame);
         return;
     }
-#endif
     if (frame->scene->band_rows != 0) {
         draw_bands(frame);
         return;
@@ -487,19 +440,16 @@ void bench_draw(bench_frame *frame)
         frame->scene->paint(frame);
         break;
     case BENCH_MESH:
-#ifndef BENCH_PLAIN
         if (frame->scene->width != 0 || frame->scene->hidden) {
             bench_draw_strokes(frame);
             break;
         }
-#endif
         if (frame->scene->calls != 0) {
             draw_calls(frame);
             break;
         }
         qtri_draw_mesh(&frame->surface, &frame->view, &frame->pose, &frame->mesh, &frame->material);
         break;
-#ifndef BENCH_PLAIN
     case BENCH_STROKE:
         bench_draw_strokes(frame);
         break;
@@ -507,7 +457,6 @@ void bench_draw(bench_frame *frame)
         qtri_draw_lit_triangles(&frame->surface, &frame->view, &frame->pose, frame->corners, NULL,
                                 6, &frame->material);
         break;
-#endif
     default:
         qtri_draw_triangles(&frame->surface, &frame->view, &frame->pose, frame->corners,
                             3 * bench_triangles(frame->scene), &frame->material);

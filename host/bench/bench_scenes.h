@@ -29,7 +29,7 @@ typedef enum bench_work {
                      own */
 } bench_work;
 
-/* What is done about jagged edges; all but the first not with BENCH_PLAIN. */
+/* What is done about jagged edges. */
 typedef enum bench_smooth {
     BENCH_JAGGED,
     BENCH_EDGES,   /* the mesh's outline, by neighbours */
@@ -72,7 +72,6 @@ typedef struct bench_scene {
 
 extern const bench_scene bench_scenes[]; /* a null name ends it */
 
-#ifndef BENCH_PLAIN
 /* What smoothing needs. Bands that overlap lie one below the other, unless rows are kept. */
 typedef struct bench_smoother {
     qtri_outline outline;
@@ -89,7 +88,6 @@ typedef struct bench_smoother {
     uint32_t rows[QTRI_FXAA_565_WORDS(BENCH_WIDTH)];
     uint32_t sums[QTRI_SUM_565_WORDS(BENCH_WIDTH, BENCH_HEIGHT)];
 } bench_smoother;
-#endif
 
 /* All that drawing a scene needs. */
 typedef struct bench_frame {
@@ -104,22 +102,16 @@ typedef struct bench_frame {
     qtri_corner corners[BENCH_CORNERS_MAX];
     uint32_t
         memory[QTRI_BAND_BYTES(BENCH_WIDTH, BENCH_HEIGHT, QTRI_RGB565_BYTES) / sizeof(uint32_t)];
-#ifdef BENCH_PLAIN
-    qtri_vertex vertices[BENCH_VERTICES_MAX];
-#else
     qtri_vertex vertices[QTRI_LIT_VERTICES(BENCH_VERTICES_MAX)];
     qtri_lights lights;
     qtri_shininess shininess;
     qtri_reflection reflection;
-#endif
     uint16_t texels[BENCH_CHAIN_TEXELS];
-#ifndef BENCH_PLAIN
     const void *levels[BENCH_TEXTURE_LOG2 - 1];
     qtri_frame bands;
     qtri_prepared prepared;
     uint16_t lists[QTRI_PREPARED_LISTS(BENCH_TRIANGLES_MAX, BENCH_HEIGHT, 16)];
     bench_smoother smoother;
-#endif
 } bench_frame;
 
 /* Camera, pose, material, and a frame of the background's colour. False: the model is not there. */
@@ -139,11 +131,9 @@ void bench_finish_smooth(bench_frame *frame);
 /* Triangles that the draw call is given; characters of text. */
 uint32_t bench_triangles(const bench_scene *scene);
 
-#ifndef BENCH_PLAIN
 /* The corners of a scene of strokes: returns how many, and draws them; or a mesh's edges. */
 uint32_t bench_set_strokes(qtri_corner *corners, const bench_scene *scene);
 void bench_draw_strokes(bench_frame *frame);
-#endif
 
 /* Whether the pixel is not of the background's colour and depth. */
 bool bench_is_drawn(const bench_frame *frame, int32_t x, int32_t y);

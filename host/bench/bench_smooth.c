@@ -4,8 +4,6 @@
  */
 #include "bench_scenes.h"
 
-#ifndef BENCH_PLAIN
-
 #define WORDS(array) ((uint32_t)(sizeof(array) / sizeof((array)[0])))
 
 enum { BAND_ROWS = 16, OVERLAP = 1, BANDS = BENCH_HEIGHT / BAND_ROWS };
@@ -220,5 +218,3 @@ void bench_finish_smooth(bench_frame *frame)
         }
     }
 }
-
-#endif

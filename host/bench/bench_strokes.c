@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "bench_scenes.h"
 
-#ifndef BENCH_PLAIN
-
 enum { LINE_POINTS = 64, POINTS = 256, CHART_POINTS = 160 };
 
 /* Numbers that repeat on every machine: 0..65535. */
@@ -64,5 +62,3 @@ void bench_draw_strokes(bench_frame *frame)
                            scene->chart ? CHART_POINTS : LINE_POINTS, &stroke, &frame->material);
     }
 }
-
-#endif

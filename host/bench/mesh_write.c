@@ -113,10 +113,9 @@ static void write_wide(FILE *out, const char *name, const struct obj_mesh *mesh)
     if (mesh->uvs != NULL) {
         fprintf(out, "    .uvs = %s_uvs,\n", name);
     }
-    fprintf(out, "#ifndef BENCH_PLAIN\n");
     write_bounds(out, reach);
     fprintf(out,
-            "#endif\n    .triangles = %s_triangles,\n    .vertex_count = %zu,\n"
+            "    .triangles = %s_triangles,\n    .vertex_count = %zu,\n"
             "    .triangle_count = %zu};\n\n",
             name, mesh->vertex_count, mesh->triangle_count);
 }
@@ -230,7 +229,6 @@ static void write_compact(FILE *out, const char *name, const struct obj_mesh *me
     const int32_t half[3] = {extent, extent, extent};
     bool compact_uvs = has_compact_uvs(mesh);
     qtri_faces faces;
-    fprintf(out, "#ifndef BENCH_PLAIN\n");
     begin_array(out, "qtri_position16", name, "positions16");
     for (size_t i = 0; i < mesh->vertex_count; i++) {
         const int32_t *p = mesh->positions[i];
@@ -266,7 +264,7 @@ static void write_compact(FILE *out, const char *name, const struct obj_mesh *me
     write_bounds(out, half);
     fprintf(out,
             "    .triangles = %s_triangles,\n    .neighbours = %s_neighbours,\n"
-            "    .vertex_count = %zu,\n    .triangle_count = %zu};\n#endif\n\n",
+            "    .vertex_count = %zu,\n    .triangle_count = %zu};\n\n",
             name, name, mesh->vertex_count, mesh->triangle_count);
 }
 

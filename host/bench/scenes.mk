@@ -154,7 +154,7 @@ endif
 profile-programs: $(PROFILE_TOOL) $(PROFILE_SCENES:%=$(profile_dir)/%.elf)
 
 # Time on the host -----------------------------------------------------------------------------------
-# BASE=COMMIT builds the core of that commit as well, with the scenes as they are now, and times both in turn.
+# BASE=COMMIT builds that commit's benchmark as well, and times the scenes that both have in turn.
 
 BASE ?=
 
@@ -165,15 +165,13 @@ BASE_DIR  := build/base/$(BASE_ID)
 .PHONY: bench-host
 bench-host: ## Time every benchmark scene on the host, -O3: build/bench-host.tsv; BASE=COMMIT compares
 	@$(if $(BASE),$(if $(BASE_ID),,echo "bench-host: there is no commit $(BASE)"; exit 1))
-	@$(MAKE) -s $(PARALLEL) BUILD=$(HOST_FAST) CFLAGS=-O3 $(HOST_FAST)/bench/bench_host $(if $(BASE),$(BASE_DIR)/bench_host)
-	@sh host/bench/bench_host.sh build/bench-host.tsv $(HOST_FAST)/bench/bench_host $(if $(BASE),$(BASE_DIR)/bench_host)
+	@$(MAKE) -s $(PARALLEL) BUILD=$(HOST_FAST) CFLAGS=-O3 $(HOST_FAST)/bench/bench_host
+	@$(if $(BASE),$(MAKE) -s BUILD=$(BUILD) $(BASE_DIR)/$(HOST_FAST)/bench/bench_host)
+	@sh host/bench/bench_host.sh build/bench-host.tsv $(HOST_FAST)/bench/bench_host $(if $(BASE),$(BASE_DIR)/$(HOST_FAST)/bench/bench_host)
 
 ifneq ($(BASE_ID),)
-# Made with BUILD=$(HOST_FAST): the meshes and the archives are there. The core's objects come first, so that none is
-# taken from an archive.
-$(BASE_DIR)/bench_host: $(wildcard host/bench/bench_*.[ch]) $(SCENE_DIR)/bench_meshes.c $(HOST)
-	@rm -rf $(@D) && mkdir -p $(@D)
-	@git archive $(BASE_ID) core | tar -xf - -C $(@D)
-	@$(CC) -std=c99 $(CFLAGS) -DBENCH_PLAIN -I$(@D)/core/include -Ihost/bench -o $@ $(@D)/core/*/*.c \
-	    $(SCENE_HOST_SOURCES) $(SCENE_DIR)/bench_meshes.c $(HOST) -lm
+$(BASE_DIR)/$(HOST_FAST)/bench/bench_host:
+	@rm -rf $(BASE_DIR) && mkdir -p $(BASE_DIR)
+	@git archive $(BASE_ID) | tar -xf - -C $(BASE_DIR)
+	@$(MAKE) -s $(PARALLEL) -C $(BASE_DIR) BUILD=$(HOST_FAST) CFLAGS=-O3 MODELS=$(abspath $(MODELS)) $(HOST_FAST)/bench/bench_host
 endif
