@@ -50,18 +50,6 @@ static uint32_t shift_of(const qtri_material *material, const qtri_screen_point 
     return nearer ? 0 - less : less;
 }
 
-static void move_large(qtri_large_vertex moved[3], const qtri_draw_state *state,
-                       const qtri_screen_point *const p[3], int64_t area,
-                       const qtri_large_vertex v[3])
-{
-    const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
-    const uint32_t by = shift_of(state->material, p, area, depth);
-    for (int i = 0; i < 3; i++) {
-        moved[i] = v[i];
-        moved[i].depth_16p16 += by;
-    }
-}
-
 /* The vertices' copies have other depths; the light that they are given is given back. A vertex's
    depth has 8 bits of fraction, so the shift loses 2^-8 of a step of 16 bits. */
 static bool draw_small(qtri_small *t)
@@ -93,4 +81,4 @@ static bool draw_small(qtri_small *t)
     return is_drawn;
 }
 
-const qtri_depth_shift qtri_slope_bias = {draw_small, move_large};
+const qtri_depth_shift qtri_slope_bias = {draw_small, shift_of};

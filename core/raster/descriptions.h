@@ -39,10 +39,11 @@ struct qtri_shading {
 
 /* Depths of a triangle that are moved as a whole. */
 struct qtri_depth_shift {
-    /* A small triangle, which its state's pipeline draws then; and the vertices of a large one. */
+    /* A small triangle, which its state's pipeline draws then. */
     bool (*small)(struct qtri_small *triangle);
-    void (*move)(qtri_large_vertex moved[3], const qtri_draw_state *state,
-                 const qtri_screen_point *const p[3], int64_t area, const qtri_large_vertex v[3]);
+    /* What is added to the depths of a triangle's vertices, modulo 2^32. */
+    uint32_t (*find)(const qtri_material *material, const qtri_screen_point *const p[3],
+                     int64_t area, const uint32_t depth[3]);
 };
 
 extern const qtri_pipeline *const qtri_pipelines_fog[];

@@ -86,7 +86,7 @@ static bool leaves_range(const qtri_large_job *job)
         const qtri_large_vertex *v = &job->v[i];
         const int64_t more =
             (job->depth.dx * v->rest[0] + job->depth.dy * v->rest[1]) >> 24; /* 2^36 2^15 */
-        if ((uint64_t)((int64_t)v->depth_16p16 - more) > (uint64_t)65535 << 16) {
+        if ((uint64_t)((int64_t)job->vertex_depth[i] - more) > (uint64_t)65535 << 16) {
             return true;
         }
     }
@@ -98,7 +98,7 @@ static void set_depth_ramp(qtri_large_job *job, bool is_true)
 {
     int64_t f_q8[3];
     for (int i = 0; i < 3; i++) {
-        f_q8[i] = (int64_t)job->v[i].depth_16p16 << 6;
+        f_q8[i] = (int64_t)job->vertex_depth[i] << 6;
     }
     qtri_large_use_weights(job, is_true);
     qtri_large_ramp_init(&job->depth, job, f_q8, -2);
@@ -170,17 +170,14 @@ QTRI_NOINLINE void qtri_large_set_up(qtri_large_job *job)
 /* Rows -----------------------------------------------------------------------------------------
  */
 
-/* All bits of what the loop over pixels has modulo 2^32; a plane holds 50. */
-static int64_t depth_at(const qtri_large_job *job, int32_t x)
+/* -1, 0, 1: depth at a column is below, inside and above its range. All bits of what the loop over
+   pixels has modulo 2^32; a plane holds 50. */
+QTRI_NOINLINE static int side_at(const qtri_large_job *job, int32_t x)
 {
-    return qtri_wrap64((uint64_t)(job->depth.at + job->depth.dx * x + job->depth.dy * job->t.y)
-                       << 14) >>
-           14;
-}
-
-/* -1, 0, 1: below, inside and above the range. */
-static int side_of(int64_t depth)
-{
+    const int64_t depth =
+        qtri_wrap64((uint64_t)(job->depth.at + job->depth.dx * x + job->depth.dy * job->t.y)
+                    << 14) >>
+        14;
     return depth < 0 ? -1 : depth >> 32 != 0;
 }
 
@@ -189,23 +186,23 @@ static int side_of(int64_t depth)
  * below or above it. Depth goes one way along a row, so each side has one run of pixels; few are
  * outside, and are counted. False: there is none.
  */
-static bool next_part(qtri_large_job *job)
+QTRI_NOINLINE static bool next_part(qtri_large_job *job)
 {
     const int32_t left = job->next_left, end = job->next_right;
     if (left >= end) {
         return false;
     }
-    const int side = side_of(depth_at(job, left));
+    const int side = side_at(job, left);
     int32_t right = left + 1;
     job->is_clamped = side != 0;
     if (side == 0) {
         right = end;
-        while (side_of(depth_at(job, right - 1)) != 0) {
+        while (side_at(job, right - 1) != 0) {
             right--;
         }
         job->t.z_step = (uint32_t)job->depth.dx;
     } else {
-        while (right < end && side_of(depth_at(job, right)) == side) {
+        while (right < end && side_at(job, right) == side) {
             right++;
         }
         job->t.z_step = 0;
@@ -260,34 +257,22 @@ static inline bool step_row(qtri_large_job *job)
     return true;
 }
 
-/* Rows whose depth may leave its range, part by part. */
-QTRI_NOINLINE static bool next_clamped(qtri_large_job *job)
-{
-    for (;;) {
-        while (next_part(job)) {
-            if (set_row(job, job->t.row_left, job->t.row_right)) {
-                return true;
-            }
-        }
-        if (!step_row(job)) {
-            return false;
-        }
-        job->next_left = job->t.row_left;
-        job->next_right = job->t.row_right;
-    }
-}
-
+/* Rows whose depth may leave its range are drawn part by part: of a new one there is none yet. */
 bool qtri_large_next_row(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    if (job->clamps_depth) {
-        return next_clamped(job);
-    }
     do {
-        if (!step_row(job)) {
-            return false;
+        if (!job->clamps_depth || !next_part(job)) {
+            if (!step_row(job)) {
+                return false;
+            }
+            if (job->clamps_depth) {
+                job->next_left = t->row_left;
+                job->next_right = t->row_right;
+                t->row_right = t->row_left;
+            }
         }
-    } while (!set_row(job, job->t.row_left, job->t.row_right));
+    } while (!set_row(job, t->row_left, t->row_right));
     return true;
 }
 
@@ -309,24 +294,10 @@ QTRI_NOINLINE static bool begin(qtri_large_job *job, const qtri_screen_point *co
     return true;
 }
 
-/* Apart: others take no stack for it. */
-QTRI_NOINLINE static void draw_shifted(qtri_large_job *job, const qtri_screen_point *const p[3],
-                                       int64_t area)
-{
-    qtri_draw_state *state = job->t.state;
-    qtri_large_vertex moved[3];
-    state->material->depth_shift->move(moved, state, p, area, job->v);
-    const qtri_large_vertex *v = job->v;
-    job->v = moved;
-    if (job->options->samples != 0 || begin(job, p, area)) {
-        state->pipeline->large(&job->t);
-    }
-    job->v = v;
-}
-
 void qtri_large_triangle(qtri_draw_state *state, const qtri_screen_point *const p[3], int64_t area,
                          uint32_t color_rgb, const qtri_large_vertex v[3])
 {
+    const qtri_depth_shift *shift = state->material->depth_shift;
     qtri_large_job job;
     if (area == 0) {
         return;
@@ -337,9 +308,14 @@ void qtri_large_triangle(qtri_draw_state *state, const qtri_screen_point *const 
     job.v = v;
     job.p = p;
     job.area = area;
-    if (state->material->depth_shift != NULL) {
-        draw_shifted(&job, p, area);
-        return;
+    for (int i = 0; i < 3; i++) {
+        job.vertex_depth[i] = v[i].depth_16p16;
+    }
+    if (shift != NULL) {
+        const uint32_t by = shift->find(state->material, p, area, job.vertex_depth);
+        for (int i = 0; i < 3; i++) {
+            job.vertex_depth[i] += by;
+        }
     }
     if (job.options->samples != 0 || begin(&job, p, area)) {
         state->pipeline->large(&job.t);

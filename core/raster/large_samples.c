@@ -69,10 +69,8 @@ static bool set_up(qtri_large_job *job, int32_t place)
 static bool is_gentle(const qtri_large_job *job)
 {
     uint32_t least, most;
-    const qtri_large_vertex *v = job->v;
-    const uint32_t depth[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
     const uint64_t extent = (uint64_t)((int64_t)job->width + job->height);
-    qtri_find_range(&least, &most, depth);
+    qtri_find_range(&least, &most, job->vertex_depth);
     return (((most - least) >> 12) + 1) * extent <= qtri_magnitude64(job->area) << 8;
 }
 

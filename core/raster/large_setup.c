@@ -26,7 +26,7 @@ static uint64_t reciprocal64(uint64_t x)
 }
 
 /* b times a distance of less than 130 2^-8, 2^-24 pixel. */
-static int64_t along(int64_t b, int32_t distance)
+QTRI_NOINLINE static int64_t along(int64_t b, int32_t distance)
 {
     return (b >> 8) * (distance >> 16) + (b >> 24) * (distance & 0xFFFF);
 }
@@ -48,21 +48,22 @@ static void find_differences(differences *s, const qtri_large_job *job, bool is_
     }
 }
 
+QTRI_NOINLINE static int64_t cross(const int32_t a[2], const int32_t b[2])
+{
+    return qtri_mul_s32(a[0], b[1]) - qtri_mul_s32(a[1], b[0]);
+}
+
 /* 2^14 times the area; that of snapped vertices is exact. */
 static int64_t area_of(const differences *s, int64_t area)
 {
-    const int64_t once =
-        qtri_mul_s32(s->d[0][0], s->rest[1][1]) + qtri_mul_s32(s->rest[0][0], s->d[1][1]) -
-        qtri_mul_s32(s->d[0][1], s->rest[1][0]) - qtri_mul_s32(s->rest[0][1], s->d[1][0]);
-    const int64_t twice =
-        qtri_mul_s32(s->rest[0][0], s->rest[1][1]) - qtri_mul_s32(s->rest[0][1], s->rest[1][0]);
-    return area * 16384 + (once >> 2) + (twice >> 18);
+    const int64_t once = cross(s->d[0], s->rest[1]) + cross(s->rest[0], s->d[1]);
+    return area * 16384 + (once >> 2) + (cross(s->rest[0], s->rest[1]) >> 18);
 }
 
-/* d r 2^-64, |d| < 2^62. */
-static int64_t scaled(int64_t d, uint64_t r, bool is_negative)
+/* d 2^up r 2^-64, |d| 2^up < 2^62. */
+QTRI_NOINLINE static int64_t scaled(int64_t d, int32_t up, uint64_t r, bool is_negative)
 {
-    const int64_t size = (int64_t)qtri_mul_high64(qtri_magnitude64(d), r);
+    const int64_t size = (int64_t)qtri_mul_high64(qtri_magnitude64(d) << up, r);
     return (d < 0) != is_negative ? -size : size;
 }
 
@@ -100,8 +101,8 @@ static bool find_weights(qtri_large_job *job, bool is_true)
     const int32_t y = (128 - (job->y[0] & 255)) * 65536 - (is_true ? v[0].rest[1] : 0);
     for (int i = 0; i < 2; i++) {
         int64_t *b = w->b[1 - i];
-        b[0] = scaled(d[i][1] * ((int64_t)1 << up), r, (area < 0) != (i == 0));
-        b[1] = scaled(d[i][0] * ((int64_t)1 << up), r, (area < 0) == (i == 0));
+        b[0] = scaled(d[i][1], up, r, (area < 0) != (i == 0));
+        b[1] = scaled(d[i][0], up, r, (area < 0) == (i == 0));
         b[2] = along(b[0], x) + along(b[1], y);
     }
     w->fraction = 56 + up - zeros;

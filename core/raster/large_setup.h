@@ -45,7 +45,7 @@ typedef struct qtri_large_job {
     qtri_large t; /* first: what the body has a pointer to */
     const qtri_options *options;
     const qtri_large_vertex *v;
-
+    uint32_t vertex_depth[3]; /* theirs, 16.16, as the material shifts it */
     const qtri_screen_point *const *p;
     int32_t x[3], y[3]; /* of the vertices, 24.8 */
     int64_t area;       /* qtri_triangle_area() of these */
