@@ -6,7 +6,7 @@
 #include "support/cube.h"
 #include "support/layouts.h"
 
-#include "geometry/vertex.h"
+#include "geometry/projector.h"
 
 #include <qtri/blend.h>
 #include <qtri/edges.h>

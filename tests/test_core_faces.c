@@ -6,7 +6,7 @@
 #include "support/faces.h"
 #include "support/layouts.h"
 
-#include "geometry/eye.h"
+#include "geometry/cull.h"
 #include "geometry/lighting.h"
 #include "raster/triangle.h"
 #include "support/vertex_narrow.h"

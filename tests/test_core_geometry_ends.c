@@ -5,10 +5,9 @@
 #include "support/transform.h"
 #include "support/vertex_narrow.h"
 
-#include "geometry/eye.h"
+#include "geometry/cull.h"
 #include "geometry/illumination.h"
 #include "geometry/lighting.h"
-#include "geometry/lit_point.h"
 #include "geometry/projector.h"
 
 #include <qtri/animation.h>

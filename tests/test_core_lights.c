@@ -5,7 +5,7 @@
  */
 #include "support/transform.h"
 
-#include "geometry/lit_point.h"
+#include "geometry/illumination.h"
 
 static void of_vec3(double out[3], qtri_vec3 v)
 {

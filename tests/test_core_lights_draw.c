@@ -7,7 +7,7 @@
 #include "support/layouts.h"
 #include "support/transform.h"
 
-#include "geometry/lit_point.h"
+#include "geometry/illumination.h"
 
 enum { WIDTH = 64, HEIGHT = 48, ROWS = 7 };
 

@@ -75,7 +75,7 @@ static void identities_change_nothing(void **state)
     }
 }
 
-/* light_point.h: v y of a square's upper half v in [1/4, 1) stays below 2^16 for every v. */
+/* light_kinds.c: v y of a square's upper half v in [1/4, 1) stays below 2^16 for every v. */
 static void lengths_by_the_seed_fit_a_half_word(void **state)
 {
     (void)state;

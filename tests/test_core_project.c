@@ -6,7 +6,7 @@
 #include "support/core.h"
 
 #include "geometry/projector.h"
-#include "geometry/vertex.h"
+#include "geometry/projector.h"
 
 static qtri_projector projector_for(const qtri_transform *t, int32_t width, int32_t height)
 {

@@ -6,7 +6,7 @@
 #include "support/core.h"
 
 #include "geometry/lighting.h"
-#include "geometry/vertex.h"
+#include "geometry/projector.h"
 #include "support/vertex_narrow.h"
 
 enum { POINTS = 64 };

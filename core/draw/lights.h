@@ -8,7 +8,7 @@
 #define QTRI_DRAW_LIGHTS_H
 
 #include "../bits/bits.h"
-#include "../geometry/lit_point.h"
+#include "../geometry/illumination.h"
 #include "mesh_job.h"
 
 struct qtri_light_model {

@@ -12,7 +12,7 @@
 #ifndef QTRI_DRAW_MESH_FACES_H
 #define QTRI_DRAW_MESH_FACES_H
 
-#include "../geometry/eye.h"
+#include "../geometry/cull.h"
 #include "mesh_job.h"
 
 enum {

@@ -3,8 +3,7 @@
 
 #include "../bits/seed.h"
 #include "../math/unit.h"
-#include "linear_part.h"
-#include "vertex.h"
+#include "projector.h"
 
 /*
  * ambient + diffuse (n . towards) / unit as a row of intensities times 2^25, plus half of a step of

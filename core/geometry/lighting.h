@@ -11,7 +11,7 @@
 #include "qtri/mesh.h"
 #include "qtri/view.h"
 
-#include "row16.h"
+#include "row.h"
 
 /*
  * Where eye space is object space rotated, reflected or scaled evenly, the light is taken to object

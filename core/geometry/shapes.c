@@ -1,17 +1,42 @@
 /* SPDX-License-Identifier: MIT */
-#include "shapes.h"
-
+/*
+ * Computed meshes, put together of vertices, triangles and rings.
+ */
 #include "qtri/bounds.h"
 #include "qtri/error.h"
 #include "qtri/q16_trig.h"
+#include "qtri/shapes.h"
+
+#include <stdbool.h>
+#include <stddef.h>
 
 #include "../bits/bits.h"
+#include "plain.h"
+
+enum { SHAPE_MOST = 1024 };
+
+typedef struct shape_builder {
+    const qtri_shape_memory *memory;
+    qtri_mesh *mesh;
+} shape_builder;
+
+typedef struct shape_ring {
+    q16 radius, y;
+    q16 out, up; /* the normal: away from the axis, and along it */
+    q16 v;
+} shape_ring;
+
+static inline bool is_count(int32_t n, int32_t least)
+{
+    return n >= least && n <= SHAPE_MOST;
+}
 
 static const qtri_mesh nothing;
 
-enum qtri_error qtri_builder_begin(qtri_builder *builder, qtri_mesh *mesh,
-                                   const qtri_shape_memory *memory, int32_t vertices,
-                                   int32_t triangles)
+/* An empty mesh with room for so many, or an error. */
+static enum qtri_error builder_begin(shape_builder *builder, qtri_mesh *mesh,
+                                     const qtri_shape_memory *memory, int32_t vertices,
+                                     int32_t triangles)
 {
     QTRI_ASSERT(mesh != NULL && memory != NULL);
     QTRI_ASSERT(memory->positions != NULL || memory->vertices == 0);
@@ -32,7 +57,7 @@ enum qtri_error qtri_builder_begin(qtri_builder *builder, qtri_mesh *mesh,
     return QTRI_OK;
 }
 
-enum qtri_error qtri_builder_end(const qtri_builder *builder)
+static enum qtri_error builder_end(const shape_builder *builder)
 {
     builder->mesh->bounds = qtri_mesh_box(builder->mesh);
     return QTRI_OK;
@@ -43,8 +68,9 @@ static int16_t q14(q16 unit)
     return (int16_t)((qtri_hold32(unit, -Q16_ONE, Q16_ONE) + 2) >> 2);
 }
 
-uint16_t qtri_builder_vertex(qtri_builder *builder, qtri_vec3 position, qtri_vec3 normal, q16 u,
-                             q16 v)
+/* The new vertex's number; the normal's parts are held to -1..1. */
+static uint16_t builder_vertex(shape_builder *builder, qtri_vec3 position, qtri_vec3 normal, q16 u,
+                               q16 v)
 {
     const qtri_shape_memory *memory = builder->memory;
     const uint32_t i = builder->mesh->vertex_count++;
@@ -60,7 +86,7 @@ uint16_t qtri_builder_vertex(qtri_builder *builder, qtri_vec3 position, qtri_vec
     return (uint16_t)i;
 }
 
-void qtri_builder_triangle(qtri_builder *builder, uint32_t a, uint32_t b, uint32_t c)
+static void builder_triangle(shape_builder *builder, uint32_t a, uint32_t b, uint32_t c)
 {
     uint16_t *triangle = builder->memory->triangles[builder->mesh->triangle_count++];
     triangle[0] = (uint16_t)a;
@@ -68,13 +94,14 @@ void qtri_builder_triangle(qtri_builder *builder, uint32_t a, uint32_t b, uint32
     triangle[2] = (uint16_t)c;
 }
 
-q16 qtri_part_of(int32_t i, int32_t count)
+/* i / count, rounded. */
+static q16 part_of(int32_t i, int32_t count)
 {
     return (q16)(((int64_t)i * 65536 + count / 2) / count);
 }
 
 /* i / count of a turn, in degrees; the last is the first. */
-q16 qtri_angle_of(int32_t i, int32_t count)
+static q16 angle_of(int32_t i, int32_t count)
 {
     return i == count ? 0 : (q16)(((int64_t)i * 360 * 65536 + count / 2) / count);
 }
@@ -83,31 +110,227 @@ q16 qtri_angle_of(int32_t i, int32_t count)
  * A circle around the y axis of slices + 1 vertices, the first and the last in one place. Seen from
  * outside they go to the right, so that (left above, left below, right below) is counter-clockwise.
  */
-void qtri_builder_ring(qtri_builder *builder, int32_t slices, const qtri_ring *ring)
+static void builder_ring(shape_builder *builder, int32_t slices, const shape_ring *ring)
 {
     for (int32_t i = 0; i <= slices; i++) {
         q16 sine;
         q16 cosine;
-        q16_sincos_deg(qtri_angle_of(i, slices), &sine, &cosine);
+        q16_sincos_deg(angle_of(i, slices), &sine, &cosine);
         const qtri_vec3 position = {q16_mul(ring->radius, sine), ring->y,
                                     q16_mul(ring->radius, cosine)};
         const qtri_vec3 normal = {q16_mul(ring->out, sine), ring->up, q16_mul(ring->out, cosine)};
-        qtri_builder_vertex(builder, position, normal, qtri_part_of(i, slices), ring->v);
+        builder_vertex(builder, position, normal, part_of(i, slices), ring->v);
     }
 }
 
 /* Triangles between the last two rings, without those that have no area at a point. */
-void qtri_builder_join(qtri_builder *builder, int32_t slices, bool is_point_above,
-                       bool is_point_below)
+static void builder_join(shape_builder *builder, int32_t slices, bool is_point_above,
+                         bool is_point_below)
 {
     const uint32_t ring = (uint32_t)slices + 1;
     const uint32_t above = builder->mesh->vertex_count - 2 * ring;
     for (uint32_t i = above; i < above + (uint32_t)slices; i++) {
         if (!is_point_below) {
-            qtri_builder_triangle(builder, i, i + ring, i + ring + 1);
+            builder_triangle(builder, i, i + ring, i + ring + 1);
         }
         if (!is_point_above) {
-            qtri_builder_triangle(builder, i, i + ring + 1, i + 1);
+            builder_triangle(builder, i, i + ring + 1, i + 1);
         }
     }
+}
+
+/* ---- Flat shapes ---- */
+
+/* Two triangles of four corners: left above, left below, right below, right above. */
+static void add_quad(shape_builder *builder, uint32_t above_left, uint32_t below_left,
+                     uint32_t below_right, uint32_t above_right)
+{
+    builder_triangle(builder, above_left, below_left, below_right);
+    builder_triangle(builder, above_left, below_right, above_right);
+}
+
+static qtri_vec3 scaled(const qtri_vec3 *half, const int8_t sign[3])
+{
+    const qtri_vec3 v = {sign[0] < 0 ? q16_neg(half->x) : half->x,
+                         sign[1] < 0 ? q16_neg(half->y) : half->y,
+                         sign[2] < 0 ? q16_neg(half->z) : half->z};
+    return v;
+}
+
+enum qtri_error qtri_shape_box(qtri_mesh *mesh, const qtri_shape_memory *memory, qtri_vec3 half)
+{
+    QTRI_ASSERT(qtri_is_length(half.x) && qtri_is_length(half.y) && qtri_is_length(half.z));
+    /* Of each side: outwards, to the right and up in its picture. */
+    static const int8_t sides[6][3][3] = {
+        {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},   {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
+        {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+        {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},  {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}};
+    static const int8_t corner[4][2] = {{-1, 1}, {-1, -1}, {1, -1}, {1, 1}};
+    shape_builder builder;
+    enum qtri_error error =
+        builder_begin(&builder, mesh, memory, QTRI_BOX_VERTICES, QTRI_BOX_TRIANGLES);
+    if (error != QTRI_OK) {
+        return error;
+    }
+    for (int i = 0; i < 6; i++) {
+        const int8_t(*side)[3] = sides[i];
+        const qtri_vec3 normal = {side[0][0] * Q16_ONE, side[0][1] * Q16_ONE, side[0][2] * Q16_ONE};
+        const uint32_t first = mesh->vertex_count;
+        for (int k = 0; k < 4; k++) {
+            int8_t sign[3];
+            for (int axis = 0; axis < 3; axis++) {
+                sign[axis] = (int8_t)(side[0][axis] + corner[k][0] * side[1][axis] +
+                                      corner[k][1] * side[2][axis]);
+            }
+            builder_vertex(&builder, scaled(&half, sign), normal, corner[k][0] > 0 ? Q16_ONE : 0,
+                           corner[k][1] > 0 ? 0 : Q16_ONE);
+        }
+        add_quad(&builder, first, first + 1, first + 2, first + 3);
+    }
+    return builder_end(&builder);
+}
+
+/* half (2 i / count - 1), rounded; |.| <= half. */
+static q16 along(q16 half, int32_t i, int32_t count)
+{
+    return q16_muldiv(half, 2 * i - count, count);
+}
+
+enum qtri_error qtri_shape_grid(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 half_x,
+                                q16 half_z, int32_t columns, int32_t rows)
+{
+    QTRI_ASSERT(qtri_is_length(half_x) && qtri_is_length(half_z));
+    static const qtri_vec3 up = {0, Q16_ONE, 0};
+    shape_builder builder;
+    const bool is_valid = is_count(columns, 1) && is_count(rows, 1);
+    enum qtri_error error = builder_begin(&builder, mesh, memory,
+                                          is_valid ? QTRI_GRID_VERTICES(columns, rows) : INT32_MAX,
+                                          is_valid ? QTRI_GRID_TRIANGLES(columns, rows) : 0);
+    if (error != QTRI_OK) {
+        return error;
+    }
+    for (int32_t z = 0; z <= rows; z++) {
+        for (int32_t x = 0; x <= columns; x++) {
+            const qtri_vec3 position = {along(half_x, x, columns), 0, along(half_z, z, rows)};
+            const uint32_t i =
+                builder_vertex(&builder, position, up, part_of(x, columns), part_of(z, rows));
+            if (z > 0 && x > 0) {
+                const uint32_t above = i - (uint32_t)columns - 1;
+                add_quad(&builder, above - 1, i - 1, i, above);
+            }
+        }
+    }
+    return builder_end(&builder);
+}
+
+/* ---- Round shapes ---- */
+
+enum qtri_error qtri_shape_sphere(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
+                                  int32_t slices, int32_t rows)
+{
+    QTRI_ASSERT(qtri_is_length(radius));
+    shape_builder builder;
+    const bool is_valid = is_count(slices, 3) && is_count(rows, 2);
+    enum qtri_error error = builder_begin(&builder, mesh, memory,
+                                          is_valid ? QTRI_SPHERE_VERTICES(slices, rows) : INT32_MAX,
+                                          is_valid ? QTRI_SPHERE_TRIANGLES(slices, rows) : 0);
+    if (error != QTRI_OK) {
+        return error;
+    }
+    for (int32_t i = 0; i <= rows; i++) {
+        shape_ring ring;
+        q16_sincos_deg(angle_of(i, 2 * rows), &ring.out, &ring.up);
+        ring.radius = q16_mul(radius, ring.out);
+        ring.y = q16_mul(radius, ring.up);
+        ring.v = part_of(i, rows);
+        builder_ring(&builder, slices, &ring);
+        if (i > 0) {
+            builder_join(&builder, slices, i == 1, i == rows);
+        }
+    }
+    return builder_end(&builder);
+}
+
+enum qtri_error qtri_shape_torus(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
+                                 q16 tube, int32_t slices, int32_t rings)
+{
+    QTRI_ASSERT(qtri_is_length(radius) && qtri_is_length(tube));
+    shape_builder builder;
+    const bool is_valid = is_count(slices, 3) && is_count(rings, 3);
+    enum qtri_error error = builder_begin(&builder, mesh, memory,
+                                          is_valid ? QTRI_TORUS_VERTICES(slices, rings) : INT32_MAX,
+                                          is_valid ? QTRI_TORUS_TRIANGLES(slices, rings) : 0);
+    if (error != QTRI_OK) {
+        return error;
+    }
+    for (int32_t i = 0; i <= rings; i++) { /* from the top outwards and down */
+        shape_ring ring;
+        q16_sincos_deg(angle_of(i, rings), &ring.out, &ring.up);
+        ring.radius = q16_add(radius, q16_mul(tube, ring.out));
+        ring.y = q16_mul(tube, ring.up);
+        ring.v = part_of(i, rings);
+        builder_ring(&builder, slices, &ring);
+        if (i > 0) {
+            builder_join(&builder, slices, false, false);
+        }
+    }
+    return builder_end(&builder);
+}
+
+/* A radius of 0 has the triangles of any other, though none has an area. */
+static void add_disc(shape_builder *builder, int32_t slices, q16 radius, q16 y, q16 up)
+{
+    const shape_ring center = {0, y, 0, up, up > 0 ? 0 : Q16_ONE};
+    const shape_ring edge = {radius, y, 0, up, up > 0 ? 0 : Q16_ONE};
+    builder_ring(builder, slices, up > 0 ? &center : &edge);
+    builder_ring(builder, slices, up > 0 ? &edge : &center);
+    builder_join(builder, slices, up > 0, up < 0);
+}
+
+enum qtri_error qtri_shape_cylinder(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
+                                    q16 half_height, int32_t slices)
+{
+    QTRI_ASSERT(qtri_is_length(radius) && qtri_is_length(half_height));
+    shape_builder builder;
+    const bool is_valid = is_count(slices, 3);
+    enum qtri_error error =
+        builder_begin(&builder, mesh, memory, is_valid ? QTRI_CYLINDER_VERTICES(slices) : INT32_MAX,
+                      is_valid ? QTRI_CYLINDER_TRIANGLES(slices) : 0);
+    if (error != QTRI_OK) {
+        return error;
+    }
+    const q16 low = q16_neg(half_height);
+    const shape_ring above = {radius, half_height, Q16_ONE, 0, 0};
+    const shape_ring below = {radius, low, Q16_ONE, 0, Q16_ONE};
+    add_disc(&builder, slices, radius, half_height, Q16_ONE);
+    builder_ring(&builder, slices, &above);
+    builder_ring(&builder, slices, &below);
+    builder_join(&builder, slices, false, false);
+    add_disc(&builder, slices, radius, low, -Q16_ONE);
+    return builder_end(&builder);
+}
+
+/* The side's normal is (2 half_height, radius), made 1 long: perpendicular to (radius, -2 h). */
+enum qtri_error qtri_shape_cone(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
+                                q16 half_height, int32_t slices)
+{
+    QTRI_ASSERT(qtri_is_length(radius) && qtri_is_length(half_height));
+    shape_builder builder;
+    const bool is_valid = is_count(slices, 3);
+    enum qtri_error error =
+        builder_begin(&builder, mesh, memory, is_valid ? QTRI_CONE_VERTICES(slices) : INT32_MAX,
+                      is_valid ? QTRI_CONE_TRIANGLES(slices) : 0);
+    if (error != QTRI_OK) {
+        return error;
+    }
+    const q16 low = q16_neg(half_height);
+    const qtri_vec2 side = {half_height, radius / 2};
+    const qtri_vec2 normal = qtri_vec2_normalize(side);
+    const shape_ring above = {0, half_height, normal.x, normal.y, 0};
+    const shape_ring below = {radius, low, normal.x, normal.y, Q16_ONE};
+    builder_ring(&builder, slices, &above);
+    builder_ring(&builder, slices, &below);
+    builder_join(&builder, slices, true, false);
+    add_disc(&builder, slices, radius, low, -Q16_ONE);
+    return builder_end(&builder);
 }

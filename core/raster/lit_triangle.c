@@ -2,7 +2,7 @@
 #include "lit_triangle.h"
 
 #include "../bits/multiply.h"
-#include "../geometry/lit_point.h"
+#include "../geometry/illumination.h"
 
 #define ONE_Q30 QTRI_LIT_ONE_Q30
 
@@ -76,7 +76,7 @@ static void set_place(qtri_lit_point *point, const qtri_lit_triangle *p, const i
 }
 
 /* A mean of normals is shorter than they are. Near 1 a step of Newton is enough, as in
-   lit_point.h. */
+   illumination.h. */
 static void normalize(int32_t n[3])
 {
     const uint32_t one_q28 = (uint32_t)1 << 28;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 /*
- * What a plane needs, by the bound in core/geometry/eye.c: with the eye's vector k of length 1, a
+ * What a plane needs, by the bound in core/geometry/cull.c: with the eye's vector k of length 1, a
  * face of length s along its normal is culled where s n . k exceeds
  *
  *   SNAPPING thin + OFF error + ROUNDED

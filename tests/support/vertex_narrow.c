@@ -15,6 +15,8 @@
 #define qtri_lighting_init        narrow_lighting_init
 #define qtri_lighting_vertex      narrow_lighting_vertex
 #define qtri_lighting_vertex8     narrow_lighting_vertex8
+#define qtri_mesh_ball            narrow_mesh_ball
+#define qtri_mesh_box             narrow_mesh_box
 #define qtri_positions_compact    narrow_positions_compact
 #define qtri_positions_wide       narrow_positions_wide
 #define qtri_project              narrow_project
@@ -22,16 +24,18 @@
 #define qtri_projector_set_depth  narrow_projector_set_depth
 #define qtri_projector_compact    narrow_projector_compact
 #define qtri_projector_init       narrow_projector_init
+#define qtri_projector_misses     narrow_projector_misses
 #define qtri_projector_point      narrow_projector_point
 #define qtri_projector_point16    narrow_projector_point16
 #define qtri_projector_points     narrow_projector_points
 #define qtri_projector_vertices   narrow_projector_vertices
 #define qtri_projector_vertices16 narrow_projector_vertices16
 #define qtri_row16_set            narrow_row16_set
+#define qtri_view_sees_ball       narrow_view_sees_ball
+#define qtri_view_sees_box        narrow_view_sees_box
 #define qtri_vertex_exact         narrow_vertex_exact
 
-#include "geometry/compact.c"
-#include "geometry/eye.c"
+#include "geometry/cull.c"
 #include "geometry/lighting.c"
 #include "geometry/projector.c"
 

@@ -8,7 +8,7 @@
 #include <qtri/mesh.h>
 #include <qtri/view.h>
 
-#include "geometry/eye.h"
+#include "geometry/cull.h"
 
 /* A projector and the vertices it makes of p; origin is NULL for wide ones. */
 void narrow_vertices(const qtri_transform *object_to_clip, const qtri_viewport *viewport,

@@ -2,8 +2,8 @@
 /*
  * The point from which a mesh is seen, and the faces that turn away from it. Internal.
  */
-#ifndef QTRI_GEOMETRY_EYE_H
-#define QTRI_GEOMETRY_EYE_H
+#ifndef QTRI_GEOMETRY_CULL_H
+#define QTRI_GEOMETRY_CULL_H
 
 #include "projector.h"
 
