@@ -21,8 +21,12 @@ enum {
  * end less the offset, on the near side, and at the end plus the offset, on the far one:
  * (offset_x, -offset_y) from it. 24.8 where nothing else is said.
  */
-typedef struct wire {
+typedef struct wire wire;
+struct cells;
+
+struct wire {
     const qtri_line_job *job;
+    void (*draw)(const wire *w, const struct cells *c); /* the pixels of a column */
     int32_t x[2], y[2];         /* of the ends, along and across; x[0] < x[1] */
     int32_t origin_x, origin_y; /* of the first end, without a cap */
     int32_t slope_q16;          /* across for along: -1..1 */
@@ -42,7 +46,7 @@ typedef struct wire {
     /* Where pixels are stored as they are found: row 0 of the frame, and bytes. */
     uint8_t *pixels, *depths;
     int32_t pixel_along, pixel_across, depth_along, depth_across;
-} wire;
+};
 
 /*
  * Adds the area on the far side of a side that goes from `ya` to `yb`, 1/256 pixel behind the
@@ -218,20 +222,24 @@ QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
     } while (cell != end);
 }
 
-/*
- * Columns from `column` to `end`, which are of one chunk; `low` is the near side at the first.
- * how: ANY format; OVER what is there, or NEARER than that, in RGB565.
- */
-enum { ANY, OVER, NEARER };
+static void draw_over(const wire *w, const cells *c)
+{
+    draw_pixels(w, c, false);
+}
 
-QTRI_INLINE void walk(const wire *w, int32_t column_of, int32_t end, int32_t low_q16, int32_t share,
-                      int how)
+static void draw_nearer(const wire *w, const cells *c)
+{
+    draw_pixels(w, c, true);
+}
+
+/* Columns from `column` to `end`, which are of one chunk; `low` is the near side at the first. */
+static void walk(const wire *w, int32_t column, int32_t end, int32_t low_q16, int32_t share)
 {
     int32_t cell[CELLS];
     const int32_t slope = w->slope_q16;
     const int32_t wide = 2 * w->half_q16 >> 8;
     cells c;
-    for (c.along = column_of; c.along < end; c.along++, low_q16 += slope, share += w->share_step) {
+    for (c.along = column; c.along < end; c.along++, low_q16 += slope, share += w->share_step) {
         cell[0] = cell[1] = cell[2] = cell[3] = 0;
         cell[4] = cell[5] = cell[6] = 0;
         /* 1/32 less, for corners that were rounded. */
@@ -258,30 +266,8 @@ QTRI_INLINE void walk(const wire *w, int32_t column_of, int32_t end, int32_t low
                 continue;
             }
         }
-        if (how == ANY) {
-            draw_any(w, &c);
-        } else {
-            draw_pixels(w, &c, how == NEARER);
-        }
+        w->draw(w, &c);
     }
-}
-
-QTRI_NOINLINE static void walk_any(const wire *w, int32_t column, int32_t end, int32_t low_q16,
-                                   int32_t share)
-{
-    walk(w, column, end, low_q16, share, ANY);
-}
-
-QTRI_NOINLINE static void walk_over(const wire *w, int32_t column, int32_t end, int32_t low_q16,
-                                    int32_t share)
-{
-    walk(w, column, end, low_q16, share, OVER);
-}
-
-QTRI_NOINLINE static void walk_nearer(const wire *w, int32_t column, int32_t end, int32_t low_q16,
-                                      int32_t share)
-{
-    walk(w, column, end, low_q16, share, NEARER);
 }
 
 /*
@@ -376,9 +362,6 @@ static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, co
            low <= w->bounds[3];
 }
 
-typedef void (*walk_columns)(const wire *w, int32_t column, int32_t end, int32_t low_q16,
-                             int32_t share);
-
 /* Depth and colours. */
 static void set_look(wire *w, const qtri_vertex *a, const qtri_line_color *color)
 {
@@ -391,8 +374,8 @@ static void set_look(wire *w, const qtri_vertex *a, const qtri_line_color *color
     qtri_line_look(&w->look, w->job, w->ends[0], w->ends[1], color);
 }
 
-/* What walks a line. */
-static walk_columns walk_of(wire *w)
+/* What draws its pixels. */
+static void set_draw(wire *w)
 {
     const qtri_stroke_target *to = w->job->to;
     const qtri_surface *surface = to->state.surface;
@@ -403,20 +386,21 @@ static walk_columns walk_of(wire *w)
         o->format != QTRI_RGB565 || o->keep || (qtri_tests_depth(o) && !nearer) ||
         surface->pitch >= pitch_end || surface->pitch <= -pitch_end ||
         surface->depth_pitch >= pitch_end / 2 || surface->depth_pitch <= -pitch_end / 2) {
-        return walk_any;
+        w->draw = draw_any;
+        return;
     }
+    w->draw = nearer ? draw_nearer : draw_over;
     const int32_t pitch = (int32_t)surface->pitch;
     w->pixels = surface->pixels - surface->first_row * surface->pitch;
     w->pixel_along = w->steep ? pitch : 2;
     w->pixel_across = w->steep ? 2 : pitch;
     if (!nearer) {
-        return walk_over;
+        return;
     }
     const int32_t depth_pitch = 2 * (int32_t)surface->depth_pitch;
     w->depths = (uint8_t *)(void *)(surface->depth - surface->first_row * surface->depth_pitch);
     w->depth_along = w->steep ? depth_pitch : 2;
     w->depth_across = w->steep ? 2 : depth_pitch;
-    return walk_nearer;
 }
 
 void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
@@ -427,7 +411,7 @@ void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const
         return;
     }
     set_look(&w, a, color);
-    const walk_columns columns = walk_of(&w);
+    set_draw(&w);
     for (int32_t start = w.first; start < w.end; start += CHUNK) {
         int32_t low_q16;
         int32_t share;
@@ -435,8 +419,7 @@ void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const
         const int32_t skip = qtri_greatest32(w.bounds[0] - start, 0);
         if (start + skip < end) {
             begin_chunk(&w, start, &low_q16, &share);
-            columns(&w, start + skip, end, low_q16 + skip * w.slope_q16,
-                    share + skip * w.share_step);
+            walk(&w, start + skip, end, low_q16 + skip * w.slope_q16, share + skip * w.share_step);
         }
     }
 }
