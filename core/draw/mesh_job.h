@@ -86,6 +86,13 @@ struct qtri_fill {
     void (*band)(qtri_mesh_job *draw);
 };
 
+/* What the fills of wireframes share, in mesh_lines.c: edges that neighbours have are drawn once. */
+void qtri_wireframe_triangle(const qtri_mesh_job *draw, const void *triangle,
+                             qtri_vertex *const vertex[3]);
+void qtri_wireframe_mesh(qtri_mesh_job *draw);
+void qtri_wireframe_prepare(const qtri_mesh_job *draw, bool back_only);
+void qtri_wireframe_band(qtri_mesh_job *draw);
+
 /*
  * How it looks and where to: all that triangles inside all planes need, once they are lit; and
  * memory for its vertices.

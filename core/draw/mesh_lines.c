@@ -427,7 +427,7 @@ QTRI_NOINLINE static bool draw_faces(qtri_mesh_job *draw)
     return true;
 }
 
-static void draw_mesh(qtri_mesh_job *draw)
+void qtri_wireframe_mesh(qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
     taker who = taker_by_job(draw);
@@ -457,8 +457,8 @@ static void draw_mesh(qtri_mesh_job *draw)
     look_at_any(draw, number, who, simple, true);
 }
 
-static void draw_triangle(const qtri_mesh_job *draw, const void *triangle,
-                          qtri_vertex *const vertex[3])
+void qtri_wireframe_triangle(const qtri_mesh_job *draw, const void *triangle,
+                             qtri_vertex *const vertex[3])
 {
     uint32_t edges = QTRI_EDGES_ALL;
     if (draw->noted) {
@@ -472,13 +472,13 @@ static void draw_triangle(const qtri_mesh_job *draw, const void *triangle,
     draw_inside(draw, triangle, vertex, edges); /* as qtri_fill promises: nothing calls itself */
 }
 
-static void prepare_mesh(const qtri_mesh_job *draw, bool back_only)
+void qtri_wireframe_prepare(const qtri_mesh_job *draw, bool back_only)
 {
     clear_notes(draw);
     look_at_any(draw, 0, taker_by_material(&draw->material), back_only, false);
 }
 
-static void begin_band(qtri_mesh_job *draw)
+void qtri_wireframe_band(qtri_mesh_job *draw)
 {
     draw->noted = draw->slot_count >= draw->mesh->vertex_count &&
                   taker_by_job(draw) == taker_by_material(&draw->material);
@@ -487,8 +487,8 @@ static void begin_band(qtri_mesh_job *draw)
 const qtri_fill qtri_wireframe = {
     .begin = qtri_primitive_begin_lines,
     .clipped = qtri_primitive_outline,
-    .triangle = draw_triangle,
-    .mesh = draw_mesh,
-    .prepare = prepare_mesh,
-    .band = begin_band,
+    .triangle = qtri_wireframe_triangle,
+    .mesh = qtri_wireframe_mesh,
+    .prepare = qtri_wireframe_prepare,
+    .band = qtri_wireframe_band,
 };

@@ -8,7 +8,7 @@
 #include "../geometry/projector.h"
 #include "../raster/stroke.h"
 #include "checked.h"
-#include "lights.h"
+#include "mesh_job.h"
 
 /* Corners of one draw call on their way to the screen. */
 typedef struct stroke_job {
@@ -320,70 +320,72 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
 
 /*
  * Edges are found, lit and shared out as those of &qtri_wireframe are; only what draws an edge is
- * another.
+ * another: the fills of smooth lines one pixel wide, and of one call's wide ones.
  */
 
-/* A line job whose lines are strokes: `mesh` is first, and the line job in it tells where. */
-typedef struct wide_job {
-    qtri_mesh_job mesh;
+static const qtri_stroke_line one_pixel = {128, false, 255};
+
+static void begin_smooth(qtri_primitive *primitive)
+{
+    qtri_primitive_begin_lines(primitive);
+    qtri_stroke_line_choose(&primitive->to.lines.job, primitive->surface, primitive->material,
+                            &one_pixel, qtri_stroke_line_draw);
+}
+
+const qtri_fill qtri_smooth_wireframe = {
+    .begin = begin_smooth,
+    .clipped = qtri_primitive_outline,
+    .triangle = qtri_wireframe_triangle,
+    .mesh = qtri_wireframe_mesh,
+    .prepare = qtri_wireframe_prepare,
+    .band = qtri_wireframe_band,
+};
+
+/* What the edges of one call share. */
+typedef struct wide_edges {
     qtri_stroker stroker;
     qtri_stroke_place place;
-} wide_job;
+    qtri_stroke_line thin;
+    qtri_line_draws draw_thin; /* NULL: edges are parts of strokes */
+} wide_edges;
+
+typedef struct wide_fill {
+    qtri_fill fill; /* first: it is what a material names */
+    wide_edges *edges;
+} wide_fill;
 
 /* See qtri_line_draws. */
 static void draw_edge(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
                       const qtri_line_color *color)
 {
-    wide_job *wide = job->wide;
+    wide_edges *wide = job->wide;
     wide->place.end[0] = a->at;
     wide->place.end[1] = b->at;
     qtri_line_look(&wide->stroker.look, job, a, b, color);
     qtri_stroker_draw_part(&wide->stroker, &wide->place);
 }
 
-/* As qtri_draw_mesh does it with fewer slots than vertices. */
-QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
-{
-    const qtri_mesh *mesh = draw->mesh;
-    qtri_mesh_clear_slots(draw);
-    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        const void *triangle = qtri_mesh_triangle(mesh, i, qtri_mesh_has_bytes(mesh));
-        qtri_vertex spare[3];
-        qtri_vertex *vertex[3];
-        if (qtri_mesh_fetch_triangle(draw, triangle, spare, vertex) &&
-            !qtri_mesh_turned_away(draw, vertex[0], vertex[1], vertex[2])) {
-            qtri_mesh_draw_seen(draw, triangle, vertex);
-        }
-    }
-}
-
-/* Once it is placed, and lit by a view's lights. */
-static void draw_placed(qtri_mesh_job *draw, void *with)
-{
-    (void)with;
-    if (draw->slot_count < draw->mesh->vertex_count) {
-        draw_by_slots(draw);
-    } else {
-        qtri_wireframe.mesh(draw);
-    }
-}
-
 /*
- * The rows in which the line job looks for triangles reach as far beyond the surface's as an edge
+ * The rows in which a line job looks for triangles reach as far beyond the surface's as an edge
  * does beyond its vertices: a radius, and the corner of a square end a radius times sqrt(2).
  */
-static void widen_rows(qtri_line_job *job, int32_t radius)
+static void begin_wide(qtri_primitive *primitive)
 {
+    const void *fill = primitive->material->fill;
+    wide_edges *wide = ((const wide_fill *)fill)->edges;
+    qtri_line_job *job = &primitive->to.lines.job;
+    qtri_primitive_begin_lines(primitive);
+    if (wide->draw_thin != NULL) {
+        qtri_stroke_line_choose(job, primitive->surface, primitive->material, &wide->thin,
+                                wide->draw_thin);
+        return;
+    }
+    const int32_t radius = wide->place.radius_24p8;
     const int32_t reach = radius + radius / 2 + 1;
+    job->draw = draw_edge;
+    job->wide = wide;
     job->top_24p8 -= reach;
     job->height_24p8 += 2 * (uint32_t)reach;
-}
-
-/* Whether edges are lines that need no union of parts: no wider than two pixels, with flat ends. */
-static bool is_thin(const qtri_stroke *stroke, const qtri_stroke_place *place)
-{
-    return stroke->edges != NULL && place->radius_24p8 <= QTRI_STROKE_LINE_RADIUS &&
-           place->caps[0] != QTRI_CAP_ROUND;
 }
 
 void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view,
@@ -392,38 +394,29 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
 {
     check_draw(surface, view, pose, stroke, material);
     QTRI_CHECK(qtri_check_mesh(mesh));
-    wide_job wide;
-    qtri_material wired = *material;
-    wired.fill = &qtri_wireframe;
+    wide_edges wide;
+    const wide_fill fill = {.fill = {begin_wide, qtri_primitive_outline, qtri_wireframe_triangle,
+                                     qtri_wireframe_mesh, qtri_wireframe_prepare,
+                                     qtri_wireframe_band},
+                            .edges = &wide};
     if (!qtri_stroker_init(&wide.stroker, surface, material, stroke) || wide.stroker.radius == 0) {
         return;
     }
     wide.place.radius_24p8 = wide.stroker.radius;
     wide.place.caps[0] = wide.place.caps[1] = wide.stroker.cap;
+    const qtri_stroke_line thin = {wide.stroker.radius, wide.stroker.cap == QTRI_CAP_SQUARE,
+                                   stroke->alpha};
+    const bool is_thin = stroke->edges != NULL && wide.stroker.cap != QTRI_CAP_ROUND &&
+                         wide.stroker.radius <= QTRI_STROKE_LINE_RADIUS;
+    wide.thin = thin;
+    wide.draw_thin = is_thin ? stroke->edges->line : NULL;
+    qtri_material wired = *material;
+    wired.fill = &fill.fill;
     /* Lines reach beyond their mesh: no box says that none can be seen. */
     const qtri_box everywhere = {{0, 0, 0}, {INT32_MAX, INT32_MAX, INT32_MAX}};
     qtri_mesh unbounded = *mesh;
     unbounded.bounds = everywhere;
-    qtri_mesh_job_init(&wide.mesh, &qtri_vertex_stage_any, surface, view, &unbounded, &wired,
-                       view->vertices, view->vertex_count);
-    qtri_line_job *job = &wide.mesh.primitive.to.lines.job;
-    const qtri_stroke_line thin = {wide.place.radius_24p8, wide.place.caps[0] == QTRI_CAP_SQUARE,
-                                   stroke->alpha};
-    if (is_thin(stroke, &wide.place)) {
-        qtri_stroke_line_choose(job, surface, material, &thin, stroke->edges->line);
-    } else {
-        job->draw = draw_edge;
-        job->wide = &wide;
-        widen_rows(job, wide.place.radius_24p8);
-    }
-    if (!qtri_mesh_job_place(&wide.mesh, view, pose)) {
-        return;
-    }
-    if (view->lights != NULL) {
-        view->lights->model->mesh(&wide.mesh, view, pose, true, draw_placed, NULL);
-    } else {
-        draw_placed(&wide.mesh, NULL);
-    }
+    qtri_draw_mesh(surface, view, pose, &unbounded, &wired);
 }
 
 /* Faces leave depth alone, most often where it is less. */
@@ -475,45 +468,3 @@ void qtri_draw_hidden_lines(const qtri_surface *surface, const qtri_view *view,
         qtri_draw_mesh(surface, view, pose, mesh, &lines);
     }
 }
-
-/* Smooth lines one pixel wide -------------------------------------------------------------------
- */
-
-static const qtri_stroke_line one_pixel = {128, false, 255};
-
-static void begin_smooth(qtri_primitive *primitive)
-{
-    qtri_primitive_begin_lines(primitive);
-    qtri_stroke_line_choose(&primitive->to.lines.job, primitive->surface, primitive->material,
-                            &one_pixel, qtri_stroke_line_draw);
-}
-
-static void draw_triangle(const qtri_mesh_job *draw, const void *triangle,
-                          qtri_vertex *const vertex[3])
-{
-    qtri_wireframe.triangle(draw, triangle, vertex);
-}
-
-static void draw_mesh(qtri_mesh_job *draw)
-{
-    qtri_wireframe.mesh(draw);
-}
-
-static void prepare_mesh(const qtri_mesh_job *draw, bool back_only)
-{
-    qtri_wireframe.prepare(draw, back_only);
-}
-
-static void begin_band(qtri_mesh_job *draw)
-{
-    qtri_wireframe.band(draw);
-}
-
-const qtri_fill qtri_smooth_wireframe = {
-    .begin = begin_smooth,
-    .clipped = qtri_primitive_outline,
-    .triangle = draw_triangle,
-    .mesh = draw_mesh,
-    .prepare = prepare_mesh,
-    .band = begin_band,
-};
