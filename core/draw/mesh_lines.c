@@ -37,9 +37,13 @@
 /* Which of the triangles that have an edge take it, to draw it. */
 typedef enum taker { EVERY, FIRST, LAST } taker;
 
-static taker taker_of(bool has_depth, qtri_compare compare, bool depth_write)
+static taker taker_of(const qtri_material *material, bool has_depth)
 {
-    if (!has_depth || !depth_write) {
+    const qtri_compare compare = material->depth_compare;
+    if (material->blend != NULL) {
+        return EVERY;
+    }
+    if (!has_depth || compare == QTRI_DEPTH_OFF || material->depth_read_only) {
         return LAST;
     }
     if (compare == QTRI_LESS || compare == QTRI_GREATER) {
@@ -48,24 +52,15 @@ static taker taker_of(bool has_depth, qtri_compare compare, bool depth_write)
     return compare == QTRI_NOT_EQUAL ? EVERY : LAST;
 }
 
+static taker taker_by_job(const qtri_mesh_job *draw)
+{
+    return taker_of(&draw->material, draw->primitive.surface->depth != NULL);
+}
+
 /* In bands with depth, as most are. */
 static taker taker_by_material(const qtri_material *material)
 {
-    if (material->blend != NULL) {
-        return EVERY;
-    }
-    return taker_of(material->depth_compare != QTRI_DEPTH_OFF, material->depth_compare,
-                    !material->depth_read_only);
-}
-
-static taker taker_by_job(const qtri_mesh_job *draw)
-{
-    if (draw->material.blend != NULL) {
-        return EVERY;
-    }
-    return taker_of(draw->primitive.surface->depth != NULL &&
-                        draw->material.depth_compare != QTRI_DEPTH_OFF,
-                    draw->material.depth_compare, !draw->material.depth_read_only);
+    return taker_of(material, true);
 }
 
 /* Whether the edge is noted; it is not any more then. */

@@ -92,9 +92,9 @@ qtri_stroke_box qtri_stroke_box_of(const qtri_stroke_place *place)
     return box;
 }
 
-static bool do_meet(const qtri_stroke_box *a, const qtri_stroke_box *b)
+static inline bool do_meet(const qtri_stroke_box *a, const qtri_stroke_box *b)
 {
-    return a->x0 < b->x1 && b->x0 < a->x1 && a->y0 < b->y1 && b->y0 < a->y1;
+    return a->y0 < b->y1 && b->y0 < a->y1 && a->x0 < b->x1 && b->x0 < a->x1;
 }
 
 /* Whether a part is to be seen and meets a box; *own: its box. */
@@ -244,18 +244,22 @@ static uint32_t next_part(const qtri_stroker *stroker, uint32_t *at)
 {
     const qtri_stroke_window *w = &stroker->window;
     const uint32_t count = stroker->near_count;
-    const qtri_stroke_box box = {(int16_t)w->coverage.x, (int16_t)w->row, (int16_t)w->coverage.end,
-                                 (int16_t)(w->row + 1)};
-    while (*at < count) {
-        const qtri_stroke_near *near = &stroker->near[(*at)++];
-        if (do_meet(&near->box, &box)) {
+    const int32_t row = w->row;
+    for (uint32_t i = *at; i < count; i++) {
+        const qtri_stroke_near *near = &stroker->near[i];
+        if (near->box.y0 <= row && row < near->box.y1 && near->box.x0 < w->coverage.end &&
+            near->box.x1 > w->coverage.x) {
+            *at = i + 1;
             return near->part;
         }
     }
+    *at = *at > count ? *at : count;
     if (stroker->others == QTRI_STROKE_NONE) {
         return QTRI_STROKE_NONE;
     }
     qtri_stroke_box own;
+    const qtri_stroke_box box = {(int16_t)w->coverage.x, (int16_t)row, (int16_t)w->coverage.end,
+                                 (int16_t)(row + 1)};
     const uint32_t part = next_near(stroker, stroker->others + (*at - count), &box, &own);
     if (part != QTRI_STROKE_NONE) {
         *at = part + 1 - stroker->others + count;

@@ -11,6 +11,7 @@
 /* What lies between two sides of a slice, each at its upper and at its lower level. */
 typedef struct span {
     int32_t left[2], right[2];
+    int32_t left_sum, right_sum; /* of both: twice what they are at the middle */
 } span;
 
 /* Those of a slice are disjoint, and sorted. */
@@ -21,17 +22,18 @@ typedef struct spans {
     int count;
 } spans;
 
-static int32_t middle(const int32_t at[2])
+/* Takes the sides that are further out at the middle. */
+static inline void widen(span *s, const span *by)
 {
-    return (at[0] >> 1) + (at[1] >> 1);
-}
-
-/* Takes the side that is further out at the middle; `sign` 1: to the right, -1: to the left. */
-static void widen(int32_t side[2], const int32_t by[2], int32_t sign)
-{
-    if ((middle(by) - middle(side)) * sign > 0) {
-        side[0] = by[0];
-        side[1] = by[1];
+    if (by->left_sum < s->left_sum) {
+        s->left[0] = by->left[0];
+        s->left[1] = by->left[1];
+        s->left_sum = by->left_sum;
+    }
+    if (by->right_sum > s->right_sum) {
+        s->right[0] = by->right[0];
+        s->right[1] = by->right[1];
+        s->right_sum = by->right_sum;
     }
 }
 
@@ -77,35 +79,34 @@ static int32_t up_to_crossings(const spans *all, const span *more, int32_t heigh
  * together with the one before it, in a slice of which more than twelve separate parts lie in one
  * strip.
  */
-static void add_span(spans *all, span more)
+static void add_span(spans *all, const span *more)
 {
     int at = 0;
-    int end;
-    while (at < all->count && middle(all->of[at].right) < middle(more.left)) {
+    while (at < all->count && all->of[at].right_sum < more->left_sum) {
         at++;
     }
-    for (end = at; end < all->count && middle(all->of[end].left) <= middle(more.right); end++) {
-        widen(more.left, all->of[end].left, -1);
-        widen(more.right, all->of[end].right, 1);
-    }
-    if (end == at && all->count == SPANS) {
-        at = at > 0 ? at - 1 : 0;
-        end = at + 1;
-        widen(more.left, all->of[at].left, -1);
-        widen(more.right, all->of[at].right, 1);
-    }
-    const int moved = at + 1 - end; /* 1, 0, or less */
-    if (moved > 0) {
-        for (int i = all->count; i > at; i--) {
-            all->of[i] = all->of[i - 1];
+    if (at == all->count || all->of[at].left_sum > more->right_sum) { /* it touches none */
+        if (all->count < SPANS) {
+            for (int i = all->count++; i > at; i--) {
+                all->of[i] = all->of[i - 1];
+            }
+            all->of[at] = *more;
+            return;
         }
-    } else {
+        at -= at > 0;
+    }
+    span *s = &all->of[at];
+    int end = at + 1;
+    widen(s, more);
+    for (; end < all->count && all->of[end].left_sum <= s->right_sum; end++) {
+        widen(s, &all->of[end]);
+    }
+    if (end > at + 1) {
         for (int i = end; i < all->count; i++) {
-            all->of[i + moved] = all->of[i];
+            all->of[at + 1 + i - end] = all->of[i];
         }
+        all->count -= end - at - 1;
     }
-    all->of[at] = more;
-    all->count += moved;
 }
 
 /* The next level below y, at most `bottom`, where a bound of a part bends. */
@@ -139,6 +140,8 @@ static bool set_span(span *out, qtri_stroke_shape *s, const qtri_coverage *c, in
     out->left[1] = qtri_stroke_piece_x(left, y1);
     out->right[0] = qtri_stroke_piece_x(right, y0);
     out->right[1] = qtri_stroke_piece_x(right, y1);
+    out->left_sum = out->left[0] + out->left[1];
+    out->right_sum = out->right[0] + out->right[1];
     const int32_t min = qtri_least32(out->left[0], out->left[1]);
     const int32_t max = qtri_greatest32(out->right[0], out->right[1]);
     s->min_x = qtri_least32(s->min_x, min);
@@ -157,10 +160,6 @@ static int32_t find_spans(spans *all, qtri_stroker *stroker, int32_t y0, int32_t
             !set_span(&more, s, &stroker->window.coverage, y0, y1)) {
             continue;
         }
-        if (all->count == 0) {
-            all->of[all->count++] = more;
-            continue;
-        }
         const int32_t height = up_to_crossings(all, &more, y1 - y0);
         if (height < y1 - y0) {
             y1 = y0 + height; /* sides are others: once more */
@@ -168,7 +167,7 @@ static int32_t find_spans(spans *all, qtri_stroker *stroker, int32_t y0, int32_t
             at = 0;
             continue;
         }
-        add_span(all, more);
+        add_span(all, &more);
     }
     return y1;
 }
