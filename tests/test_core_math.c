@@ -5,7 +5,7 @@
 #include "support/core.h"
 
 #include "bits/bits.h"
-#include "math/sincos.h"
+#include "math/trig.h"
 #include "bits/wide.h"
 #include "support/math_checked.h"
 #include "support/q16.h"

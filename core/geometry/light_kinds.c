@@ -3,7 +3,7 @@
  * Kinds of light: directional, point and spot. A program links those that its sources name.
  */
 #include "../bits/seed.h"
-#include "../math/sincos.h"
+#include "../math/trig.h"
 #include "illumination.h"
 
 /* ---- Directional lights ---- */

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "../bits/bits.h"
-#include "../math/sincos.h"
+#include "../math/trig.h"
 #include "plain.h"
 #include "row.h"
 

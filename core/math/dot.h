@@ -18,6 +18,7 @@
 #define QTRI_MATH_DOT_H
 
 #include "../bits/bits.h"
+#include "../bits/wide.h"
 
 /* Sum of a[i] b[i] for count <= 4: rounded once, to nearest, halves up, and saturated. */
 int32_t qtri_dot(const int32_t *a, const int32_t *b, int32_t count);
@@ -179,5 +180,19 @@ static inline int32_t qtri_sum_q16(const qtri_sum *sum, uint32_t *flags)
 }
 
 #endif
+
+/* ---- From wide scalars to Q16.16 ---- */
+
+/* Nearest, halves up, saturated. */
+int32_t qtri_wide_to_q16(qtri_wide a);
+
+/* m 2^-16 - a b, rounded like that. */
+int32_t qtri_wide_less(int64_t m, const qtri_wide *a, const qtri_wide *b);
+
+/* The sum of a[i] b[i], of the real numbers; as exact as it needs to be for all count <= 4. */
+void qtri_wide_dot(qtri_wide *sum, const int32_t *a, const int32_t *b, int32_t count);
+
+/* x = numerator / x. */
+void qtri_wide_invert(qtri_wide *x, int32_t numerator);
 
 #endif

@@ -8,7 +8,6 @@
 
 #include "dot.h"
 #include "../bits/bits.h"
-#include "wide_q16.h"
 #include "rotation.h"
 
 qtri_mat3 qtri_mat3_translate(qtri_vec2 offset)

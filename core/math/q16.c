@@ -5,7 +5,6 @@
 #include "qtri/q16.h"
 
 #include "../bits/bits.h"
-#include "scaled.h"
 #include "../bits/seed.h"
 
 /*
@@ -210,24 +209,8 @@ q16 q16_mul_sat(q16 a, q16 b)
  * Q16.16 from and to integers and other fixed-point formats.
  */
 
-q16 q16_from_fixed(int32_t value, int fraction_bits)
-{
-    return qtri_scaled(value,
-                       fraction_bits < -64 ? 80 : 16 - (fraction_bits > 64 ? 64 : fraction_bits));
-}
-
-int32_t q16_to_fixed(q16 x, int fraction_bits)
-{
-    return qtri_scaled(x,
-                       fraction_bits > 64 ? 48 : (fraction_bits < -64 ? -80 : fraction_bits - 16));
-}
-
-q16 q16_from_int(int32_t x)
-{
-    return qtri_scaled(x, 16);
-}
-
-QTRI_NOINLINE int32_t qtri_scaled(int32_t value, int shift)
+/* value 2^shift, correctly rounded, halves up, saturated. */
+QTRI_NOINLINE static int32_t shifted(int32_t value, int shift)
 {
     if (shift < 0) {
         if (shift <= -32) {
@@ -240,6 +223,22 @@ QTRI_NOINLINE int32_t qtri_scaled(int32_t value, int shift)
     bool fits = value <= limit && value >= (shift < 32 ? -limit - 1 : 0);
     QTRI_MATH_CHECK(fits);
     return fits ? (int32_t)((uint32_t)value << (shift & 31)) : qtri_extreme32(value);
+}
+
+q16 q16_from_fixed(int32_t value, int fraction_bits)
+{
+    return shifted(value,
+                   fraction_bits < -64 ? 80 : 16 - (fraction_bits > 64 ? 64 : fraction_bits));
+}
+
+int32_t q16_to_fixed(q16 x, int fraction_bits)
+{
+    return shifted(x, fraction_bits > 64 ? 48 : (fraction_bits < -64 ? -80 : fraction_bits - 16));
+}
+
+q16 q16_from_int(int32_t x)
+{
+    return shifted(x, 16);
 }
 
 /*

@@ -2,13 +2,13 @@
 /*
  * Quaternions.
  */
+#include "qtri/q16_trig.h"
 #include "qtri/quat.h"
 #include "qtri/error.h"
 
-#include "quat_q30.h"
+#include "rotation.h"
 #include "unit.h"
 #include "dot.h"
-#include "wide_q16.h"
 #include "../bits/bits.h"
 
 qtri_quat qtri_quat_identity(void)
@@ -216,4 +216,136 @@ qtri_quat qtri_quat_from_mat4(const qtri_mat4 *m)
     QTRI_ASSERT(m != NULL);
     qtri_mat3 linear = qtri_mat4_linear(m);
     return qtri_quat_from_mat3(&linear);
+}
+
+/* ---- Interpolation ---- */
+
+/* v or -v, whichever is nearer to u. Returns u . v in Q60. */
+static int64_t shortest_arc(const int32_t u_q30[4], int32_t v_q30[4])
+{
+    int64_t cosine_q60 = 0;
+    for (int i = 0; i < 4; i++) {
+        cosine_q60 += qtri_mul_s32(u_q30[i], v_q30[i]);
+    }
+    if (cosine_q60 < 0) {
+        cosine_q60 = -cosine_q60;
+        for (int i = 0; i < 4; i++) {
+            v_q30[i] = -v_q30[i];
+        }
+    }
+    return cosine_q60;
+}
+
+qtri_quat qtri_quat_nlerp(qtri_quat a, qtri_quat b, q16 t)
+{
+    int32_t u_q30[4];
+    int32_t v_q30[4];
+    qtri_quat_unit_q30(u_q30, a);
+    qtri_quat_unit_q30(v_q30, b);
+    (void)shortest_arc(u_q30, v_q30);
+    t = q16_clamp(t, 0, Q16_ONE);
+    for (int i = 0; i < 4; i++) { /* at least 1 / sqrt 2 long */
+        int64_t sum_q46 = qtri_mul_s32(u_q30[i], Q16_ONE - t) + qtri_mul_s32(v_q30[i], t);
+        u_q30[i] = (int32_t)((sum_q46 + 0x8000) >> 16);
+    }
+    (void)qtri_unit(u_q30, u_q30, 4, 30);
+    return qtri_quat_from_q30(u_q30);
+}
+
+/* v - (u . v) u, which is no longer than v. Returns the square of its length in Q60. */
+static int64_t make_perpendicular(int32_t v_q30[4], const int32_t u_q30[4], int32_t cosine_q30)
+{
+    int64_t square_q60 = 0;
+    for (int i = 0; i < 4; i++) {
+        v_q30[i] -= qtri_mul_q30(u_q30[i], cosine_q30);
+        square_q60 += qtri_mul_s32(v_q30[i], v_q30[i]);
+    }
+    return square_q60;
+}
+
+/* u cos + v sin. Each component is at most cos + sin: 1.42. */
+static void turn_towards(int32_t u_q30[4], const int32_t v_q30[4], int32_t sine_q30,
+                         int32_t cosine_q30)
+{
+    for (int i = 0; i < 4; i++) {
+        u_q30[i] = qtri_mul_q30(u_q30[i], cosine_q30) + qtri_mul_q30(v_q30[i], sine_q30);
+    }
+}
+
+/*
+ * u cos tA + p sin tA, with p the unit vector perpendicular to u towards v: no division by sin A,
+ * and nearly parallel quaternions need no case of their own. A short v - (u . v) u has few bits,
+ * but is then multiplied by as small a sine.
+ */
+qtri_quat qtri_quat_slerp(qtri_quat a, qtri_quat b, q16 t)
+{
+    int32_t u_q30[4];
+    int32_t v_q30[4];
+    qtri_quat_unit_q30(u_q30, a);
+    qtri_quat_unit_q30(v_q30, b);
+    int32_t cosine_q30 = (int32_t)((shortest_arc(u_q30, v_q30) + 0x20000000) >> 30);
+    int64_t square_q60 = make_perpendicular(v_q30, u_q30, cosine_q30);
+    int32_t sine_q30 = (int32_t)qtri_sqrt64_round((uint64_t)square_q60);
+    q16 arc = q16_atan2_deg(sine_q30, cosine_q30); /* the ratio counts; 0..90 degrees */
+    t = q16_clamp(t, 0, Q16_ONE);
+    qtri_sincos_deg_q32(qtri_mul_s32(arc, t), &sine_q30, &cosine_q30);
+    (void)qtri_unit(v_q30, v_q30, 4, 30);
+    turn_towards(u_q30, v_q30, sine_q30, cosine_q30);
+    return qtri_quat_from_q30(u_q30);
+}
+
+/* ---- From angular velocities ---- */
+
+#define HALF_ARC_MAX_Q32 (((int64_t)1 << 47) - 65536) /* what qtri_sincos_deg_q32 takes */
+
+qtri_attitude qtri_attitude_from_quat(qtri_quat a)
+{
+    qtri_attitude attitude = {{0, 0, 0, 0}};
+    qtri_quat_unit_q30(attitude.q_q30, a);
+    return attitude;
+}
+
+qtri_quat qtri_attitude_quat(const qtri_attitude *attitude)
+{
+    QTRI_ASSERT(attitude != NULL);
+    qtri_attitude unit = *attitude;
+    if (!qtri_unit(unit.q_q30, unit.q_q30, 4, 30)) {
+        return qtri_quat_identity();
+    }
+    return qtri_quat_from_q30(unit.q_q30);
+}
+
+/* The exponential of a pure quaternion of length h along n: cos h + n sin h. */
+void qtri_attitude_integrate_deg(qtri_attitude *attitude, qtri_vec3 rate, q16 dt)
+{
+    QTRI_ASSERT(attitude != NULL);
+    const int64_t arc_q32[3] = {qtri_mul_s32(rate.x, dt), qtri_mul_s32(rate.y, dt),
+                                qtri_mul_s32(rate.z, dt)};
+    int32_t arc[3];
+    int32_t turn_q30[4];
+    int32_t shift = qtri_fit32(arc, arc_q32, 3); /* 0..32 */
+    uint64_t square = 0;
+    for (int i = 0; i < 3; i++) {
+        square += (uint64_t)qtri_mul_s32(arc[i], arc[i]);
+    }
+    int64_t half_q32 = (int64_t)((qtri_sqrt64_round(square) << shift) / 2); /* < 2^63.8 / 2 */
+    int32_t sine_q30;
+    half_q32 = half_q32 > HALF_ARC_MAX_Q32 ? HALF_ARC_MAX_Q32 : half_q32;
+    qtri_sincos_deg_q32(half_q32, &sine_q30, &turn_q30[0]);
+    (void)qtri_unit(turn_q30 + 1, arc, 3, 30);
+    for (int i = 1; i < 4; i++) {
+        turn_q30[i] = qtri_mul_q30(turn_q30[i], sine_q30);
+    }
+    if (!qtri_unit(attitude->q_q30, attitude->q_q30, 4, 30)) { /* the memory may hold anything */
+        attitude->q_q30[0] = (int32_t)1 << 30;
+    }
+    qtri_rotation_mul(attitude->q_q30, attitude->q_q30, turn_q30);
+    (void)qtri_unit(attitude->q_q30, attitude->q_q30, 4, 30);
+}
+
+qtri_quat qtri_quat_integrate_deg(qtri_quat a, qtri_vec3 rate, q16 dt)
+{
+    qtri_attitude attitude = qtri_attitude_from_quat(a);
+    qtri_attitude_integrate_deg(&attitude, rate, dt);
+    return qtri_quat_from_q30(attitude.q_q30);
 }

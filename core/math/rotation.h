@@ -6,6 +6,7 @@
 #define QTRI_MATH_ROTATION_H
 
 #include "qtri/mat.h"
+#include "qtri/quat.h"
 
 /* Sine and cosine of an angle in Q32 degrees, |angle| < 2^15 degrees: within 2^-29. */
 void qtri_sincos_deg_q32(int64_t degrees_q32, int32_t *sine_q30, int32_t *cosine_q30);
@@ -23,5 +24,12 @@ qtri_mat3 qtri_rotation_mat3(const int32_t q_q30[4]);
 
 /* Turns axis i towards axis j. */
 qtri_mat4 qtri_rotation_plane(q16 degrees, int i, int j);
+
+/* ---- Public quaternions ---- */
+
+/* The unit quaternion along a, the identity for zero. */
+void qtri_quat_unit_q30(int32_t out_q30[4], qtri_quat a);
+
+qtri_quat qtri_quat_from_q30(const int32_t q_q30[4]);
 
 #endif

@@ -9,7 +9,6 @@
 #include <stddef.h>
 #include "dot.h"
 #include "unit.h"
-#include "wide_q16.h"
 
 q16 qtri_vec2_dot(qtri_vec2 a, qtri_vec2 b)
 {

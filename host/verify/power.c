@@ -14,8 +14,16 @@
 #include <math.h>
 
 /* The core's own code under another name, for the logarithm inside it. */
-#define q16_pow verify_q16_pow
-#include "../../core/math/q16_pow.c" /* NOLINT(bugprone-suspicious-include) */
+#define q16_exp  verify_q16_exp
+#define q16_exp2 verify_q16_exp2
+#define q16_log  verify_q16_log
+#define q16_log2 verify_q16_log2
+#define q16_pow  verify_q16_pow
+#include "../../core/math/q16_exp.c" /* NOLINT(bugprone-suspicious-include) */
+#undef q16_exp
+#undef q16_exp2
+#undef q16_log
+#undef q16_log2
 #undef q16_pow
 
 /* ULP. The power of two is within 3.3 2^-32 of 1 + p where 2^21 (1 + p) is the result. */

@@ -12,7 +12,7 @@
 
 #include "bits/bits.h"
 #include "bits/multiply.h"
-#include "math/atan.h"
+#include "math/trig.h"
 #include "qtri/q16_trig.h"
 
 #include "products.h"
@@ -35,8 +35,7 @@ static uint32_t reciprocal_less_one_q16(uint32_t d_q16);
 uint32_t qtri_angle_q31(uint32_t y, uint32_t x, bool mirrored);
 
 /* Whose own functions no other file sees. */
-#include "../../core/math/q16_atan2.c"
-#include "../../core/math/q16_tan.c"
+#include "../../core/math/q16_trig.c"
 
 static uint32_t upto(uint32_t low, uint32_t high)
 {

@@ -13,14 +13,14 @@
 #include "bits/bits.h"
 #include "bits/reciprocal.h"
 #include "bits/seed.h"
-#include "math/sincos.h"
+#include "math/trig.h"
 #include "qtri/q16.h"
 #include "qtri/q16_exp.h"
 #include "qtri/q16_text.h"
 #include "qtri/q16_trig.h"
 
 /* Whose own functions no other file sees. */
-#include "../../core/math/q16_atan2.c" /* NOLINT(bugprone-suspicious-include) */
+#include "../../core/math/q16_trig.c" /* NOLINT(bugprone-suspicious-include) */
 #include "../../core/math/unit.c"      /* NOLINT(bugprone-suspicious-include) */
 
 #define TURN ((int64_t)360 * 65536)

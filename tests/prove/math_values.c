@@ -33,7 +33,7 @@ uint32_t qtri_reciprocal_q62(uint32_t x);
 static int64_t precise_log2_q43(uint32_t x);
 
 /* q16_pow and the logarithm in it, which no other file sees. */
-#include "../../core/math/q16_pow.c"
+#include "../../core/math/q16_exp.c"
 
 static q16 any(void)
 {

@@ -14,7 +14,7 @@
 #include "bits/bits.h"
 #include "bits/wide.h"
 #include "math/rotation.h"
-#include "math/sincos.h"
+#include "math/trig.h"
 #include "math/unit.h"
 #include "qtri/quat.h"
 #include "qtri/vec.h"
@@ -143,7 +143,7 @@ static void turn_towards(int32_t u_q30[4], const int32_t v_q30[4], int32_t sine_
                          int32_t cosine_q30);
 
 /* Whose own function no other file sees. */
-#include "../../core/math/slerp.c"
+#include "../../core/math/quat.c"
 
 static q16 any(void)
 {

@@ -27,7 +27,6 @@
 #define q16_pow                    narrow_pow
 #define qtri_angle_q31             narrow_angle_q31
 #define qtri_half_turns_to_radians narrow_half_turns_to_radians
-#define qtri_exp2_product          narrow_exp2_product
 #define qtri_side_angle_q31        narrow_side_angle_q31
 #define qtri_sine_of_eighths_q30   narrow_sine_of_eighths_q30
 #define qtri_cosine_of_eighths_q30 narrow_cosine_of_eighths_q30
@@ -35,18 +34,8 @@
 #define qtri_series_q31            narrow_series_q31
 #define qtri_sincos_deg_q30        narrow_sincos_deg_q30
 
-#include "math/eighths.c"
 #include "math/q16_trig.c"
-#include "math/q16_tan.c"
-#include "math/q16_atan2.c"
-#include "math/q16_atan.c"
-#include "math/q16_asin.c"
-#include "math/side_angle.c"
 #include "math/q16_exp.c"
-#include "math/q16_log.c"
-#include "math/q16_pow.c"
-#include "math/series.c"
-#include "math/sincos.c"
 
 #include "elementary.h"
 
