@@ -6,7 +6,7 @@
 #include "support/layouts.h"
 
 #include "frame/depth_format.h"
-#include "frame/stored.h"
+#include "frame/pixel.h"
 
 enum { WIDTH = 70, HEIGHT = 52, FORMATS = 3, GUARD = 16 };
 

@@ -7,7 +7,7 @@
 
 #include <qtri/dither.h>
 
-#include "frame/colors.h"
+#include "frame/pixel.h"
 
 static const qtri_format *const formats[] = {&qtri_rgb565, &qtri_rgb565_exact, &qtri_rgb565_swapped,
                                              &qtri_rgb888, &qtri_bgr888,       &qtri_xrgb8888,

@@ -5,7 +5,7 @@
 #include "support/core.h"
 #include "support/layouts.h"
 
-#include "frame/fill.h"
+#include "frame/pixel.h"
 
 #include <qtri/dither.h>
 #include <qtri/edges.h>

@@ -5,8 +5,8 @@
  */
 #include "support/core.h"
 
-#include "bits/multiply.h"
-#include "bits/seed.h"
+#include "bits/bits.h"
+#include "bits/reciprocal.h"
 
 #include <qtri/mat.h>
 #include <qtri/q16_exp.h>

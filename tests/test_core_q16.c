@@ -9,7 +9,6 @@
 
 #include "bits/bits.h"
 #include "bits/reciprocal.h"
-#include "bits/seed.h"
 
 static const q16_build library = Q16_BUILD("library");
 static const q16_build *const builds[] = {&library, &q16_narrow_build, &q16_checked_build};

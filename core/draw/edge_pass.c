@@ -31,12 +31,12 @@
  */
 #include "edge_pass.h"
 
-#include "../bits/multiply.h"
+#include "../bits/bits.h"
 #include "../bits/reciprocal.h"
 #include "../filter/mix.h"
 #include "../frame/barrier.h"
 #include "../frame/depth_format.h"
-#include "../frame/fill.h"
+#include "../frame/pixel.h"
 #include "checked.h"
 
 enum {

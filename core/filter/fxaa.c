@@ -5,7 +5,7 @@
 #include "qtri/filters.h"
 
 #include "../frame/barrier.h"
-#include "../frame/fill.h"
+#include "../frame/pixel.h"
 #include "mix.h"
 
 /* Differences of luma below this stay, as do those below 1/8 of the greatest. */

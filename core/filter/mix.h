@@ -14,7 +14,7 @@
 #include "qtri/surface.h"
 
 #include "../bits/bits.h"
-#include "../frame/colors.h"
+#include "../frame/pixel.h"
 
 /* Two pixels of 16 bits as a word, which are read as single ones elsewhere. */
 #ifdef __GNUC__

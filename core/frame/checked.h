@@ -5,7 +5,7 @@
 #ifndef QTRI_FRAME_CHECKED_H
 #define QTRI_FRAME_CHECKED_H
 
-#include "../bits/checked.h"
+#include "../bits/bits.h"
 #include "depth_format.h"
 
 #ifdef QTRI_CHECKED

@@ -7,8 +7,7 @@
 #include "qtri/body/state.h"
 
 #include "../bits/bits.h"
-#include "fill.h"
-#include "stored.h"
+#include "pixel.h"
 
 #define FARTHEST 0xFFFF0000u /* 65535.0 */
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fill.h"
+#include "pixel.h"
 
 /* Pixels that a mask has bits for. */
 #define MASK_PIXELS 32

@@ -4,7 +4,6 @@
 #include "../bits/bits.h"
 #include "checked.h"
 #include "depth_format.h"
-#include "fill.h"
 #include "pixel.h"
 
 /* The word that begins here, or next. */

@@ -8,7 +8,6 @@
 #include <stddef.h>
 
 #include "../bits/bits.h"
-#include "../bits/checked.h"
 #include "../math/unit.h"
 #include "plain.h"
 

@@ -6,7 +6,7 @@
 #include "qtri/error.h"
 #include "qtri/q16_exp.h"
 
-#include "../bits/seed.h"
+#include "../bits/reciprocal.h"
 #include "illumination.h"
 #include "row.h"
 

@@ -2,7 +2,7 @@
 /*
  * Kinds of light: directional, point and spot. A program links those that its sources name.
  */
-#include "../bits/seed.h"
+#include "../bits/reciprocal.h"
 #include "../math/trig.h"
 #include "illumination.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "lighting.h"
 
-#include "../bits/seed.h"
+#include "../bits/reciprocal.h"
 #include "../math/unit.h"
 #include "projector.h"
 

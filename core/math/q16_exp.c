@@ -5,7 +5,6 @@
 #include "qtri/q16_exp.h"
 
 #include "../bits/bits.h"
-#include "../bits/multiply.h"
 #include "coefficients.h"
 
 /* ---- Powers of two and of e ---- */

@@ -6,7 +6,6 @@
 #include "qtri/error.h"
 
 #include "../bits/bits.h"
-#include "../bits/multiply.h"
 #include "coefficients.h"
 #include "trig.h"
 

@@ -2,7 +2,6 @@
 #include "contour.h"
 
 #include "../bits/bits.h"
-#include "../bits/multiply.h"
 #include "../bits/reciprocal.h"
 
 /*

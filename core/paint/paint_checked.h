@@ -14,7 +14,7 @@
 
 #include "qtri/paint.h"
 
-#include "../bits/checked.h"
+#include "../bits/bits.h"
 
 #ifdef QTRI_CHECKED
 

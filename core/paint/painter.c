@@ -4,7 +4,7 @@
 
 #include "mix_stored.h"
 
-#include "../frame/fill.h"
+#include "../frame/pixel.h"
 
 bool qtri_painter_begin(qtri_painter *painter, const qtri_surface *surface, const qtri_brush *brush)
 {

@@ -13,7 +13,7 @@
 #include "qtri/image.h"
 
 #include "mix_stored.h"
-#include "../frame/stored.h"
+#include "../frame/pixel.h"
 
 enum { QTRI_PICTURE_BATCH = 32 };
 

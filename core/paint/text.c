@@ -6,9 +6,8 @@
 #include "qtri/font.h"
 
 #include "../bits/bits.h"
-#include "../bits/checked.h"
 #include "../frame/barrier.h"
-#include "../frame/stored.h"
+#include "../frame/pixel.h"
 
 /* A first byte 110xxxxx, 1110xxxx or 11110xxx tells how many bytes 10xxxxxx follow. */
 static int32_t following(uint32_t first)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "lit_triangle.h"
 
-#include "../bits/multiply.h"
+#include "../bits/bits.h"
 #include "../geometry/illumination.h"
 
 #define ONE_Q30 QTRI_LIT_ONE_Q30

@@ -13,7 +13,7 @@
 #include "qtri/pipeline.h"
 #include "qtri/samples.h"
 
-#include "../frame/stored.h"
+#include "../frame/pixel.h"
 
 /* What a format with samples names. */
 struct qtri_sampling {

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "../bits/multiply.h"
+#include "../bits/bits.h"
 #include "../bits/reciprocal.h"
 #include "../filter/mix.h"
 #include "line_path.h"

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "stroke_shape.h"
 
-#include "../bits/multiply.h"
+#include "../bits/bits.h"
 #include "../bits/reciprocal.h"
-#include "../bits/seed.h"
 
 /* Discs ---------------------------------------------------------------------------------------- */
 

@@ -11,7 +11,6 @@
 #include "__fc_builtin.h"
 
 #include "bits/bits.h"
-#include "bits/multiply.h"
 #include "math/trig.h"
 #include "qtri/q16_trig.h"
 

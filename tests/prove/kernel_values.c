@@ -10,7 +10,6 @@
 
 #include "__fc_builtin.h"
 
-#include "frame/colors.h"
 #include "frame/pixel.h"
 #include "qtri/clip.h"
 #include "qtri/depth.h"

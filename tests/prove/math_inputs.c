@@ -12,7 +12,6 @@
 
 #include "bits/bits.h"
 #include "bits/reciprocal.h"
-#include "bits/seed.h"
 #include "math/trig.h"
 #include "qtri/q16.h"
 #include "qtri/q16_exp.h"
@@ -21,7 +20,7 @@
 
 /* Whose own functions no other file sees. */
 #include "../../core/math/q16_trig.c" /* NOLINT(bugprone-suspicious-include) */
-#include "../../core/math/unit.c"      /* NOLINT(bugprone-suspicious-include) */
+#include "../../core/math/unit.c"     /* NOLINT(bugprone-suspicious-include) */
 
 #define TURN ((int64_t)360 * 65536)
 

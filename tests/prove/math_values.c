@@ -13,9 +13,7 @@
 #include "__fc_builtin.h"
 
 #include "bits/bits.h"
-#include "bits/multiply.h"
 #include "bits/reciprocal.h"
-#include "bits/seed.h"
 #include "qtri/q16.h"
 #include "qtri/q16_exp.h"
 #include "qtri/q16_trig.h"

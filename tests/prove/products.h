@@ -11,7 +11,7 @@
 #ifndef QTRI_TESTS_PROVE_PRODUCTS_H
 #define QTRI_TESTS_PROVE_PRODUCTS_H
 
-#include "bits/multiply.h"
+#include "bits/bits.h"
 
 #if !QTRI_LONG_MULTIPLY && QTRI_SHARE
 /*@ assigns \result \from a, b;

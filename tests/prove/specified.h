@@ -6,7 +6,7 @@
 #ifndef QTRI_TESTS_PROVE_SPECIFIED_H
 #define QTRI_TESTS_PROVE_SPECIFIED_H
 
-#include "bits/seed.h"
+#include "bits/reciprocal.h"
 
 /*@ requires 32768 <= x <= 65536;
     assigns \result \from x;

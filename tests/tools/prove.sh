@@ -31,7 +31,7 @@ value() {
     case $file in
     *kernel*)
         with="$with core/raster/dda.c core/raster/depth_float16.c core/raster/depth_linear24.c
-            core/raster/depth_linear32.c core/geometry/clip.c core/frame/pixel.c core/frame/colors.c"
+            core/raster/depth_linear32.c core/geometry/clip.c core/frame/pixel.c"
         ;;
     esac
     machine=x86_32 flags=
