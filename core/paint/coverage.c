@@ -50,7 +50,7 @@ void qtri_coverage_add_wide(qtri_coverage *w, int32_t x0, int32_t y0, int32_t x1
         return;
     }
     edge e = {x0, x1, y1 - y0, qtri_clz32((uint32_t)(x1 - x0)), 0}; /* zeros >= 8 */
-    e.reciprocal = (uint32_t)qtri_reciprocal_below((uint32_t)(x1 - x0) << e.zeros);
+    e.reciprocal = qtri_reciprocal_near((uint32_t)(x1 - x0) << e.zeros);
     int32_t x = x0;
     int32_t done = 0; /* of the edge's height */
     if (x < left) {

@@ -286,11 +286,14 @@ static void set_end(qtri_stroke_shape *s, int side, bool is_upper, int32_t top, 
 void qtri_stroke_shape_find(qtri_stroke_shape *s, int side, int32_t y)
 {
     if (s->is_disc && s->ring != NULL) {
-        set_arc(&s->piece[1], s->ring, &s->a, 1, y);
-        s->piece[0] = s->piece[1];
-        s->piece[0].x0 = 2 * s->a.x_24p8 - s->piece[1].x0;
-        s->piece[0].x1 = 2 * s->a.x_24p8 - s->piece[1].x1;
-        s->piece[0].slope_q16 = -s->piece[1].slope_q16;
+        qtri_stroke_piece *left = &s->piece[0];
+        qtri_stroke_piece *right = &s->piece[1];
+        set_arc(right, s->ring, &s->a, 1, y);
+        left->top = right->top;
+        left->bottom = right->bottom;
+        left->x0 = 2 * s->a.x_24p8 - right->x0;
+        left->x1 = 2 * s->a.x_24p8 - right->x1;
+        left->slope_q16 = -right->slope_q16;
         return;
     }
     const int32_t sign = (side == 0) == s->is_left ? 1 : -1; /* of the offset, on this bound */
