@@ -281,25 +281,6 @@ bool qtri_small_covers_center(const qtri_small_place *p, int32_t column, int32_t
     return a >= a_least && b >= b_least && c >= c_least;
 }
 
-void qtri_small_find_centers(int32_t *first, int32_t *end, const qtri_small_place *p, uint32_t left,
-                             uint32_t right, int32_t row)
-{
-    const uint32_t from = qtri_samples_least(left);
-    uint32_t in = (from * QTRI_SMALL_LANES | QTRI_SAMPLES_ALL) - left;
-    uint32_t out = (from * QTRI_SMALL_LANES | QTRI_SAMPLES_ALL) - right;
-    *first = 0;
-    *end = 0;
-    for (int32_t x = (int32_t)from; (out & QTRI_SAMPLES_ALL) != QTRI_SAMPLES_ALL; x++) {
-        const uint32_t samples = in & ~out & QTRI_SAMPLES_ALL;
-        if (samples != 0 && qtri_small_place_of(p, samples, x, row) == QTRI_CENTER) {
-            *first = *end == 0 ? x : *first;
-            *end = x + 1;
-        }
-        in += QTRI_SMALL_LANES;
-        out += QTRI_SMALL_LANES;
-    }
-}
-
 /* |gx| and |gy| are below 2^29.6: half the numerator's bound. */
 void qtri_small_set_sampled(qtri_small_sampled *r, const qtri_small_place *p, uint32_t value,
                             int32_t f1, int32_t f2, int32_t up)

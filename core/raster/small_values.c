@@ -7,7 +7,7 @@
  * q_min) / (4 q_min) at most, q being 1/w, by Gruess's bound of a covariance.
  */
 #include "../geometry/lighting.h"
-#include "small_place.h"
+#include "qtri/body/small_setup.h"
 
 bool qtri_small_is_linear_by_range(uint32_t range, uint32_t q_range, uint32_t q_part)
 {

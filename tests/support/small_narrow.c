@@ -13,7 +13,6 @@
 #define qtri_small_find               narrow_small_find
 #define qtri_small_fog_step           narrow_small_fog_step
 #define qtri_small_lit_channels       narrow_small_lit_channels
-#define qtri_small_part               narrow_small_part
 #define qtri_small_set_alpha          narrow_small_set_alpha
 #define qtri_small_set_colors_565     narrow_small_set_colors_565
 #define qtri_small_set_colors_888     narrow_small_set_colors_888
@@ -24,7 +23,8 @@
 #define qtri_small_light_is_linear    narrow_small_light_is_linear
 #define qtri_small_set_linear_texture narrow_small_set_linear_texture
 #define qtri_small_set_light          narrow_small_set_light
-#define qtri_small_set_texture        narrow_small_set_texture
+#define qtri_small_set_curves         narrow_small_set_curves
+#define qtri_small_set_level          narrow_small_set_level
 #define qtri_small_set_weights        narrow_small_set_weights
 
 #include "raster/small_triangle.c"

@@ -33,6 +33,14 @@
 #endif
 #endif
 
+/* Where code is to be small, a barrier helps in loops of one pixel, too; else those have none:
+   on Armv6-M each moves its value to a low register. */
+#ifdef __OPTIMIZE_SIZE__
+#define QTRI_BODY_IS_SMALL true
+#else
+#define QTRI_BODY_IS_SMALL false
+#endif
+
 /* Moves a value out of the low registers of Armv6-M: only what is added and loaded by. clang 14
    knows no such operand; where code is to be small, it would be moved there and back. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb__) && !defined(__thumb2__) &&      \

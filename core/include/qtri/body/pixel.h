@@ -248,6 +248,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
     const qtri_surface *surface = w->state->surface;
     const uint32_t bytes = qtri_pixel_bytes(o);
     const uint32_t depth_bytes = qtri_depth_size(o, surface);
+    const bool has_barriers = QTRI_BODY_IS_SMALL || qtri_unrolled(o, bent) > 1;
     bool drawn = true;
     uint32_t z = 0, texel = 0, color = 0, samples = 0;
     if (qtri_has_samples(o)) {
@@ -300,13 +301,17 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
     }
     if (qtri_needs_depth(o)) {
         w->z += w->z_step;
-        QTRI_BODY_BARRIER(w->z);
+        if (has_barriers) {
+            QTRI_BODY_BARRIER(w->z);
+        }
     }
     if (qtri_is_textured(o)) {
         w->u += w->u_step;
         w->v += w->v_step;
-        QTRI_BODY_BARRIER(w->u);
-        QTRI_BODY_BARRIER(w->v);
+        if (has_barriers) {
+            QTRI_BODY_BARRIER(w->u);
+            QTRI_BODY_BARRIER(w->v);
+        }
         if (qtri_unrolled(o, bent) > 1) {
             QTRI_BODY_HIGH(w->z_step);
             QTRI_BODY_HIGH(w->u_step);
@@ -319,13 +324,17 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
         if (bent) {
             w->u_step += w->u_bend;
             w->v_step += w->v_bend;
-            QTRI_BODY_HIGH_BARRIER(w->u_step);
-            QTRI_BODY_HIGH_BARRIER(w->v_step);
+            if (has_barriers) {
+                QTRI_BODY_HIGH_BARRIER(w->u_step);
+                QTRI_BODY_HIGH_BARRIER(w->v_step);
+            }
         }
     }
     if (qtri_varies(o)) {
         w->c += w->c_step;
-        QTRI_BODY_BARRIER(w->c);
+        if (has_barriers) {
+            QTRI_BODY_BARRIER(w->c);
+        }
         if (qtri_unrolled(o, bent) > 1) {
             QTRI_BODY_HIGH(w->c_step);
             QTRI_BODY_HIGH(w->z_step);

@@ -35,7 +35,7 @@ typedef struct qtri_small_sampled {
 } qtri_small_sampled;
 
 typedef struct qtri_small_sampled_values {
-    qtri_small_sampled c, g, alpha, u, v, e;
+    qtri_small_sampled c, g, alpha, u, v;
 } qtri_small_sampled_values;
 
 /* In small_samples.c. As qtri_small_find(). */
@@ -44,9 +44,6 @@ qtri_small_found qtri_small_samples_find(qtri_small_place *p, qtri_small_samples
 void qtri_small_samples_cut(qtri_small_samples *s, int32_t left, int32_t right);
 /* Whether the centre of a pixel is covered: column and row as those of the place. */
 bool qtri_small_covers_center(const qtri_small_place *p, int32_t column, int32_t row);
-/* Of a row's pixels that have samples, those whose centres are covered: *first..*end - 1. */
-void qtri_small_find_centers(int32_t *first, int32_t *end, const qtri_small_place *p, uint32_t left,
-                             uint32_t right, int32_t row);
 /* As qtri_small_ramp_set(). */
 void qtri_small_set_sampled(qtri_small_sampled *r, const qtri_small_place *p, uint32_t value,
                             int32_t f1, int32_t f2, int32_t up);
@@ -182,7 +179,7 @@ QTRI_BODY void qtri_small_samples_begin(const qtri_options *o, qtri_pixel_walk *
 /* Over columns that are not drawn, 0 or less than none. */
 QTRI_BODY void qtri_small_samples_skip(const qtri_options *o, qtri_pixel_walk *w, int32_t columns)
 {
-    qtri_small_step(o, w, (uint32_t)columns);
+    qtri_small_step(o, w, (uint32_t)columns, true);
     w->pixel += (ptrdiff_t)columns * (ptrdiff_t)qtri_pixel_step(o);
     if (qtri_tests_depth(o)) {
         w->depth += (ptrdiff_t)columns * 2;
@@ -253,58 +250,36 @@ QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_walk *w
     }
 }
 
-QTRI_BODY uint32_t qtri_small_at(const qtri_small_sampled *r, int32_t x, int32_t y, int32_t place)
+/* A curve at a place of a pixel, x columns from vertex 0's: along its slopes there. */
+QTRI_BODY uint32_t qtri_small_curve_at_place(const qtri_small_curve *c, uint32_t x, int32_t place)
 {
-    return r->r.at + (uint32_t)x * r->r.dx + (uint32_t)y * r->r.dy + qtri_small_more(r, place);
+    const int32_t dx = (int32_t)(c->dx + 2 * x * c->xx) >> 1;
+    const int32_t dy = (int32_t)(c->dy + x * c->xy) >> 1;
+    return qtri_small_curve_at(c, x) +
+           qtri_samples_more(place, (uint32_t)((dx + 3 * dy) >> 2), (uint32_t)((3 * dx - dy) >> 2));
 }
 
-/* Where u and v follow perspective: at a place of a pixel, from there to pixel x + n linear. */
-QTRI_BODY void qtri_small_set_curved(qtri_pixel_walk *w, const qtri_small_texture *uv,
-                                     const qtri_small_sampled_values *v, int32_t x, int32_t y,
-                                     int32_t place, uint32_t n)
-{
-    const uint32_t e = qtri_small_at(&v->e, x, y, place);
-    const uint32_t lu = qtri_small_at(&v->u, x, y, place);
-    const uint32_t lv = qtri_small_at(&v->v, x, y, place);
-    const int32_t share = qtri_small_w(e);
-    const uint32_t u = qtri_small_curved(lu, share), u_v = qtri_small_curved(lv, share);
-    w->u = uv->u0 + (u << uv->u_up);
-    w->v = uv->v0 + (u_v << uv->v_up);
-    w->u_step = 0;
-    w->v_step = 0;
-    if (n != 0) {
-        const int32_t next = qtri_small_w(e + n * v->e.r.dx);
-        w->u_step = qtri_small_share(qtri_small_curved(lu + n * v->u.r.dx, next) - u, n)
-                    << uv->u_up;
-        w->v_step = qtri_small_share(qtri_small_curved(lv + n * v->v.r.dx, next) - u_v, n)
-                    << uv->v_up;
-    }
-}
-
-/* Pieces of a row begin at the first pixel whose centre is covered; others are found by
-   themselves. */
+/* Curves are found anew for each pixel: with four samples that is little of it. */
 QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_walk *w,
                                               const qtri_small_place *p,
                                               const qtri_small_samples *s,
                                               const qtri_small_sampled_values *values,
-                                              const qtri_small_texture *uv)
+                                              qtri_small_curves *curves)
 {
-    const bool varies = qtri_varies(o);
+    const bool has_light = qtri_is_lit(o) && curves->light_piece != 0;
+    const bool varies = qtri_varies(o) && !has_light;
     const bool two_words = qtri_has_two_words(o);
-    const int32_t piece = (int32_t)uv->piece;
     w->z_step = p->z.dx;
     w->g_step = two_words ? values->g.r.dx : 0;
     w->alpha_step = o->vertex_alpha ? values->alpha.r.dx : 0;
-    for (int32_t y = 0; y < s->rows; y++) {
+    for (int32_t y = 0; y < s->rows; y++, qtri_small_curves_next_row(o, curves)) {
         const uint32_t l = s->left[s->first + y], r = s->right[s->first + y];
-        int32_t x = (int32_t)qtri_samples_least(l), first, end;
+        int32_t x = (int32_t)qtri_samples_least(l);
         uint32_t in = ((uint32_t)x * QTRI_SMALL_LANES | QTRI_SAMPLES_ALL) - l;
         uint32_t out = ((uint32_t)x * QTRI_SMALL_LANES | QTRI_SAMPLES_ALL) - r;
         if (l == r) {
             continue;
         }
-        qtri_small_find_centers(&first, &end, p, l, r, y);
-        int32_t next = first; /* where the next piece begins */
         qtri_small_samples_begin(o, w, p, s);
         w->pixel += y * w->state->surface->pitch;
         if (qtri_tests_depth(o)) {
@@ -319,17 +294,14 @@ QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_
         qtri_small_samples_skip(o, w, x);
         while ((out & QTRI_SAMPLES_ALL) != QTRI_SAMPLES_ALL) {
             w->samples = in & ~out & QTRI_SAMPLES_ALL;
-            int32_t place = QTRI_CENTER;
-            if (x >= first && x < end) {
-                if (x >= next) {
-                    const int32_t rest = end - x;
-                    next = x + piece;
-                    qtri_small_set_curved(w, uv, values, x, y, place,
-                                          (uint32_t)(rest > piece ? piece : rest - 1));
-                }
-            } else if (w->samples != 0) {
-                place = qtri_small_place_of(p, w->samples, x, y);
-                qtri_small_set_curved(w, uv, values, x, y, place, 0);
+            const uint32_t column = (uint32_t)(x - QTRI_SMALL_REACH);
+            const int32_t place = qtri_small_place_of(p, w->samples, x, y);
+            if (qtri_is_textured(o)) {
+                w->u = qtri_small_curve_at_place(&curves->u, column, place);
+                w->v = qtri_small_curve_at_place(&curves->v, column, place);
+            }
+            if (has_light) {
+                w->c = qtri_small_curve_at_place(&curves->c, column, place);
             }
             if (p->cut && (x < p->left || x >= p->right)) {
                 w->samples = 0;
@@ -378,20 +350,24 @@ QTRI_BODY bool qtri_small_samples_alpha(qtri_small_sampled_values *v, const qtri
     return true;
 }
 
-QTRI_BODY void qtri_small_samples_texture(const qtri_options *o, qtri_small_sampled_values *v,
-                                          qtri_small_texture *uv, const qtri_small_place *p,
-                                          const qtri_small *t)
+/* False: they bend too much. */
+QTRI_BODY bool qtri_small_samples_curves(const qtri_options *o, qtri_small_sampled_values *v,
+                                         qtri_small_curves *curves, const qtri_small_place *p,
+                                         const qtri_small *t, bool has_light)
 {
     qtri_small_place at = *p;
     for (int i = 0; i < 3; i++) {
         qtri_small_move(&at, i);
-        qtri_small_set_texture(uv, &at, t, o);
-        qtri_small_set_more(&v->u, i, &uv->u);
-        qtri_small_set_more(&v->v, i, &uv->v);
-        if (uv->curved) {
-            qtri_small_set_more(&v->e, i, &uv->e);
+        if (!qtri_small_set_curves(curves, i == 0 ? p : &at, t, o, has_light)) {
+            return false;
         }
+        if (curves->is_curved) {
+            return true;
+        }
+        qtri_small_set_more(&v->u, i, &curves->linear[0]);
+        qtri_small_set_more(&v->v, i, &curves->linear[1]);
     }
+    return true;
 }
 
 /* False: it is large, and nothing was drawn. */
@@ -400,8 +376,9 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
     qtri_small_samples s;
     qtri_small_place p;
     qtri_small_sampled_values values = QTRI_BODY_ZERO;
-    qtri_small_texture uv;
+    qtri_small_curves curves;
     qtri_small_uv f;
+    bool has_curved_light = false;
     qtri_pixel_walk w = QTRI_BODY_ZERO;
     qtri_draw_state *state = t->state;
     const qtri_small_found found = qtri_small_samples_find(&p, &s, t);
@@ -421,9 +398,7 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
     }
     if (qtri_is_lit(o)) {
         const int32_t i0 = t->v[0]->intensity_q15;
-        if (!qtri_small_light_is_linear(&p, t, o)) {
-            return false;
-        }
+        has_curved_light = !qtri_small_light_is_linear(&p, t, o);
         qtri_small_set_sampled(&values.c, &p, ((uint32_t)i0 << 9) + qtri_light_half(o),
                                t->v[1]->intensity_q15 - i0, t->v[2]->intensity_q15 - i0, 1);
         if (qtri_uses_table(o) && !state->has_table) {
@@ -434,21 +409,20 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
         (o->vertex_alpha && !qtri_small_samples_alpha(&values, &p, t))) {
         return false;
     }
-    if (qtri_is_textured(o)) {
-        if (qtri_small_find_linear_texture(&f, &p, t, o)) {
-            const uint32_t width_log2 = state->width_log2, height_log2 = state->height_log2;
-            qtri_small_set_sampled(&values.u, &p, qtri_small_linear_u(&f, width_log2), f.u1, f.u2,
-                                   8);
-            qtri_small_set_sampled(&values.v, &p, qtri_small_linear_v(&f, width_log2, height_log2),
-                                   f.v1, f.v2, (int32_t)(width_log2 + height_log2) - 8);
-        } else {
-            QTRI_RARELY();
-            qtri_small_samples_texture(o, &values, &uv, &p, t);
-            w.axis = uv.axis;
-            if (uv.curved) {
-                qtri_small_samples_fill_curved(o, &w, &p, &s, &values, &uv);
-                return true;
-            }
+    if (qtri_is_textured(o) && !has_curved_light && qtri_small_find_linear_texture(&f, &p, t, o)) {
+        const uint32_t width_log2 = state->width_log2, height_log2 = state->height_log2;
+        qtri_small_set_sampled(&values.u, &p, qtri_small_linear_u(&f, width_log2), f.u1, f.u2, 8);
+        qtri_small_set_sampled(&values.v, &p, qtri_small_linear_v(&f, width_log2, height_log2),
+                               f.v1, f.v2, (int32_t)(width_log2 + height_log2) - 8);
+    } else if (qtri_is_textured(o) || has_curved_light) {
+        QTRI_RARELY();
+        if (!qtri_small_samples_curves(o, &values, &curves, &p, t, has_curved_light)) {
+            return false;
+        }
+        w.axis = curves.axis;
+        if (curves.is_curved) {
+            qtri_small_samples_fill_curved(o, &w, &p, &s, &values, &curves);
+            return true;
         }
     }
     if (p.cut) {

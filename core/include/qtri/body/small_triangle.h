@@ -9,8 +9,8 @@
  * and material; never of a scissor, a band or a pipeline. All that follows fits 32 bits.
  *
  * Rows are found exactly, by the top-left rule, as spans of bytes. What varies is linear on the
- * screen, set by products with 1/area; texture coordinates follow perspective, in pieces of at most
- * 16 pixels, where that could be seen: see qtri_small_set_texture().
+ * screen, set by products with 1/area; texture coordinates and light are polynomials of second
+ * order where perspective could be seen: see small_texture.c.
  */
 #ifndef QTRI_BODY_SMALL_TRIANGLE_H
 #define QTRI_BODY_SMALL_TRIANGLE_H
@@ -66,15 +66,21 @@ typedef struct qtri_small_place {
     qtri_small_ramp z;          /* 16.16 */
 } qtri_small_place;
 
-/* Texture coordinates. Curved: u is u0 + (u / (1 + e) << u_up), and so is v; e has 26 bits. */
-typedef struct qtri_small_texture {
-    qtri_small_ramp u, v, e;
-    uint32_t u0, v0;
-    uint32_t u_up, v_up;
-    uint32_t piece; /* pixels */
-    bool curved;
+/* What follows perspective: at + dx x + xx x^2 in a row, x columns from vertex 0's; in the next row
+   `at` is dy more, dx xy and dy yy. */
+typedef struct qtri_small_curve {
+    uint32_t at, dx, dy, xx, xy, yy;
+} qtri_small_curve;
+
+/* Texture coordinates, and light where it follows perspective. Not curved: coordinates only, and
+   linear. */
+typedef struct qtri_small_curves {
+    qtri_small_curve u, v, c;
+    qtri_small_ramp linear[2];
+    bool is_curved;
+    uint32_t light_piece; /* pixels over which light is near a chord, a power of two; 0: linear */
     qtri_clamp_axis axis[2];
-} qtri_small_texture;
+} qtri_small_curves;
 
 typedef enum qtri_small_found {
     QTRI_SMALL_NOTHING,
@@ -116,22 +122,20 @@ bool qtri_small_set_colors_gray(qtri_small_ramp *c, const qtri_small_place *p, c
 bool qtri_small_set_weights(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
                             const qtri_small *t, uint32_t half);
 
-/* In small_level.c: the level of a mipmapped texture by the footprint at vertex 0. False: 1/w
+/* In small_texture.c: the level of a mipmapped texture by the footprint at vertex 0. False: 1/w
    varies too much for one; the triangle is large. */
 bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t);
 
-/* In small_texture.c. False: they are not as simple, or follow perspective; nothing was set. */
+/* There, too. False: they are not as simple, or follow perspective; nothing was set. */
 bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
                                    const qtri_small_place *p, const qtri_small *t,
                                    const qtri_options *o);
-void qtri_small_set_texture(qtri_small_texture *uv, const qtri_small_place *p, const qtri_small *t,
-                            const qtri_options *o);
+/* False: they bend too much; the triangle is large. */
+bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
+                           const qtri_small *t, const qtri_options *o, bool has_light);
 
 /* Fog along a row of `count` pixels, from a share to another: the step. */
 uint32_t qtri_small_fog_step(uint32_t from, uint32_t to, int32_t count);
-
-/* 2^15 / n */
-extern const uint16_t qtri_small_part[17];
 
 #ifdef __cplusplus
 }
