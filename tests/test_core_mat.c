@@ -538,10 +538,12 @@ static void euler_orders(void **state)
     for (int n = 0; n < 20000; n++) {
         qtri_vec3 degrees = random_vec3(&seed);
         const q16 angle[3] = {degrees.x, degrees.y, degrees.z};
-        const qtri_mat4 named[6] = {
-            qtri_mat4_rotate_euler_xyz_deg(degrees), qtri_mat4_rotate_euler_xzy_deg(degrees),
-            qtri_mat4_rotate_euler_yxz_deg(degrees), qtri_mat4_rotate_euler_yzx_deg(degrees),
-            qtri_mat4_rotate_euler_zxy_deg(degrees), qtri_mat4_rotate_euler_zyx_deg(degrees)};
+        const qtri_mat4 named[6] = {qtri_mat4_rotate_euler_deg(degrees, QTRI_EULER_XYZ),
+                                    qtri_mat4_rotate_euler_deg(degrees, QTRI_EULER_XZY),
+                                    qtri_mat4_rotate_euler_deg(degrees, QTRI_EULER_YXZ),
+                                    qtri_mat4_rotate_euler_deg(degrees, QTRI_EULER_YZX),
+                                    qtri_mat4_rotate_euler_deg(degrees, QTRI_EULER_ZXY),
+                                    qtri_mat4_rotate_euler_deg(degrees, QTRI_EULER_ZYX)};
         for (int k = 0; k < 6; k++) {
             real4 exact = real4_identity();
             for (int step = 0; step < 3; step++) { /* the first turn is nearest the vector */

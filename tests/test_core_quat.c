@@ -275,10 +275,12 @@ static void from_angles(void **state)
 
         qtri_vec3 angles = random_vec3(&seed);
         const q16 angle[3] = {angles.x, angles.y, angles.z};
-        const qtri_quat named[6] = {
-            qtri_quat_from_euler_xyz_deg(angles), qtri_quat_from_euler_xzy_deg(angles),
-            qtri_quat_from_euler_yxz_deg(angles), qtri_quat_from_euler_yzx_deg(angles),
-            qtri_quat_from_euler_zxy_deg(angles), qtri_quat_from_euler_zyx_deg(angles)};
+        const qtri_quat named[6] = {qtri_quat_from_euler_deg(angles, QTRI_EULER_XYZ),
+                                    qtri_quat_from_euler_deg(angles, QTRI_EULER_XZY),
+                                    qtri_quat_from_euler_deg(angles, QTRI_EULER_YXZ),
+                                    qtri_quat_from_euler_deg(angles, QTRI_EULER_YZX),
+                                    qtri_quat_from_euler_deg(angles, QTRI_EULER_ZXY),
+                                    qtri_quat_from_euler_deg(angles, QTRI_EULER_ZYX)};
         for (int k = 0; k < 6; k++) {
             exact = real_turn(0, 0, 0, 0);
             for (int step = 0; step < 3; step++) {

@@ -110,36 +110,6 @@ typedef enum qtri_euler {
 /* An order that is none of these turns about the axes its digits name, modulo 3. */
 qtri_mat4 qtri_mat4_rotate_euler_deg(qtri_vec3 degrees, qtri_euler order);
 
-static inline qtri_mat4 qtri_mat4_rotate_euler_xyz_deg(qtri_vec3 degrees)
-{
-    return qtri_mat4_rotate_euler_deg(degrees, QTRI_EULER_XYZ);
-}
-
-static inline qtri_mat4 qtri_mat4_rotate_euler_xzy_deg(qtri_vec3 degrees)
-{
-    return qtri_mat4_rotate_euler_deg(degrees, QTRI_EULER_XZY);
-}
-
-static inline qtri_mat4 qtri_mat4_rotate_euler_yxz_deg(qtri_vec3 degrees)
-{
-    return qtri_mat4_rotate_euler_deg(degrees, QTRI_EULER_YXZ);
-}
-
-static inline qtri_mat4 qtri_mat4_rotate_euler_yzx_deg(qtri_vec3 degrees)
-{
-    return qtri_mat4_rotate_euler_deg(degrees, QTRI_EULER_YZX);
-}
-
-static inline qtri_mat4 qtri_mat4_rotate_euler_zxy_deg(qtri_vec3 degrees)
-{
-    return qtri_mat4_rotate_euler_deg(degrees, QTRI_EULER_ZXY);
-}
-
-static inline qtri_mat4 qtri_mat4_rotate_euler_zyx_deg(qtri_vec3 degrees)
-{
-    return qtri_mat4_rotate_euler_deg(degrees, QTRI_EULER_ZYX);
-}
-
 /* The linear part, and the transform that has it and moves nothing. */
 qtri_mat3 qtri_mat4_linear(const qtri_mat4 *m);
 qtri_mat4 qtri_mat4_from_linear(const qtri_mat3 *linear);

@@ -30,36 +30,6 @@ qtri_quat qtri_quat_from_axis_deg(qtri_vec3 axis, q16 degrees);
 /* The orders of mat.h: xyz turns about x first, then y, then z, about the fixed axes. */
 qtri_quat qtri_quat_from_euler_deg(qtri_vec3 degrees, qtri_euler order);
 
-static inline qtri_quat qtri_quat_from_euler_xyz_deg(qtri_vec3 degrees)
-{
-    return qtri_quat_from_euler_deg(degrees, QTRI_EULER_XYZ);
-}
-
-static inline qtri_quat qtri_quat_from_euler_xzy_deg(qtri_vec3 degrees)
-{
-    return qtri_quat_from_euler_deg(degrees, QTRI_EULER_XZY);
-}
-
-static inline qtri_quat qtri_quat_from_euler_yxz_deg(qtri_vec3 degrees)
-{
-    return qtri_quat_from_euler_deg(degrees, QTRI_EULER_YXZ);
-}
-
-static inline qtri_quat qtri_quat_from_euler_yzx_deg(qtri_vec3 degrees)
-{
-    return qtri_quat_from_euler_deg(degrees, QTRI_EULER_YZX);
-}
-
-static inline qtri_quat qtri_quat_from_euler_zxy_deg(qtri_vec3 degrees)
-{
-    return qtri_quat_from_euler_deg(degrees, QTRI_EULER_ZXY);
-}
-
-static inline qtri_quat qtri_quat_from_euler_zyx_deg(qtri_vec3 degrees)
-{
-    return qtri_quat_from_euler_deg(degrees, QTRI_EULER_ZYX);
-}
-
 /*
  * Of a rotation matrix, by Shepperd's method; w >= 0. The half ULPs of the matrix's own elements
  * come out as up to 1.5 ULP. A matrix that is no rotation gives a unit quaternion near it.
