@@ -107,48 +107,51 @@ qtri_ball qtri_mesh_ball(const qtri_mesh *mesh)
     return ball;
 }
 
-/* What all corners of a box lie outside of: the near and far plane and the sides of a rectangle. */
+/* The sides of a rectangle, the near and the far plane: lower, then upper, of x, y and z. */
 enum { SIDES = 6 };
 
-/*
- * Below zero outside, in units of 2^18: |x| < 2^43 and |edge| <= 2^15, so that 64 bits have room.
- * Cutting the low bits off moves a side by less than |edge| + 2 units.
- */
-static int64_t beyond(int64_t x, int64_t w, int32_t edge)
+/* Of an edge e, e w - x, or e w + x on lower sides: |v| < 2^43, |e| <= 2^15. */
+static int64_t within(const int64_t v[4], int side, int32_t edge)
 {
-    int32_t slack = (edge < 0 ? -edge : edge) + 2;
-    return edge * w - x + slack;
+    const int64_t x = v[side / 2];
+    return edge * v[3] + (side % 2 == 0 ? x : -x);
 }
 
 /*
  * A half space of homogeneous coordinates that holds the corners holds the box; what is seen of it
- * has w > 0, and x / w beyond the edge. Edges are moved out by a pixel, for lines on them.
+ * has w > 0, and x / w beyond the edge. Edges are moved out by a pixel, for lines on them. The
+ * corner that is most within a side is its center plus what every axis adds at most, each in units
+ * of 2^18; the bits cut off move the four sums by less than |e| + 2 units each.
  */
 bool qtri_projector_misses(const qtri_projector *projector, const qtri_box *box,
                            const int32_t low[2], const int32_t high[2])
 {
-    unsigned outside = (1u << SIDES) - 1;
-    for (int i = 0; i < 8 && outside != 0; i++) {
-        const qtri_vec3 *center = &box->center;
-        const qtri_vec3 *half = &box->half;
-        const qtri_vec3 corner = {
-            (i & 1) != 0 ? q16_add(center->x, half->x) : q16_sub(center->x, half->x),
-            (i & 2) != 0 ? q16_add(center->y, half->y) : q16_sub(center->y, half->y),
-            (i & 4) != 0 ? q16_add(center->z, half->z) : q16_sub(center->z, half->z)};
-        qtri_clip_vertex v;
-        qtri_projector_point(projector, &corner, &v);
-        int64_t x = v.x >> 18;
-        int64_t y = v.y >> 18;
-        int64_t z = v.z >> 18;
-        int64_t w = v.w >> 18;
-        const int64_t side[SIDES] = {beyond(-z, w, 1),          beyond(z, w, 1),
-                                     beyond(-x, w, 1 - low[0]), beyond(x, w, high[0] + 1),
-                                     beyond(-y, w, 1 - low[1]), beyond(y, w, high[1] + 1)};
-        for (int k = 0; k < SIDES; k++) {
-            outside &= side[k] < 0 ? ~0u : ~(1u << k);
+    enum { UNIT_LOG2 = 18 };
+    const int32_t edge[SIDES] = {1 - low[0], high[0] + 1, 1 - low[1], high[1] + 1, 1, 1};
+    const int32_t half[3] = {box->half.x, box->half.y, box->half.z};
+    qtri_clip_vertex v;
+    qtri_projector_point(projector, &box->center, &v);
+    const int64_t center[4] = {v.x >> UNIT_LOG2, v.y >> UNIT_LOG2, v.z >> UNIT_LOG2,
+                               v.w >> UNIT_LOG2};
+    for (int side = 0; side < SIDES; side++) {
+        int64_t most = within(center, side, edge[side]);
+        if (most >= 0) {
+            continue;
+        }
+        most += 4 * ((int64_t)qtri_magnitude32(edge[side]) + 2);
+        for (int axis = 0; axis < 3; axis++) {
+            int64_t reach[4];
+            for (int i = 0; i < 4; i++) {
+                reach[i] = qtri_mul_s32(projector->row.wide[i].m[axis], half[axis]) >>
+                           projector->shift[i] >> UNIT_LOG2;
+            }
+            most += (int64_t)qtri_magnitude64(within(reach, side, edge[side]));
+        }
+        if (most < 0) {
+            return true;
         }
     }
-    return outside != 0;
+    return false;
 }
 
 bool qtri_view_sees_box(const qtri_view *view, const qtri_transform *pose, const qtri_box *box)
