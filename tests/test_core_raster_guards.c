@@ -102,13 +102,15 @@ static void areas_that_snapping_made(void **state)
         const int32_t side = n == 0 ? 1 : 4096;
         for (int32_t less = 8192; less < 65536; less += 8192) { /* in 2^-16 of the grid's unit */
             qtri_large_vertex v[3];
-            qtri_large_job job;
+            qtri_large job;
+            qtri_large_input in;
             memset(v, 0, sizeof v);
             memset(&job, 0, sizeof job);
-            job.x[1] = side;
-            job.y[2] = side;
+            job.in = &in;
+            job.corner_x[1] = side;
+            job.corner_y[2] = side;
             job.area = (int64_t)side * side;
-            job.v = v;
+            in.v = v;
             v[0].rest[1] = (int16_t)(less / 2);
             v[2].rest[1] = (int16_t)(-less / 2);
             qtri_large_set_weights(&job);

@@ -384,21 +384,23 @@ static void planes_of_slivers(void **state)
     int thin = 0;
     while (thin < 3000) {
         qtri_large_vertex v[3];
-        qtri_large_job job;
+        qtri_large job;
+        qtri_large_input in;
         memset(v, 0, sizeof v);
         memset(&job, 0, sizeof job);
-        job.v = v;
-        job.x[0] = 128;
-        job.y[0] = 128;
+        job.in = &in;
+        in.v = v;
+        job.corner_x[0] = 128;
+        job.corner_y[0] = 128;
         const int32_t dx1 = random_in(&seed, -128, 127) * 256;
         const int32_t dy1 = random_in(&seed, -128, 127) * 256;
         const int32_t part = 1 << random_in(&seed, 0, 3);
         const int32_t dx2 = dx1 / part / 256 * 256 + random_in(&seed, -1, 1) * 256;
         const int32_t dy2 = dy1 / part / 256 * 256 + random_in(&seed, -1, 1) * 256;
-        job.x[1] = 128 + dx1;
-        job.y[1] = 128 + dy1;
-        job.x[2] = 128 + dx2;
-        job.y[2] = 128 + dy2;
+        job.corner_x[1] = 128 + dx1;
+        job.corner_y[1] = 128 + dy1;
+        job.corner_x[2] = 128 + dx2;
+        job.corner_y[2] = 128 + dy2;
         job.area = (int64_t)dx1 * dy2 - (int64_t)dx2 * dy1;
         if (job.area == 0) {
             continue;
@@ -412,8 +414,8 @@ static void planes_of_slivers(void **state)
         qtri_large_set_weights(&job);
         qtri_large_plane_of(&plane, &job, f);
         for (int i = 0; i < 3; i++) {
-            const uint64_t at = plane.row + plane.dx * (uint64_t)(int64_t)(job.x[i] >> 8) +
-                                plane.dy * (uint64_t)(int64_t)(job.y[i] >> 8);
+            const uint64_t at = plane.row + plane.dx * (uint64_t)(int64_t)(job.corner_x[i] >> 8) +
+                                plane.dy * (uint64_t)(int64_t)(job.corner_y[i] >> 8);
             const int64_t off = (int64_t)(at - ((uint64_t)f[i] << 32));
             assert_true(llabs(off) <= (int64_t)1 << 24);
         }

@@ -3,7 +3,7 @@
 #define QTRI_PIPELINE_IS_ANY
 #include "qtri/pipeline_make.h"
 
-static void large(struct qtri_large *triangle)
+static void large(const struct qtri_large_input *triangle)
 {
     qtri_large_triangle_draw(&triangle->state->options, triangle);
 }

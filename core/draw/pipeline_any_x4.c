@@ -6,7 +6,7 @@
 
 #include "pipeline_x4.h"
 
-static void large(struct qtri_large *triangle)
+static void large(const struct qtri_large_input *triangle)
 {
     qtri_large_triangle_draw(&triangle->state->options, triangle);
 }

@@ -238,7 +238,7 @@ static void set_texture(qtri_draw_state *state, const qtri_material *material)
 }
 
 /* What no pipeline draws. */
-static void draw_nothing(struct qtri_large *triangle)
+static void draw_nothing(const struct qtri_large_input *triangle)
 {
     (void)triangle;
 }

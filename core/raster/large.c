@@ -54,7 +54,7 @@ bool qtri_large_edges_init(qtri_large_edges *e, const qtri_rect *bounds,
     return true;
 }
 
-void qtri_large_set_box(qtri_large_job *job, const qtri_screen_point *const p[3], int64_t area)
+void qtri_large_set_box(qtri_large *t, const qtri_screen_point *const p[3], int64_t area)
 {
     int32_t x[2] = {p[0]->x_24p8, p[0]->x_24p8};
     int32_t y[2] = {p[0]->y_24p8, p[0]->y_24p8};
@@ -65,28 +65,28 @@ void qtri_large_set_box(qtri_large_job *job, const qtri_screen_point *const p[3]
         y[1] = qtri_greatest32(y[1], p[i]->y_24p8);
     }
     for (int i = 0; i < 3; i++) {
-        job->x[i] = p[i]->x_24p8;
-        job->y[i] = p[i]->y_24p8;
+        t->corner_x[i] = p[i]->x_24p8;
+        t->corner_y[i] = p[i]->y_24p8;
     }
-    job->area = area;
-    job->x_least = x[0];
-    job->y_least = y[0];
-    job->width = x[1] - x[0];
-    job->height = y[1] - y[0];
-    job->pixels = (qtri_greatest32(job->width, job->height) >> 8) + 1;
+    t->area = area;
+    t->x_least = x[0];
+    t->y_least = y[0];
+    t->width = x[1] - x[0];
+    t->height = y[1] - y[0];
+    t->pixels = (qtri_greatest32(t->width, t->height) >> 8) + 1;
 }
 
 /* Depth ---------------------------------------------------------------------------------------- */
 
 /* Whether a ramp through the vertices' true positions is out of range where they are snapped to. No
    step is more than 8 times the range. */
-static bool leaves_range(const qtri_large_job *job)
+static bool leaves_range(const qtri_large *t)
 {
     for (int i = 0; i < 3; i++) {
-        const qtri_large_vertex *v = &job->v[i];
+        const qtri_large_vertex *v = &t->in->v[i];
         const int64_t more =
-            (job->depth.dx * v->rest[0] + job->depth.dy * v->rest[1]) >> 24; /* 2^36 2^15 */
-        if ((uint64_t)((int64_t)job->vertex_depth[i] - more) > (uint64_t)65535 << 16) {
+            (t->ramp_z.dx * v->rest[0] + t->ramp_z.dy * v->rest[1]) >> 24; /* 2^36 2^15 */
+        if ((uint64_t)((int64_t)t->in->depth_16p16[i] - more) > (uint64_t)65535 << 16) {
             return true;
         }
     }
@@ -94,14 +94,14 @@ static bool leaves_range(const qtri_large_job *job)
 }
 
 /* Values have 2^39 at most: depth in quarters. */
-static void set_depth_ramp(qtri_large_job *job, bool is_true)
+static void set_depth_ramp(qtri_large *t, bool is_true)
 {
     int64_t f_q8[3];
     for (int i = 0; i < 3; i++) {
-        f_q8[i] = (int64_t)job->vertex_depth[i] << 6;
+        f_q8[i] = (int64_t)t->in->depth_16p16[i] << 6;
     }
-    qtri_large_use_weights(job, is_true);
-    qtri_large_ramp_init(&job->depth, job, f_q8, -2);
+    qtri_large_use_weights(t, is_true);
+    qtri_large_ramp_init(&t->ramp_z, t, f_q8, -2);
 }
 
 /*
@@ -109,62 +109,56 @@ static void set_depth_ramp(qtri_large_job *job, bool is_true)
  * little below 0 where they are snapped to. To clamp the three depths would bend the plane, so
  * pixels whose depth leaves the range are drawn by themselves, see qtri_large_next_row().
  */
-static void set_depth(qtri_large_job *job)
+static void set_depth(qtri_large *t)
 {
-    set_depth_ramp(job, job->is_true);
-    if (job->is_true && leaves_range(job)) {
-        if (job->options->samples) {
-            set_depth_ramp(job, false);
+    set_depth_ramp(t, t->is_true);
+    if (t->is_true && leaves_range(t)) {
+        if (t->options->samples) {
+            set_depth_ramp(t, false);
         } else {
-            job->clamps_depth = true;
+            t->clamps_depth = true;
         }
     }
-    job->depth.at += QTRI_DEPTH_HALF;
-    job->t.row_z = (uint32_t)(job->depth.at + job->depth.dy * job->t.y);
-    job->t.row_z_step = (uint32_t)job->depth.dy;
-    job->t.z_step = (uint32_t)job->depth.dx;
+    t->ramp_z.at += QTRI_DEPTH_HALF;
+    t->row_z = (uint32_t)(t->ramp_z.at + t->ramp_z.dy * t->y);
+    t->row_z_step = (uint32_t)t->ramp_z.dy;
+    t->z_step = (uint32_t)t->ramp_z.dx;
 }
 
 /* Where the row before the first begins. */
-static void begin_rows(qtri_large_job *job)
+static void begin_rows(qtri_large *t)
 {
-    const qtri_draw_state *state = job->t.state;
+    const qtri_draw_state *state = t->state;
     const qtri_surface *surface = state->surface;
-    const ptrdiff_t row = job->t.y - surface->first_row;
-    job->t.x_first = state->bounds.x0;
-    job->t.x_end = state->bounds.x1;
-    job->t.frame_width = qtri_least32(surface->width, QTRI_SURFACE_MAX);
-    job->t.pitch = surface->pitch;
-    job->t.depth_pitch = state->depth_pitch;
-    job->t.row_z = 0;
-    job->t.row_z_step = 0;
-    job->t.row_pixel = (uintptr_t)surface->pixels + (uintptr_t)(row * surface->pitch);
-    job->t.row_depth = (uintptr_t)surface->depth + (uintptr_t)(row * state->depth_pitch);
+    const ptrdiff_t row = t->y - surface->first_row;
+    t->x_first = state->bounds.x0;
+    t->x_end = state->bounds.x1;
+    t->frame_width = qtri_least32(surface->width, QTRI_SURFACE_MAX);
+    t->pitch = surface->pitch;
+    t->depth_pitch = state->depth_pitch;
+    t->row_z = 0;
+    t->row_z_step = 0;
+    t->row_pixel = (uintptr_t)surface->pixels + (uintptr_t)(row * surface->pitch);
+    t->row_depth = (uintptr_t)surface->depth + (uintptr_t)(row * state->depth_pitch);
 }
 
 /* Apart: what is set up once takes no stack while rows are drawn. */
-QTRI_NOINLINE void qtri_large_set_up(qtri_large_job *job)
+QTRI_NOINLINE void qtri_large_set_up(qtri_large *t)
 {
-    qtri_large_set_weights(job);
-    job->plane_y = job->t.y + 1;
-    job->t.z_step = 0;
-    job->clamps_depth = false;
-    job->t.pixel_bytes = qtri_pixel_step(job->options);
-    job->t.depth_bytes =
-        qtri_tests_depth(job->options) ? qtri_depth_size(job->options, job->t.state->surface) : 0;
-    job->is_clamped = false;
-    begin_rows(job);
-    if (qtri_needs_depth(job->options)) {
-        set_depth(job);
+    qtri_large_set_weights(t);
+    t->plane_y = t->y + 1;
+    t->z_step = 0;
+    t->clamps_depth = false;
+    t->pixel_bytes = qtri_pixel_step(t->options);
+    t->depth_bytes =
+        qtri_tests_depth(t->options) ? qtri_depth_size(t->options, t->state->surface) : 0;
+    t->is_clamped = false;
+    begin_rows(t);
+    if (qtri_needs_depth(t->options)) {
+        set_depth(t);
     }
-    job->next_left = 0;
-    job->next_right = 0;
-    job->count = 0;
-    job->run_log2 = 14;
-    job->packing = QTRI_PACK_NONE;
-    job->t.has_runs = false;
-    job->first_color = 0;
-    job->alpha = QTRI_LARGE_ATTRIBUTES;
+    t->next_left = 0;
+    t->next_right = 0;
 }
 
 /* Rows -----------------------------------------------------------------------------------------
@@ -172,12 +166,10 @@ QTRI_NOINLINE void qtri_large_set_up(qtri_large_job *job)
 
 /* -1, 0, 1: depth at a column is below, inside and above its range. All bits of what the loop over
    pixels has modulo 2^32; a plane holds 50. */
-QTRI_NOINLINE static int side_at(const qtri_large_job *job, int32_t x)
+QTRI_NOINLINE static int side_at(const qtri_large *t, int32_t x)
 {
     const int64_t depth =
-        qtri_wrap64((uint64_t)(job->depth.at + job->depth.dx * x + job->depth.dy * job->t.y)
-                    << 14) >>
-        14;
+        qtri_wrap64((uint64_t)(t->ramp_z.at + t->ramp_z.dx * x + t->ramp_z.dy * t->y) << 14) >> 14;
     return depth < 0 ? -1 : depth >> 32 != 0;
 }
 
@@ -186,40 +178,39 @@ QTRI_NOINLINE static int side_at(const qtri_large_job *job, int32_t x)
  * below or above it. Depth goes one way along a row, so each side has one run of pixels; few are
  * outside, and are counted. False: there is none.
  */
-QTRI_NOINLINE static bool next_part(qtri_large_job *job)
+QTRI_NOINLINE static bool next_part(qtri_large *t)
 {
-    const int32_t left = job->next_left, end = job->next_right;
+    const int32_t left = t->next_left, end = t->next_right;
     if (left >= end) {
         return false;
     }
-    const int side = side_at(job, left);
+    const int side = side_at(t, left);
     int32_t right = left + 1;
-    job->is_clamped = side != 0;
+    t->is_clamped = side != 0;
     if (side == 0) {
         right = end;
-        while (side_at(job, right - 1) != 0) {
+        while (side_at(t, right - 1) != 0) {
             right--;
         }
-        job->t.z_step = (uint32_t)job->depth.dx;
+        t->z_step = (uint32_t)t->ramp_z.dx;
     } else {
-        while (right < end && side_at(job, right) == side) {
+        while (right < end && side_at(t, right) == side) {
             right++;
         }
-        job->t.z_step = 0;
-        job->t.z = (side < 0 ? 0 : (uint32_t)65535 << 16) + QTRI_DEPTH_HALF;
+        t->z_step = 0;
+        t->z = (side < 0 ? 0 : (uint32_t)65535 << 16) + QTRI_DEPTH_HALF;
     }
-    job->t.row_left = left;
-    job->t.row_right = right;
-    job->next_left = right;
+    t->row_left = left;
+    t->row_right = right;
+    t->next_left = right;
     return true;
 }
 
 /* What is drawn from `left` to `right`; false: nothing. */
-static inline bool set_row(qtri_large_job *job, int32_t left, int32_t right)
+static inline bool set_row(qtri_large *t, int32_t left, int32_t right)
 {
-    qtri_large *t = &job->t;
-    const int32_t x0 = qtri_greatest32(left, job->t.x_first);
-    const int32_t x1 = qtri_least32(right, job->t.x_end);
+    const int32_t x0 = qtri_greatest32(left, t->x_first);
+    const int32_t x1 = qtri_least32(right, t->x_end);
     if (x0 >= x1) {
         return false;
     }
@@ -227,70 +218,68 @@ static inline bool set_row(qtri_large_job *job, int32_t left, int32_t right)
     t->x1 = x1;
     t->x = x0;
     t->fog_x = x0;
-    job->t.is_new = true;
+    t->is_new = true;
     /* NOLINTBEGIN(performance-no-int-to-ptr): column 0 may lie before the surface's first row */
-    t->pixel = (uint8_t *)(job->t.row_pixel + (uint32_t)x0 * job->t.pixel_bytes);
-    t->depth = (uint8_t *)(job->t.row_depth + (uint32_t)x0 * job->t.depth_bytes);
+    t->pixel = (uint8_t *)(t->row_pixel + (uint32_t)x0 * t->pixel_bytes);
+    t->depth = (uint8_t *)(t->row_depth + (uint32_t)x0 * t->depth_bytes);
     /* NOLINTEND(performance-no-int-to-ptr) */
-    if (!job->is_clamped) {
+    if (!t->is_clamped) {
         t->z = t->row_z + (uint32_t)x0 * t->z_step;
     }
     return true;
 }
 
-bool qtri_large_set_row(qtri_large_job *job, int32_t left, int32_t right)
+bool qtri_large_set_row(qtri_large *t, int32_t left, int32_t right)
 {
-    return set_row(job, left, right);
+    return set_row(t, left, right);
 }
 
 /* The next row's ends; false: there is none. */
-static inline bool step_row(qtri_large_job *job)
+static inline bool step_row(qtri_large *t)
 {
     int32_t left, right;
-    qtri_large_step_row(job);
-    if (job->t.y >= job->t.edges.end) {
+    qtri_large_step_row(t);
+    if (t->y >= t->edges.end) {
         return false;
     }
-    qtri_large_edges_next(&job->t.edges, job->t.y, &left, &right);
-    job->t.row_left = qtri_greatest32(left, 0);
-    job->t.row_right = qtri_least32(right, job->t.frame_width);
+    qtri_large_edges_next(&t->edges, t->y, &left, &right);
+    t->row_left = qtri_greatest32(left, 0);
+    t->row_right = qtri_least32(right, t->frame_width);
     return true;
 }
 
 /* Rows whose depth may leave its range are drawn part by part: of a new one there is none yet. */
 bool qtri_large_next_row(qtri_large *t)
 {
-    qtri_large_job *job = qtri_large_job_of(t);
     do {
-        if (!job->clamps_depth || !next_part(job)) {
-            if (!step_row(job)) {
+        if (!t->clamps_depth || !next_part(t)) {
+            if (!step_row(t)) {
                 return false;
             }
-            if (job->clamps_depth) {
-                job->next_left = t->row_left;
-                job->next_right = t->row_right;
+            if (t->clamps_depth) {
+                t->next_left = t->row_left;
+                t->next_right = t->row_right;
                 t->row_right = t->row_left;
             }
         }
-    } while (!set_row(job, t->row_left, t->row_right));
+    } while (!set_row(t, t->row_left, t->row_right));
     return true;
 }
 
 /* Triangles ------------------------------------------------------------------------------------ */
 
-/* False: there is nothing to draw. */
-QTRI_NOINLINE static bool begin(qtri_large_job *job, const qtri_screen_point *const p[3],
-                                int64_t area)
+bool qtri_large_begin_rows(qtri_large *t)
 {
-    const qtri_rect *bounds = &job->t.state->bounds;
-    qtri_large_set_box(job, p, area);
-    if (first_center(job->x_least) >= bounds->x1 ||
-        first_center(job->x_least + job->width) <= bounds->x0 ||
-        !qtri_large_edges_init(&job->t.edges, bounds, p, area > 0)) {
+    const qtri_large_input *in = t->in;
+    const qtri_rect *bounds = &t->state->bounds;
+    qtri_large_set_box(t, in->p, in->area);
+    if (first_center(t->x_least) >= bounds->x1 ||
+        first_center(t->x_least + t->width) <= bounds->x0 ||
+        !qtri_large_edges_init(&t->edges, bounds, in->p, in->area > 0)) {
         return false;
     }
-    job->t.y = job->t.edges.row - 1;
-    qtri_large_set_up(job);
+    t->y = t->edges.row - 1;
+    qtri_large_set_up(t);
     return true;
 }
 
@@ -298,26 +287,18 @@ void qtri_large_triangle(qtri_draw_state *state, const qtri_screen_point *const 
                          uint32_t color_rgb, const qtri_large_vertex v[3])
 {
     const qtri_depth_shift *shift = state->material->depth_shift;
-    qtri_large_job job;
+    qtri_large_input in = {state, p, area, color_rgb, v, {0, 0, 0}};
     if (area == 0) {
         return;
     }
-    job.t.state = state;
-    job.t.color = color_rgb;
-    job.options = &state->options;
-    job.v = v;
-    job.p = p;
-    job.area = area;
     for (int i = 0; i < 3; i++) {
-        job.vertex_depth[i] = v[i].depth_16p16;
+        in.depth_16p16[i] = v[i].depth_16p16;
     }
     if (shift != NULL) {
-        const uint32_t by = shift->find(state->material, p, area, job.vertex_depth);
+        const uint32_t by = shift->find(state->material, p, area, in.depth_16p16);
         for (int i = 0; i < 3; i++) {
-            job.vertex_depth[i] += by;
+            in.depth_16p16[i] += by;
         }
     }
-    if (job.options->samples != 0 || begin(&job, p, area)) {
-        state->pipeline->large(&job.t);
-    }
+    state->pipeline->large(&in);
 }

@@ -68,12 +68,12 @@ static void set_texel_slope(qtri_large_job *job)
     const uint32_t q_slope = slope_of(job->q.dx);
     int32_t most = 0;
     for (int i = 0; i < job->first_color; i++) {
-        const qtri_large_attribute *a = &job->t.a[i];
+        const qtri_large_attribute *a = &job->a[i];
         uint32_t least, greatest;
         qtri_find_range(&least, &greatest, a->f);
         const uint32_t slope =
             (slope_of(a->along.plane.dx) >> 1) + (qtri_mul_high32(greatest, q_slope) >> 1) + 1;
-        const int32_t log2 = log2_q8(slope) + LOG2_ERROR + (33 - job->t.axis[i].shift) * 256;
+        const int32_t log2 = log2_q8(slope) + LOG2_ERROR + (33 - job->axis[i].shift) * 256;
         most = log2 > most ? log2 : most;
     }
     job->texel_log2 = qtri_large_has_levels(job) ? INT16_MIN : most;
@@ -81,7 +81,7 @@ static void set_texel_slope(qtri_large_job *job)
 
 int32_t qtri_large_chord_bound_log2(const qtri_large_job *job)
 {
-    return job->packing != QTRI_PACK_565 && qtri_stores_565(job->options) ? 16 : 14;
+    return job->packing != QTRI_PACK_565 && qtri_stores_565(job->t.options) ? 16 : 14;
 }
 
 /* The greatest slope of colours times q, and what of it comes of q. */
@@ -90,7 +90,7 @@ static int32_t chord_log2(const qtri_large_job *job)
     uint32_t most = 1;
     const uint32_t q_slope = slope_of(job->q.dx);
     for (int i = job->first_color; i < job->count; i++) {
-        const qtri_large_attribute *a = &job->t.a[i];
+        const qtri_large_attribute *a = &job->a[i];
         const uint32_t range = (a->most - a->least) << QTRI_LARGE_COLOR_UP;
         const uint32_t slope = slope_of(a->along.plane.dx) + qtri_mul_high32(range, q_slope) + 1;
         most = slope > most ? slope : most;
@@ -115,17 +115,17 @@ void qtri_large_set_lengths(qtri_large_job *job)
         const uint64_t q = (uint64_t)job->q_at[k] << job->q_up;
         least = q < least ? (uint32_t)q : least;
     }
-    least -= job->is_true ? least >> 5 : 0;
+    least -= job->t.is_true ? least >> 5 : 0;
     const int32_t log2 = length_for(job, least);
     job->piece_max =
         qtri_least32(job->run_log2, job->packing == QTRI_PACK_565 ? QTRI_LARGE_RUN_LOG2 - 1
                                                                   : QTRI_LARGE_CHUNK_LOG2 - 1);
-    job->one_log2 = log2 >= job->piece_max                    ? job->piece_max
-                    : log2 >= 0 && (job->pixels >> log2) == 0 ? log2
-                                                              : -1;
+    job->one_log2 = log2 >= job->piece_max                      ? job->piece_max
+                    : log2 >= 0 && (job->t.pixels >> log2) == 0 ? log2
+                                                                : -1;
     for (int i = 0; i < job->count; i++) {
-        job->t.a[i].at_left = (uint8_t)qtri_greatest32(job->t.a[i].up + 2, 0);
-        job->t.a[i].at_right = (uint8_t)qtri_greatest32(-(job->t.a[i].up + 2), 0);
+        job->a[i].at_left = (uint8_t)qtri_greatest32(job->a[i].up + 2, 0);
+        job->a[i].at_right = (uint8_t)qtri_greatest32(-(job->a[i].up + 2), 0);
     }
 }
 
@@ -193,7 +193,7 @@ static void set_steps(qtri_large_job *job, int32_t log2)
     job->delta_step =
         job->h_log2 < 0 ? 0 : qtri_large_whole(job->q.s_step); /* single pixels have no curve */
     for (int i = 0; i < job->count; i++) {
-        qtri_large_attribute *a = &job->t.a[i];
+        qtri_large_attribute *a = &job->a[i];
         a->along.plane.s_step = a->along.plane.dx << log2;
         set_shifts(&a->step_left, &a->step_right, a->up + 2 - h);
         set_shifts(&a->bend_left, &a->bend_right, a->up + 4 - 2 * h);
@@ -205,7 +205,7 @@ static inline void set_first(qtri_large_job *job, int32_t x)
 {
     job->q.s = qtri_large_plane_from(&job->q, x);
     for (int i = 0; i < job->count; i++) {
-        job->t.a[i].along.plane.s = qtri_large_plane_from(&job->t.a[i].along.plane, x);
+        job->a[i].along.plane.s = qtri_large_plane_from(&job->a[i].along.plane, x);
     }
 }
 
@@ -259,12 +259,12 @@ static void begin_chunk(qtri_large_job *job)
     job->t.x = chunk + number * ((int32_t)1 << apart);
     job->q.s += job->q.s_step * (uint64_t)(int64_t)number;
     for (int i = 0; i < job->count; i++) {
-        job->t.a[i].along.plane.s += job->t.a[i].along.plane.s_step * (uint64_t)(int64_t)number;
+        job->a[i].along.plane.s += job->a[i].along.plane.s_step * (uint64_t)(int64_t)number;
     }
     const int32_t reciprocal = next_reciprocal(job);
     job->delta = delta_at(job, reciprocal);
     for (int i = 0; i < job->count; i++) {
-        job->t.a[i].point = next_quotient(&job->t.a[i], job->zeros, reciprocal);
+        job->a[i].point = next_quotient(&job->a[i], job->zeros, reciprocal);
     }
 }
 
@@ -298,7 +298,7 @@ QTRI_NOINLINE bool qtri_large_begin_level(qtri_large_job *job)
     set_first(job, job->t.row_left);
     const int32_t reciprocal = next_reciprocal(job);
     for (int i = 0; i < job->count; i++) {
-        qtri_large_attribute *a = &job->t.a[i];
+        qtri_large_attribute *a = &job->a[i];
         const int32_t from = next_quotient(a, job->zeros, reciprocal);
         const int32_t rise = quotient_of(a->along.plane.s_step, job->zeros, reciprocal);
         a->at = (uint32_t)((int32_t)((uint32_t)from << a->at_left) >> a->at_right) + a->start;
@@ -319,7 +319,7 @@ static inline uint32_t both_shifts(int32_t x, uint8_t left, uint8_t right)
 static inline void set_coordinate(qtri_large_job *job, int i, int32_t end, int32_t eps,
                                   int32_t eps1, int32_t eps2)
 {
-    qtri_large_attribute *a = &job->t.a[i];
+    qtri_large_attribute *a = &job->a[i];
     const int32_t from = a->point, rise = end - from;
     const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1, rise2 = rise - rise1;
     const int32_t w1 = qtri_mul_s16(rise1, eps1), w2 = qtri_mul_s16(rise2, eps2);
@@ -331,7 +331,7 @@ static inline void set_coordinate(qtri_large_job *job, int i, int32_t end, int32
         both_shifts(rise1 + 2 * w1, a->step_left, a->step_right) + (uint32_t)((int32_t)bend1 >> 1);
     const uint32_t step2 =
         both_shifts(rise2 + 2 * w2, a->step_left, a->step_right) + (uint32_t)((int32_t)bend2 >> 1);
-    qtri_large_piece *piece = job->t.piece;
+    qtri_large_piece *piece = job->piece;
     a->point = end;
     if (i == 0) {
         piece[0].u = at1;
@@ -357,7 +357,7 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, in
     const int32_t h = (int32_t)1 << qtri_greatest32(job->h_log2, 0);
     const int32_t rest = job->t.row_right - job->t.x;
     for (int i = job->first_color; i < job->count; i++) {
-        qtri_large_attribute *a = &job->t.a[i];
+        qtri_large_attribute *a = &job->a[i];
         const int32_t from = a->point, rise = end[i] - from;
         const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1;
         at[0][i] = both_shifts(from, a->at_left, a->at_right) + a->start;
@@ -373,8 +373,8 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, in
         }
         a->point = end[i];
     }
-    qtri_large_pack(job, &job->t.piece[0], at[0], step[0], qtri_least32(h, rest));
-    qtri_large_pack(job, &job->t.piece[1], at[1], step[1], qtri_hold32(rest - h, 0, h));
+    qtri_large_pack(job, &job->piece[0], at[0], step[0], qtri_least32(h, rest));
+    qtri_large_pack(job, &job->piece[1], at[1], step[1], qtri_hold32(rest - h, 0, h));
 }
 
 /* Two pieces, or one of a pixel. */
@@ -404,31 +404,31 @@ QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool textured, bool color
     const int32_t eps2 = ((eps - square) >> 1) + cube;
     if (textured) {
         const int32_t zeros = job->zeros;
-        set_coordinate(job, 0, next_quotient(&job->t.a[0], zeros, reciprocal), eps, eps1, eps2);
-        set_coordinate(job, 1, next_quotient(&job->t.a[1], zeros, reciprocal), eps, eps1, eps2);
+        set_coordinate(job, 0, next_quotient(&job->a[0], zeros, reciprocal), eps, eps1, eps2);
+        set_coordinate(job, 1, next_quotient(&job->a[1], zeros, reciprocal), eps, eps1, eps2);
     }
     if (colored) {
         int32_t end[QTRI_LARGE_ATTRIBUTES];
         for (int i = job->first_color; i < job->count; i++) {
-            end[i] = next_quotient(&job->t.a[i], job->zeros, reciprocal);
+            end[i] = next_quotient(&job->a[i], job->zeros, reciprocal);
         }
         set_chords(job, end, eps);
     }
     const int32_t x = job->t.x;
     if (job->h_log2 < 0) {
-        t->piece[0].count = 1;
+        job->piece[0].count = 1;
         job->t.x = x + 1;
         return 1;
     }
     const int32_t h = (int32_t)1 << job->h_log2;
-    t->piece[0].count = h;
-    t->piece[1].count = h;
+    job->piece[0].count = h;
+    job->piece[1].count = h;
     job->t.x = qtri_least32(x + 2 * h, job->chunk_end);
     if (x < t->x0 || x + 2 * h > t->x1 || job->t.x != x + 2 * h) {
-        t->piece[1].count = qtri_hold32(job->chunk_end - x - h, 0, h);
-        t->piece[0].count = qtri_least32(job->chunk_end - x, h);
-        qtri_large_clip(job, &t->piece[0], x);
-        qtri_large_clip(job, &t->piece[1], x + h);
+        job->piece[1].count = qtri_hold32(job->chunk_end - x - h, 0, h);
+        job->piece[0].count = qtri_least32(job->chunk_end - x, h);
+        qtri_large_clip(job, &job->piece[0], x);
+        qtri_large_clip(job, &job->piece[1], x + h);
     }
     return 2;
 }
@@ -444,7 +444,7 @@ QTRI_INLINE int32_t next_pieces(qtri_large_job *job, bool textured, bool colored
     if (job->may_be_level) {
         if (job->t.is_new) {
             qtri_large_planes_move(job);
-            job->t.is_bent = !qtri_large_begin_level(job);
+            job->is_bent = !qtri_large_begin_level(job);
         }
         if (job->is_level) {
             return qtri_large_linear_piece(job);

@@ -48,8 +48,9 @@ static void set_frame(frame *f, const qtri_large_job *job)
 {
     const uint32_t *q = job->q_at;
     const qtri_surface *surface = job->t.state->surface;
-    set_range(f->row, job->y_least, job->height, qtri_least32(surface->height, QTRI_SURFACE_MAX));
-    set_range(f->column, job->x_least, job->width, job->t.frame_width);
+    set_range(f->row, job->t.y_least, job->t.height,
+              qtri_least32(surface->height, QTRI_SURFACE_MAX));
+    set_range(f->column, job->t.x_least, job->t.width, job->t.frame_width);
     for (int k = 0; k < 3; k++) {
         f->qq[k] = qtri_mul_high32(q[k == 2 ? 0 : k + 1], q[k == 0 ? 2 : k - 1]);
     }
@@ -62,7 +63,7 @@ static void set_frame(frame *f, const qtri_large_job *job)
 static void set_ends(ends *e, const frame *f, const qtri_large_job *job,
                      const qtri_large_attribute *a, int32_t texel_shift)
 {
-    const int32_t *x = job->x, *y = job->y;
+    const int32_t *x = job->t.corner_x, *y = job->t.corner_y;
     int64_t p[3];
     uint64_t all = 1;
     for (int k = 0; k < 3; k++) {
@@ -141,13 +142,13 @@ void qtri_large_set_footprint(qtri_footprint_plane *out, const qtri_large_job *j
     frame f;
     ends e[2];
     int32_t bits[2], exponent[2];
-    const uint64_t size = qtri_magnitude64(job->area);
+    const uint64_t size = qtri_magnitude64(job->t.area);
     const int32_t zeros = qtri_clz64(size);
     const uint32_t r = qtri_reciprocal_near((uint32_t)(size << (zeros & 63) >> 32));
     const int32_t factor = (int32_t)qtri_mul_high32(r, 3037000500u); /* 2^31.5 */
     set_frame(&f, job);
     for (int i = 0; i < 2; i++) {
-        set_ends(&e[i], &f, job, &job->t.a[i], job->levels.axis[i].shift);
+        set_ends(&e[i], &f, job, &job->a[i], job->levels->axis[i].shift);
         const uint64_t all = qtri_magnitude64(e[i].right[0]) | qtri_magnitude64(e[i].right[1]) |
                              qtri_magnitude64(e[i].down[0]) | qtri_magnitude64(e[i].down[1]);
         bits[i] = 64 - qtri_clz64(all | 1);

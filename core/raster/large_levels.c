@@ -27,9 +27,9 @@ static uint32_t linear_level(const qtri_large_job *job, uint32_t last)
 {
     uint32_t right[2], down[2];
     for (int i = 0; i < 2; i++) {
-        const qtri_large_plane *plane = &job->t.a[i].along.plane;
-        right[i] = linear_step(plane->dx, job->levels.axis[i].shift);
-        down[i] = linear_step(plane->dy, job->levels.axis[i].shift);
+        const qtri_large_plane *plane = &job->a[i].along.plane;
+        right[i] = linear_step(plane->dx, job->levels->axis[i].shift);
+        down[i] = linear_step(plane->dy, job->levels->axis[i].shift);
     }
     const uint32_t across = qtri_step_length_of(right[0], right[1]);
     const uint32_t along = qtri_step_length_of(down[0], down[1]);
@@ -51,8 +51,8 @@ static uint32_t down_of(const qtri_large_job *job, int i, uint32_t level)
 static void set_axes(qtri_large_job *job, uint32_t level)
 {
     for (int i = 0; i < 2; i++) {
-        const qtri_clamp_axis *from = &job->levels.axis[i];
-        qtri_clamp_axis *axis = &job->t.axis[i];
+        const qtri_clamp_axis *from = &job->levels->axis[i];
+        qtri_clamp_axis *axis = &job->axis[i];
         const uint32_t down = down_of(job, i, level);
         axis->shift = (uint8_t)(from->shift + down);
         axis->mask = (uint16_t)(from->mask >> down);
@@ -70,26 +70,26 @@ void qtri_large_set_levels(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
     const qtri_draw_state *state = t->state;
-    job->levels.axis[0] = t->axis[0];
-    job->levels.axis[1] = t->axis[1];
-    job->levels.only = 0;
-    job->levels.are_found = false;
+    job->levels->axis[0] = job->axis[0];
+    job->levels->axis[1] = job->axis[1];
+    job->levels->only = 0;
+    job->levels->are_found = false;
     set_axes(job, state->level);
-    t->piece[0].level = state->level;
-    t->piece[1].level = state->level;
+    job->piece[0].level = state->level;
+    job->piece[1].level = state->level;
     if (!qtri_large_has_levels(job)) {
         return;
     }
     if (!job->is_curved) {
-        job->levels.only = (uint8_t)linear_level(job, state->last_level);
+        job->levels->only = (uint8_t)linear_level(job, state->last_level);
         return;
     }
     const int32_t most = LEVEL_PIECE_LOG2;
-    job->levels.are_found = true;
-    job->levels.run_log2 = (uint8_t)qtri_least32(job->run_log2, LEVEL_RUN_LOG2);
+    job->levels->are_found = true;
+    job->levels->run_log2 = (uint8_t)qtri_least32(job->run_log2, LEVEL_RUN_LOG2);
     job->piece_max = qtri_least32(job->piece_max, most);
     job->one_log2 = qtri_least32(job->one_log2, most);
-    qtri_large_set_footprint(&job->levels.footprint, job);
+    qtri_large_set_footprint(&job->levels->footprint, job);
 }
 
 /* Along a row ---------------------------------------------------------------------------------- */
@@ -133,7 +133,7 @@ static inline measure measure_of(const qtri_footprint_plane *f, uint32_t q, int3
 static inline measure measure_at(const qtri_large_job *job, int32_t x)
 {
     const uint32_t q = qtri_large_positive(qtri_large_plane_at(&job->q, x));
-    return measure_of(&job->levels.footprint, q, qtri_clz32(q));
+    return measure_of(&job->levels->footprint, q, qtri_clz32(q));
 }
 
 QTRI_NOINLINE static uint32_t find_level(const measure *m, uint32_t length, uint32_t level,
@@ -155,7 +155,7 @@ QTRI_NOINLINE static uint32_t find_level(const measure *m, uint32_t length, uint
 static inline uint32_t level_at(const qtri_large_job *job, const measure *m, int32_t x,
                                 uint32_t level)
 {
-    const uint32_t length = length_at(&job->levels.footprint, x);
+    const uint32_t length = length_at(&job->levels->footprint, x);
     const uint32_t last = job->t.state->last_level;
     const uint32_t before = (uint32_t)m->before + level;
     if (before < 31) {
@@ -170,7 +170,7 @@ static inline uint32_t level_at(const qtri_large_job *job, const measure *m, int
 
 static void begin_row(qtri_large_job *job)
 {
-    qtri_footprint_plane *f = &job->levels.footprint;
+    qtri_footprint_plane *f = &job->levels->footprint;
     const uint32_t y = (uint32_t)job->t.y;
     f->length = qtri_step_length_of(qtri_magnitude32((int32_t)(f->right[0] + y * f->right_dy[0])),
                                     qtri_magnitude32((int32_t)(f->right[1] + y * f->right_dy[1])));
@@ -179,12 +179,12 @@ static void begin_row(qtri_large_job *job)
 /* Coordinates count from texels' centres. */
 QTRI_NOINLINE static void center(const qtri_large_job *job, qtri_large_piece *piece, uint32_t level)
 {
-    const qtri_options *o = job->options;
+    const qtri_options *o = job->t.options;
     const qtri_draw_state *state = job->t.state;
     const uint32_t across = down_of(job, 1, level);
-    const uint32_t u_shift = o->wrap_u == QTRI_CLAMP ? job->levels.axis[0].shift + level
+    const uint32_t u_shift = o->wrap_u == QTRI_CLAMP ? job->levels->axis[0].shift + level
                                                      : 32u - state->width_log2 + level;
-    const uint32_t v_shift = o->wrap_v == QTRI_CLAMP ? job->levels.axis[1].shift + across
+    const uint32_t v_shift = o->wrap_v == QTRI_CLAMP ? job->levels->axis[1].shift + across
                              : o->large_texture      ? 32u - state->height_log2 + across
                                                      : 16u + state->width_log2 - level;
     piece->u -= (uint32_t)1 << (u_shift - 1);
@@ -204,7 +204,7 @@ static inline uint32_t curve_down(uint32_t step, uint32_t down)
  */
 static inline void set_level(const qtri_large_job *job, qtri_large_piece *piece, uint32_t level)
 {
-    const qtri_options *o = job->options;
+    const qtri_options *o = job->t.options;
     piece->level = level;
     if (level != 0 && o->wrap_v != QTRI_CLAMP && !o->large_texture) {
         const uint32_t down = level + down_of(job, 1, level);
@@ -231,20 +231,20 @@ static inline void cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
 
 static inline int32_t run_of(const qtri_large_job *job)
 {
-    return (int32_t)1 << job->levels.run_log2;
+    return (int32_t)1 << job->levels->run_log2;
 }
 
 /* Of the run that begins at column x. */
 static inline uint32_t run_level(const qtri_large_job *job, int32_t x, uint32_t level)
 {
     const int32_t count = qtri_least32(run_of(job), job->t.row_right - x);
-    return level_at(job, &job->levels.measure, x + (count >> 1), level);
+    return level_at(job, &job->levels->measure, x + (count >> 1), level);
 }
 
 static void begin_level_row(qtri_large_job *job)
 {
-    job->levels.measure = measure_at(job, job->t.row_left);
-    job->levels.only = (uint8_t)run_level(job, job->t.row_left, job->levels.only);
+    job->levels->measure = measure_at(job, job->t.row_left);
+    job->levels->only = (uint8_t)run_level(job, job->t.row_left, job->levels->only);
     job->t.x = job->t.row_left;
 }
 
@@ -252,11 +252,11 @@ static void begin_level_row(qtri_large_job *job)
 QTRI_NOINLINE static void set_colors(qtri_large_job *job, qtri_large_piece *piece, uint32_t skipped)
 {
     for (int i = job->first_color; i < job->count; i++) {
-        job->t.a[i].at += job->t.a[i].step * skipped;
+        job->a[i].at += job->a[i].step * skipped;
     }
     qtri_large_pack_linear(job, piece);
     for (int i = job->first_color; i < job->count; i++) {
-        job->t.a[i].at -= job->t.a[i].step * skipped;
+        job->a[i].at -= job->a[i].step * skipped;
     }
 }
 
@@ -264,8 +264,8 @@ QTRI_NOINLINE static void set_colors(qtri_large_job *job, qtri_large_piece *piec
    left end on: what rounding does where it begins depends on neither band nor scissor. */
 static int32_t level_row_piece(qtri_large_job *job)
 {
-    qtri_large_levels *levels = &job->levels;
-    qtri_large_piece *piece = job->t.piece;
+    qtri_large_levels *levels = job->levels;
+    qtri_large_piece *piece = job->piece;
     const int32_t run = run_of(job), right = job->t.row_right;
     int32_t x, end = job->t.x;
     uint32_t level, next = levels->only;
@@ -274,7 +274,7 @@ static int32_t level_row_piece(qtri_large_job *job)
         level = next;
         for (end += run; end < right; end += run) {
             next = run_level(job, end, level);
-            if (next != level || job->run_log2 <= job->levels.run_log2) {
+            if (next != level || job->run_log2 <= job->levels->run_log2) {
                 break;
             }
         }
@@ -283,10 +283,10 @@ static int32_t level_row_piece(qtri_large_job *job)
     levels->only = (uint8_t)next;
     const uint32_t skipped = (uint32_t)(x - job->t.row_left);
     piece->count = qtri_least32(end, right) - x;
-    piece->u = job->t.a[0].at + job->t.a[0].step * skipped;
-    piece->v = job->t.a[1].at + job->t.a[1].step * skipped;
-    piece->u_step = job->t.a[0].step;
-    piece->v_step = job->t.a[1].step;
+    piece->u = job->a[0].at + job->a[0].step * skipped;
+    piece->v = job->a[1].at + job->a[1].step * skipped;
+    piece->u_step = job->a[0].step;
+    piece->v_step = job->a[1].step;
     piece->u_bend = 0;
     piece->v_bend = 0;
     if (job->first_color != job->count) {
@@ -302,7 +302,7 @@ static int32_t level_row_piece(qtri_large_job *job)
 /* Pieces of which one or both are short, or along which q varies more. */
 QTRI_NOINLINE static void set_apart(qtri_large_job *job, int32_t pieces, int32_t x)
 {
-    qtri_large_piece *piece = job->t.piece;
+    qtri_large_piece *piece = job->piece;
     uint32_t level = piece->level;
     for (int32_t i = 0; i < pieces; i++) {
         const int32_t count = piece[i].count, middle = x + (count >> 1);
@@ -322,7 +322,7 @@ static int32_t curved_pieces(qtri_large_job *job)
 {
     const int32_t pieces =
         job->first_color == job->count ? qtri_large_next_uv(&job->t) : qtri_large_next_any(&job->t);
-    qtri_large_piece *piece = job->t.piece;
+    qtri_large_piece *piece = job->piece;
     const int32_t h = piece[0].count;
     if (pieces == 1 || piece[1].count != h ||
         (uint32_t)(job->delta + EVEN_DELTA) > 2 * EVEN_DELTA) {
@@ -332,7 +332,7 @@ static int32_t curved_pieces(qtri_large_job *job)
     const int32_t middle = job->t.x - h;
     const uint64_t step = job->q.s_step;
     const uint32_t q = qtri_large_whole(job->q.s - step - (uint64_t)(qtri_wrap64(step) >> 1));
-    const measure m = measure_of(&job->levels.footprint, q, job->zeros);
+    const measure m = measure_of(&job->levels->footprint, q, job->zeros);
     const uint32_t level = level_at(job, &m, middle, piece[0].level);
     set_level(job, &piece[0], level);
     set_level(job, &piece[1], level);
@@ -348,13 +348,13 @@ static int32_t plain_pieces(qtri_large_job *job)
     const int32_t pieces = curved ? qtri_large_next_any(&job->t) : qtri_large_linear_piece(job);
     int32_t x = job->t.x - ((int32_t)1 << job->run_log2);
     if (curved && !(job->may_be_level && job->is_level)) {
-        x = job->t.x - job->t.piece[0].count - (pieces == 1 ? 0 : job->t.piece[1].count);
+        x = job->t.x - job->piece[0].count - (pieces == 1 ? 0 : job->piece[1].count);
     } else if (qtri_large_has_levels(job)) {
-        set_level(job, job->t.piece, job->levels.only);
+        set_level(job, job->piece, job->levels->only);
     }
     for (int32_t i = 0; i < pieces; i++) {
-        const int32_t count = job->t.piece[i].count;
-        cut(job, &job->t.piece[i], x);
+        const int32_t count = job->piece[i].count;
+        cut(job, &job->piece[i], x);
         x += count;
     }
     return pieces;
@@ -363,14 +363,14 @@ static int32_t plain_pieces(qtri_large_job *job)
 int32_t qtri_large_next_levels(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    if (!job->levels.are_found) {
+    if (!job->levels->are_found) {
         return plain_pieces(job);
     }
     if (job->t.is_new) {
         begin_row(job);
         if (job->may_be_level) {
             qtri_large_planes_move(job);
-            t->is_bent = !qtri_large_begin_level(job);
+            job->is_bent = !qtri_large_begin_level(job);
             if (job->is_level) {
                 job->t.is_new = false;
                 begin_level_row(job);

@@ -64,30 +64,29 @@ static void set_tolerance(qtri_large_light *l, const qtri_options *o)
 
 static void begin(qtri_large *t)
 {
-    qtri_large_job *job = qtri_large_job_of(t);
     qtri_large_light *l = light_of(t);
-    const qtri_large_vertex *v = job->v;
+    const qtri_large_vertex *v = t->in->v;
     uint32_t q[3];
     if (!l->lit.is_quadratic) {
         qtri_lit_set_corners(&l->lit);
     }
-    l->packing = qtri_large_packing_of(job->options);
-    l->half = qtri_large_half_of(job->options);
-    l->plane_y = job->plane_y;
+    l->packing = qtri_large_packing_of(t->options);
+    l->half = qtri_large_half_of(t->options);
+    l->plane_y = t->plane_y;
     l->divided = !t->state->is_linear && align_q(q, v);
     l->y = INT32_MIN;
-    l->is_alone = qtri_has_samples(job->options) && t->samples->place != QTRI_CENTER;
-    set_tolerance(l, job->options);
+    l->is_alone = qtri_has_samples(t->options) && t->samples->place != QTRI_CENTER;
+    set_tolerance(l, t->options);
     for (int k = 0; k < 2; k++) {
         uint32_t f[3];
         for (int i = 0; i < 3; i++) {
             const uint32_t share_q30 = (uint32_t)v[i].color_8p16[k];
             f[i] = l->divided ? (uint32_t)(qtri_mul_u32(q[i], share_q30) >> 30) : share_q30;
         }
-        qtri_large_plane_of(&l->share[k], job, f);
+        qtri_large_plane_of(&l->share[k], t, f);
     }
     if (l->divided) {
-        qtri_large_plane_of(&l->q, job, q);
+        qtri_large_plane_of(&l->q, t, q);
         qtri_find_range(&l->least, &l->greatest, q);
     }
 }
@@ -204,13 +203,13 @@ static void move_planes(qtri_large_light *l, int32_t y)
 }
 
 /* The block that has the first pixel that is drawn: not one that only begins with the last. */
-static void begin_row(const qtri_large_job *job, qtri_large_light *l)
+static void begin_row(const qtri_large *t, qtri_large_light *l)
 {
-    const int32_t left = job->t.row_left;
-    l->y = job->t.y;
+    const int32_t left = t->row_left;
+    l->y = t->y;
     l->left = left;
-    l->last = job->t.row_right - 1;
-    l->x0 = job->t.x0;
+    l->last = t->row_right - 1;
+    l->x0 = t->x0;
     l->x = l->x0;
     l->from = 0;
     l->count = 0;
@@ -319,10 +318,9 @@ static void set_pixel(qtri_large_light *l)
 
 static int32_t next(qtri_large *t, int32_t count)
 {
-    const qtri_large_job *job = qtri_large_job_of(t);
     qtri_large_light *l = light_of(t);
     if (l->y != t->y || l->x0 != t->x0) {
-        begin_row(job, l);
+        begin_row(t, l);
     }
     if (l->is_alone) {
         set_pixel(l);
@@ -330,7 +328,7 @@ static int32_t next(qtri_large *t, int32_t count)
         next_piece(l);
     }
     if (l->x != l->piece_x) {
-        qtri_large_skip_colors(job->options, &l->walk.piece, (uint32_t)(l->x - l->piece_x));
+        qtri_large_skip_colors(t->options, &l->walk.piece, (uint32_t)(l->x - l->piece_x));
         l->piece_x = l->x;
     }
     const int32_t n = qtri_least32(count, l->piece_end - l->x);

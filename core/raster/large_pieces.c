@@ -9,14 +9,14 @@ static uint32_t shifted(uint32_t x, int32_t up)
 
 void qtri_large_planes_move(qtri_large_job *job)
 {
-    const qtri_large_attribute *const end = &job->t.a[job->count];
-    for (int32_t rows = job->t.y - job->plane_y; rows > 0; rows--) { /* one, mostly */
-        for (qtri_large_attribute *a = job->t.a; a != end; a++) {
+    const qtri_large_attribute *const end = &job->a[job->count];
+    for (int32_t rows = job->t.y - job->t.plane_y; rows > 0; rows--) { /* one, mostly */
+        for (qtri_large_attribute *a = job->a; a != end; a++) {
             a->along.plane.row += a->along.plane.dy;
         }
         job->q.row += job->q.dy;
     }
-    job->plane_y = job->t.y;
+    job->t.plane_y = job->t.y;
 }
 
 /* Attributes at the row's left end, where nothing follows perspective. */
@@ -24,7 +24,7 @@ static inline void set_left(qtri_large_job *job)
 {
     qtri_large_planes_move(job);
     for (int i = 0; i < job->count; i++) {
-        qtri_large_attribute *a = &job->t.a[i];
+        qtri_large_attribute *a = &job->a[i];
         a->at = shifted(qtri_large_plane_at(&a->along.plane, job->t.row_left), a->up) + a->start;
     }
 }
@@ -116,47 +116,47 @@ uint32_t qtri_large_begin_runs(qtri_large *t)
     const uint32_t start = skipped & ~(uint32_t)(QTRI_LARGE_RUN - 1);
     const uint32_t x = (uint32_t)job->t.row_left + start, y = (uint32_t)t->y;
     for (int i = 0; i < 3; i++) {
-        t->run[i] = t->run_at[i] + t->a[i].step * x + t->run_down[i] * y + job->center[i];
+        job->run[i] = job->run_at[i] + job->a[i].step * x + job->run_down[i] * y + job->center[i];
     }
     return skipped - start;
 }
 
 void qtri_large_set_run_steps(qtri_large_job *job)
 {
-    const qtri_large_attribute *a = &job->t.a[job->first_color];
+    const qtri_large_attribute *a = &job->a[job->first_color];
     if (job->packing == QTRI_PACK_ONE) {
-        job->t.piece[0].c_step = a->step;
+        job->piece[0].c_step = a->step;
     } else if (job->packing != QTRI_PACK_NONE) {
         const uint32_t step[3] = {a[0].step, a[1].step, a[2].step};
         if (job->packing == QTRI_PACK_565) {
-            word_steps(&job->t.run_even, &job->t.run_odd, job->center, step, QTRI_LARGE_RUN);
+            word_steps(&job->run_even, &job->run_odd, job->center, step, QTRI_LARGE_RUN);
         } else {
-            lane_steps(&job->t.piece[0].c_step, &job->t.piece[0].g_step, step,
+            lane_steps(&job->piece[0].c_step, &job->piece[0].g_step, step,
                        job->packing == QTRI_PACK_WEIGHTS ? 9 : 8);
         }
     }
     if (job->alpha < job->count) {
-        job->t.piece[0].alpha_step = job->t.a[job->alpha].step;
+        job->piece[0].alpha_step = job->a[job->alpha].step;
     }
 }
 
 void qtri_large_pack_linear(qtri_large_job *job, qtri_large_piece *piece)
 {
-    const qtri_large_attribute *a = &job->t.a[job->first_color];
+    const qtri_large_attribute *a = &job->a[job->first_color];
     if (job->packing == QTRI_PACK_ONE) {
         piece->c = a->at;
     } else if (job->packing == QTRI_PACK_565) {
         piece->c = qtri_large_word(a[0].at + job->center[0], a[1].at + job->center[1],
                                    a[2].at + job->center[2]);
-        piece->c_step = job->t.run_even;
-        piece->c_other = job->t.run_odd;
+        piece->c_step = job->run_even;
+        piece->c_other = job->run_odd;
     } else if (job->packing != QTRI_PACK_NONE) {
         const int32_t down = job->packing == QTRI_PACK_WEIGHTS ? 9 : 8;
         piece->c = (a[0].at >> down << 16) + (a[2].at >> down);
         piece->g = a[1].at;
     }
     if (job->alpha < job->count) {
-        piece->alpha = job->t.a[job->alpha].at;
+        piece->alpha = job->a[job->alpha].at;
     }
 }
 /* Pieces --------------------------------------------------------------------------------------- */
@@ -196,7 +196,7 @@ static void skip(const qtri_options *o, qtri_large_piece *piece, uint32_t n)
 
 void qtri_large_clip(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
 {
-    if (!job->options->mipmapped) {
+    if (!job->t.options->mipmapped) {
         qtri_large_cut(job, piece, x);
     }
 }
@@ -210,7 +210,7 @@ void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
         return;
     }
     if (first != x) {
-        skip(job->options, piece, (uint32_t)(first - x));
+        skip(job->t.options, piece, (uint32_t)(first - x));
     }
     piece->count = end - first;
 }
@@ -218,8 +218,8 @@ void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
 /* All of a row of texture coordinates alone. */
 static inline int32_t whole_row(qtri_large_job *job)
 {
-    qtri_large_piece *piece = &job->t.piece[0];
-    const qtri_large_attribute *u = &job->t.a[0], *v = &job->t.a[1];
+    qtri_large_piece *piece = &job->piece[0];
+    const qtri_large_attribute *u = &job->a[0], *v = &job->a[1];
     const uint32_t skipped = (uint32_t)(job->t.x0 - job->t.row_left);
     if (!job->is_curved) {
         set_left(job);
@@ -246,14 +246,14 @@ static void begin_row(qtri_large_job *job)
         set_left(job);
     }
     for (int i = 0; i < job->count; i++) {
-        job->t.a[i].at += job->t.a[i].step * (uint32_t)skipped;
+        job->a[i].at += job->a[i].step * (uint32_t)skipped;
     }
 }
 
 int32_t qtri_large_linear_piece(qtri_large_job *job)
 {
-    qtri_large_piece *piece = &job->t.piece[0];
-    if (job->first_color == job->count && !job->options->mipmapped) {
+    qtri_large_piece *piece = &job->piece[0];
+    if (job->first_color == job->count && !job->t.options->mipmapped) {
         return whole_row(job);
     }
     if (job->t.is_new) {
@@ -262,10 +262,10 @@ int32_t qtri_large_linear_piece(qtri_large_job *job)
     const int32_t run = (int32_t)1 << job->run_log2, x = job->t.x;
     piece->count = qtri_least32(run, job->t.row_right - x);
     if (job->first_color != 0) {
-        piece->u = job->t.a[0].at;
-        piece->v = job->t.a[1].at;
-        piece->u_step = job->t.a[0].step;
-        piece->v_step = job->t.a[1].step;
+        piece->u = job->a[0].at;
+        piece->v = job->a[1].at;
+        piece->u_step = job->a[0].step;
+        piece->v_step = job->a[1].step;
         piece->u_bend = 0;
         piece->v_bend = 0;
     }
@@ -278,7 +278,7 @@ int32_t qtri_large_linear_piece(qtri_large_job *job)
     job->t.x = x + run;
     if (job->t.x < job->t.x1) {
         for (int i = 0; i < job->count; i++) {
-            job->t.a[i].at += job->t.a[i].step << job->run_log2;
+            job->a[i].at += job->a[i].step << job->run_log2;
         }
     }
     return 1;
@@ -300,10 +300,9 @@ static uint32_t fog_at(const qtri_large *t, int32_t x)
  */
 int32_t qtri_large_next_fog(qtri_large *t, int32_t count)
 {
-    const qtri_large_job *job = qtri_large_job_of(t);
     const int32_t x = t->fog_x;
-    int32_t first = job->t.row_left + ((x - job->t.row_left) & -FOG_PIXELS);
-    int32_t last = qtri_least32(first + FOG_PIXELS, job->t.row_right) - 1;
+    int32_t first = t->row_left + ((x - t->row_left) & -FOG_PIXELS);
+    int32_t last = qtri_least32(first + FOG_PIXELS, t->row_right) - 1;
     uint32_t from = fog_at(t, first), to = fog_at(t, last);
     while (last - first > 1) {
         const int32_t middle = (first + last) >> 1;

@@ -43,7 +43,7 @@ static uint32_t bound_of(const qtri_large_job *job)
    a texel. */
 static uint64_t limit_of(const qtri_large_job *job, int i)
 {
-    return i < job->first_color            ? (uint64_t)5 << job->t.axis[i].shift >> 6
+    return i < job->first_color            ? (uint64_t)5 << job->axis[i].shift >> 6
            : job->packing == QTRI_PACK_565 ? 3 * bound_of(job)
                                            : 6 * bound_of(job);
 }
@@ -59,7 +59,7 @@ static bool is_near(const qtri_large_job *job)
     }
     for (int i = 0; i < job->count; i++) {
         uint32_t min, max;
-        qtri_find_range(&min, &max, job->t.a[i].f);
+        qtri_find_range(&min, &max, job->a[i].f);
         if (qtri_mul_u32(difference * difference, max - min) > sum * sum * limit_of(job, i)) {
             return false;
         }
@@ -70,7 +70,7 @@ static bool is_near(const qtri_large_job *job)
 /* Weights in Q30; false: of a triangle so thin that they step by more than 1/2 a pixel. */
 static bool set_weights(qtri_large_job *job)
 {
-    const qtri_large_weights *w = &job->weights;
+    const qtri_large_weights *w = &job->t.weights;
     const int32_t down = w->fraction - 30;
     if (down < 0 || down > 62) {
         return false;
@@ -129,7 +129,7 @@ static void set_length(qtri_large_job *job)
     const uint32_t limit = bound_of(job) * (job->packing == QTRI_PACK_565 ? 1 : 2);
     uint32_t curve = 0;
     for (int i = job->first_color; i < job->count; i++) {
-        curve |= qtri_magnitude32(job->t.a[i].along.quadratic.curve);
+        curve |= qtri_magnitude32(job->a[i].along.quadratic.curve);
     }
     int32_t log2 = QTRI_LARGE_RUN_LOG2;
     while (log2 > 0 && qtri_mul_u32(curve, (uint32_t)1 << 2 * log2) > limit) {
@@ -141,24 +141,24 @@ static void set_length(qtri_large_job *job)
 bool qtri_large_set_quadratics(qtri_large_job *job)
 {
     const uint32_t *q = job->q_at;
-    if (job->pixels > PIXELS_MAX || qtri_large_has_levels(job) || !is_near(job)) {
+    if (job->t.pixels > PIXELS_MAX || qtri_large_has_levels(job) || !is_near(job)) {
         return false;
     }
     /* Colours where vertices are snapped to, so that they stay within those of the vertices. */
-    qtri_large_use_weights(job, job->is_true && job->first_color != 0);
+    qtri_large_use_weights(&job->t, job->t.is_true && job->first_color != 0);
     if (!set_weights(job)) {
         return false;
     }
     const int32_t middle[3] = {middle_of(q[0], q[1]), middle_of(q[0], q[2]), middle_of(q[1], q[2])};
     for (int i = 0; i < job->count; i++) {
-        set_polynomial(&job->t.a[i], job, middle);
+        set_polynomial(&job->a[i], job, middle);
     }
     for (int i = 0; i < job->first_color; i++) {
-        qtri_large_quadratic *f = &job->t.a[i].along.quadratic;
-        f->bend = shifted(&job->t.a[i], 2 * f->curve);
+        qtri_large_quadratic *f = &job->a[i].along.quadratic;
+        f->bend = shifted(&job->a[i], 2 * f->curve);
     }
     set_length(job);
-    job->t.is_bent = job->first_color != 0;
+    job->is_bent = job->first_color != 0;
     job->is_curved = true;
     job->may_be_level = false;
     job->is_level = false;
@@ -174,8 +174,8 @@ typedef struct at_pixel {
 /* True positions may leave a weight outside of 0 to 1 by what a pixel's 1/512 changes it. */
 static inline void set_pixel(at_pixel *b, const qtri_large_job *job, int32_t x)
 {
-    const uint32_t right = (uint32_t)(x - (job->x[0] >> 8));
-    const uint32_t down = (uint32_t)(job->t.y - (job->y[0] >> 8));
+    const uint32_t right = (uint32_t)(x - (job->t.corner_x[0] >> 8));
+    const uint32_t down = (uint32_t)(job->t.y - (job->t.corner_y[0] >> 8));
     const uint32_t *w1 = job->weight_q30[0], *w2 = job->weight_q30[1];
     const int32_t most = ((int32_t)1 << 30) - 1;
     b->b1 = qtri_hold32((int32_t)(w1[0] * right + w1[1] * down + w1[2]), 0, most);
@@ -212,18 +212,18 @@ static inline void set_chords(qtri_large_job *job, const at_pixel *b, int32_t n)
 {
     uint32_t at[QTRI_LARGE_ATTRIBUTES], step[QTRI_LARGE_ATTRIBUTES];
     for (int i = job->first_color; i < job->count; i++) {
-        const qtri_large_attribute *a = &job->t.a[i];
+        const qtri_large_attribute *a = &job->a[i];
         at[i] = (uint32_t)(value_at(a, b) >> QTRI_LARGE_COLOR_UP) + a->start;
         step[i] = (uint32_t)(slope_at(a, b, n) >> QTRI_LARGE_COLOR_UP);
         qtri_large_clamp_chord(a, &at[i], &step[i], n);
     }
-    qtri_large_pack(job, &job->t.piece[0], at, step, n);
+    qtri_large_pack(job, &job->piece[0], at, step, n);
 }
 
 int32_t qtri_large_quadratic_piece(qtri_large_job *job)
 {
     qtri_large *t = &job->t;
-    qtri_large_piece *piece = &t->piece[0];
+    qtri_large_piece *piece = &job->piece[0];
     at_pixel b;
     if (t->is_new) { /* pieces are counted from the row's left end, which no scissor moves */
         t->x = t->row_left + ((t->x0 - t->row_left) >> job->quadratic_log2 << job->quadratic_log2);
@@ -233,7 +233,7 @@ int32_t qtri_large_quadratic_piece(qtri_large_job *job)
     const int32_t n = qtri_least32((int32_t)1 << job->quadratic_log2, t->row_right - x);
     set_pixel(&b, job, x);
     if (job->first_color != 0) {
-        const qtri_large_attribute *u = &t->a[0], *v = &t->a[1];
+        const qtri_large_attribute *u = &job->a[0], *v = &job->a[1];
         piece->u = shifted(u, value_at(u, &b));
         piece->u_step = shifted(u, slope_at(u, &b, 1));
         piece->u_bend = u->along.quadratic.bend;

@@ -15,28 +15,28 @@ static int32_t moved_by(int32_t at_24p8, int32_t by)
 }
 
 /* The triangle so that a place lies where centres do; returns its area, which may be 0. */
-static int64_t move(const qtri_screen_point *p[3], const qtri_large_job *job, int32_t place)
+static int64_t move(const qtri_screen_point *p[3], const qtri_large *t, int32_t place)
 {
-    qtri_screen_point *moved = job->t.samples->moved;
+    qtri_screen_point *moved = t->samples->moved;
     for (int i = 0; i < 3; i++) {
-        moved[i].x_24p8 = moved_by(job->p[i]->x_24p8, offset[place][0]);
-        moved[i].y_24p8 = moved_by(job->p[i]->y_24p8, offset[place][1]);
+        moved[i].x_24p8 = moved_by(t->in->p[i]->x_24p8, offset[place][0]);
+        moved[i].y_24p8 = moved_by(t->in->p[i]->y_24p8, offset[place][1]);
         p[i] = &moved[i];
     }
     return qtri_triangle_area(p[0], p[1], p[2]);
 }
 
 /* Edges at all places; false: there is nothing to draw. */
-static bool set_edges(qtri_large_job *job)
+static bool set_edges(qtri_large *t)
 {
-    qtri_large_samples *s = job->t.samples;
-    const qtri_rect *bounds = &job->t.state->bounds;
+    qtri_large_samples *s = t->samples;
+    const qtri_rect *bounds = &t->state->bounds;
     const qtri_screen_point *p[3];
     s->first_row = bounds->y1;
     s->end = bounds->y0;
     for (int32_t k = 0; k < QTRI_PLACES; k++) {
         qtri_large_edges *e = &s->first[k];
-        const int64_t area = move(p, job, k);
+        const int64_t area = move(p, t, k);
         if (area == 0 || !qtri_large_edges_init(e, bounds, p, area > 0)) {
             e->row = 0;
             e->end = 0;
@@ -49,16 +49,16 @@ static bool set_edges(qtri_large_job *job)
 }
 
 /* The triangle at a place; false: it has no area there. */
-static bool set_up(qtri_large_job *job, int32_t place)
+static bool set_up(qtri_large *t, int32_t place)
 {
     const qtri_screen_point *p[3];
-    const int64_t area = move(p, job, place);
+    const int64_t area = move(p, t, place);
     if (area == 0) {
         return false;
     }
-    qtri_large_set_box(job, p, area);
-    job->t.y = job->t.samples->first_row - 1;
-    qtri_large_set_up(job);
+    qtri_large_set_box(t, p, area);
+    t->y = t->samples->first_row - 1;
+    qtri_large_set_up(t);
     return true;
 }
 
@@ -66,56 +66,54 @@ static bool set_up(qtri_large_job *job, int32_t place)
  * Whether a step of depth is below 2^29, so that its ramp did not wrap: with differences of
  * coordinates of at most an extent it is at most 2 range extent 2^8 / area.
  */
-static bool is_gentle(const qtri_large_job *job)
+static bool is_gentle(const qtri_large *t)
 {
     uint32_t least, most;
-    const uint64_t extent = (uint64_t)((int64_t)job->width + job->height);
-    qtri_find_range(&least, &most, job->vertex_depth);
-    return (((most - least) >> 12) + 1) * extent <= qtri_magnitude64(job->area) << 8;
+    const uint64_t extent = (uint64_t)((int64_t)t->width + t->height);
+    qtri_find_range(&least, &most, t->in->depth_16p16);
+    return (((most - least) >> 12) + 1) * extent <= qtri_magnitude64(t->area) << 8;
 }
 
 /* Depth at a place where its step may have wrapped: it is set up there. */
-static uint32_t depth_at(qtri_large_job *job, int32_t place, int32_t x, int32_t y)
+static uint32_t depth_at(qtri_large *t, int32_t place, int32_t x, int32_t y)
 {
-    return set_up(job, place) ? (uint32_t)(job->depth.at + job->depth.dx * x + job->depth.dy * y)
-                              : 0;
+    return set_up(t, place) ? (uint32_t)(t->ramp_z.at + t->ramp_z.dx * x + t->ramp_z.dy * y) : 0;
 }
 
-static void set_depths(qtri_large_job *job)
+static void set_depths(qtri_large *t)
 {
-    qtri_large_samples *s = job->t.samples;
+    qtri_large_samples *s = t->samples;
     s->z_p = 0;
     s->z_q = 0;
-    if (!qtri_needs_depth(job->options)) {
+    if (!qtri_needs_depth(t->options)) {
         return;
     }
-    if (is_gentle(job)) {
-        const int32_t dx = (int32_t)job->depth.dx >> 1;
-        const int32_t dy = (int32_t)job->depth.dy >> 1;
+    if (is_gentle(t)) {
+        const int32_t dx = (int32_t)t->ramp_z.dx >> 1;
+        const int32_t dy = (int32_t)t->ramp_z.dy >> 1;
         s->z_p = (uint32_t)((dx + 3 * dy) >> 2);
         s->z_q = (uint32_t)((3 * dx - dy) >> 2);
         return;
     }
-    const int32_t x = job->x[0] >> 8, y = job->y[0] >> 8;
-    const uint32_t p = depth_at(job, 3, x, y), q = depth_at(job, 1, x, y);
-    const uint32_t center = depth_at(job, QTRI_CENTER, x, y);
+    const int32_t x = t->corner_x[0] >> 8, y = t->corner_y[0] >> 8;
+    const uint32_t p = depth_at(t, 3, x, y), q = depth_at(t, 1, x, y);
+    const uint32_t center = depth_at(t, QTRI_CENTER, x, y);
     s->z_p = p - center;
     s->z_q = q - center;
 }
 
 bool qtri_large_begin_samples(qtri_large *t, int32_t place)
 {
-    qtri_large_job *job = qtri_large_job_of(t);
     qtri_large_samples *s = t->samples;
     if (place == QTRI_CENTER) {
-        if (!set_edges(job)) { /* nor in the passes that follow */
+        if (!set_edges(t)) { /* nor in the passes that follow */
             s->first_row = 0;
             s->end = 0;
             return false;
         }
-        (void)set_up(job, place);
-        set_depths(job);
-    } else if (s->end <= s->first_row || !set_up(job, place)) {
+        (void)set_up(t, place);
+        set_depths(t);
+    } else if (s->end <= s->first_row || !set_up(t, place)) {
         return false;
     }
     for (int32_t k = 0; k < QTRI_PLACES; k++) {
@@ -128,16 +126,16 @@ bool qtri_large_begin_samples(qtri_large *t, int32_t place)
 }
 
 /* The columns of all places in the row. */
-static void set_columns(qtri_large_job *job)
+static void set_columns(qtri_large *t)
 {
-    qtri_large_samples *s = job->t.samples;
+    qtri_large_samples *s = t->samples;
     qtri_samples_row *row = &s->row;
     for (int32_t k = 0; k < QTRI_PLACES; k++) {
         qtri_large_edges *e = &s->edges[k];
         row->left[k] = 0;
         row->right[k] = 0;
-        if (job->t.y >= e->row && job->t.y < e->end) {
-            qtri_large_edges_next(e, job->t.y, &row->left[k], &row->right[k]);
+        if (t->y >= e->row && t->y < e->end) {
+            qtri_large_edges_next(e, t->y, &row->left[k], &row->right[k]);
         }
     }
     row->x0 = qtri_greatest32(qtri_greatest32(row->left[0], row->left[1]),
@@ -146,7 +144,7 @@ static void set_columns(qtri_large_job *job)
                                      qtri_least32(row->right[2], row->right[3]));
     row->count = end > row->x0 ? (uint32_t)(end - row->x0) : 0;
     s->left = qtri_greatest32(row->left[s->place], 0);
-    s->right = qtri_least32(row->right[s->place], job->t.frame_width);
+    s->right = qtri_least32(row->right[s->place], t->frame_width);
     s->next = s->left;
 }
 
@@ -191,21 +189,20 @@ static bool next_run(qtri_large_samples *s, int32_t *first, int32_t *end)
 
 bool qtri_large_next_samples(qtri_large *t)
 {
-    qtri_large_job *job = qtri_large_job_of(t);
     qtri_large_samples *s = t->samples;
     for (;;) {
         int32_t first, end;
         while (s->next < s->right && next_run(s, &first, &end)) {
-            job->t.row_left = s->left;
-            job->t.row_right = s->right;
-            if (qtri_large_set_row(job, first, end)) {
+            t->row_left = s->left;
+            t->row_right = s->right;
+            if (qtri_large_set_row(t, first, end)) {
                 return true;
             }
         }
-        qtri_large_step_row(job);
+        qtri_large_step_row(t);
         if (t->y >= s->end) {
             return false;
         }
-        set_columns(job);
+        set_columns(t);
     }
 }

@@ -36,12 +36,12 @@ typedef struct differences {
     int32_t d[2][2], rest[2][2];
 } differences;
 
-static void find_differences(differences *s, const qtri_large_job *job, bool is_true)
+static void find_differences(differences *s, const qtri_large *t, bool is_true)
 {
-    const qtri_large_vertex *v = job->v;
+    const qtri_large_vertex *v = t->in->v;
     for (int i = 0; i < 2; i++) {
-        s->d[i][0] = job->x[i + 1] - job->x[0];
-        s->d[i][1] = job->y[i + 1] - job->y[0];
+        s->d[i][0] = t->corner_x[i + 1] - t->corner_x[0];
+        s->d[i][1] = t->corner_y[i + 1] - t->corner_y[0];
         for (int k = 0; k < 2; k++) {
             s->rest[i][k] = is_true ? v[i + 1].rest[k] - v[0].rest[k] : 0;
         }
@@ -76,13 +76,13 @@ QTRI_NOINLINE static int64_t scaled(int64_t d, int32_t up, uint64_t r, bool is_n
  * and what is in parentheses is below 2^61. False, with true positions: they are so close to a
  * line, 1/8 of a pixel, that corrections would be more than 2^-5 of what attributes vary by.
  */
-static bool find_weights(qtri_large_job *job, bool is_true)
+static bool find_weights(qtri_large *t, bool is_true)
 {
-    qtri_large_weights *w = &job->weights;
-    const qtri_large_vertex *v = job->v;
+    qtri_large_weights *w = &t->weights;
+    const qtri_large_vertex *v = t->in->v;
     differences s;
-    find_differences(&s, job, is_true);
-    const int64_t area = area_of(&s, job->area);
+    find_differences(&s, t, is_true);
+    const int64_t area = area_of(&s, t->area);
     const uint64_t size = qtri_magnitude64(area);
     int64_t d[2][2];
     uint64_t all = 0;
@@ -92,13 +92,13 @@ static bool find_weights(qtri_large_job *job, bool is_true)
             all |= qtri_magnitude64(d[i][k]);
         }
     }
-    if (is_true && ((area ^ job->area) < 0 || size < all << 3)) {
+    if (is_true && ((area ^ t->area) < 0 || size < all << 3)) {
         return false;
     }
     const int32_t zeros = qtri_clz64(size | 1), up = qtri_clz64(all | 1) - 2;
     const uint64_t r = reciprocal64(size << zeros);
-    const int32_t x = (128 - (job->x[0] & 255)) * 65536 - (is_true ? v[0].rest[0] : 0);
-    const int32_t y = (128 - (job->y[0] & 255)) * 65536 - (is_true ? v[0].rest[1] : 0);
+    const int32_t x = (128 - (t->corner_x[0] & 255)) * 65536 - (is_true ? v[0].rest[0] : 0);
+    const int32_t y = (128 - (t->corner_y[0] & 255)) * 65536 - (is_true ? v[0].rest[1] : 0);
     for (int i = 0; i < 2; i++) {
         int64_t *b = w->b[1 - i];
         b[0] = scaled(d[i][1], up, r, (area < 0) != (i == 0));
@@ -110,22 +110,22 @@ static bool find_weights(qtri_large_job *job, bool is_true)
     return true;
 }
 
-void qtri_large_use_weights(qtri_large_job *job, bool is_true)
+void qtri_large_use_weights(qtri_large *t, bool is_true)
 {
-    if (job->weights.is_true != is_true && !find_weights(job, is_true)) {
-        (void)find_weights(job, false);
+    if (t->weights.is_true != is_true && !find_weights(t, is_true)) {
+        (void)find_weights(t, false);
     }
 }
 
-void qtri_large_set_weights(qtri_large_job *job)
+void qtri_large_set_weights(qtri_large *t)
 {
     int32_t any = 0;
     for (int i = 0; i < 3; i++) {
-        any |= job->v[i].rest[0] | job->v[i].rest[1];
+        any |= t->in->v[i].rest[0] | t->in->v[i].rest[1];
     }
-    job->is_true = any != 0 && find_weights(job, true);
-    if (!job->is_true) {
-        (void)find_weights(job, false);
+    t->is_true = any != 0 && find_weights(t, true);
+    if (!t->is_true) {
+        (void)find_weights(t, false);
     }
 }
 
@@ -144,10 +144,10 @@ static int64_t product(int64_t f_q8, int64_t b)
  * a pixel by 2^n, by 2^(n - 32): all sums wrap, and at the pixels that the triangle covers they
  * lie between the vertices' values.
  */
-void qtri_large_plane_init(qtri_large_plane *p, const qtri_large_job *job, const int64_t f_q8[3],
+void qtri_large_plane_init(qtri_large_plane *p, const qtri_large *t, const int64_t f_q8[3],
                            int32_t up)
 {
-    const qtri_large_weights *w = &job->weights;
+    const qtri_large_weights *w = &t->weights;
     const int32_t down = w->fraction - 64 - up;
     uint64_t value[3];
     for (int k = 0; k < 3; k++) {
@@ -158,27 +158,27 @@ void qtri_large_plane_init(qtri_large_plane *p, const qtri_large_job *job, const
     p->dx = value[0];
     p->dy = value[1];
     p->row = ((uint64_t)f_q8[0] << (24 + up)) + value[2] -
-             p->dx * (uint64_t)(int64_t)(job->x[0] >> 8) +
-             p->dy * (uint64_t)(int64_t)(job->plane_y - (job->y[0] >> 8));
+             p->dx * (uint64_t)(int64_t)(t->corner_x[0] >> 8) +
+             p->dy * (uint64_t)(int64_t)(t->plane_y - (t->corner_y[0] >> 8));
 }
 
 /* The plane of whole values. */
-void qtri_large_plane_of(qtri_large_plane *p, const qtri_large_job *job, const uint32_t f[3])
+void qtri_large_plane_of(qtri_large_plane *p, const qtri_large *t, const uint32_t f[3])
 {
     const int64_t f_q8[3] = {(int64_t)f[0] * 256, (int64_t)f[1] * 256, (int64_t)f[2] * 256};
-    qtri_large_plane_init(p, job, f_q8, 0);
+    qtri_large_plane_init(p, t, f_q8, 0);
 }
 
 /* Planes have 48 bits of whole values here, so that those of 32 bits may be out of range. */
-void qtri_large_ramp_init(qtri_large_ramp *ramp, const qtri_large_job *job, const int64_t f_q8[3],
+void qtri_large_ramp_init(qtri_large_ramp *ramp, const qtri_large *t, const int64_t f_q8[3],
                           int32_t down)
 {
     const int64_t half = (int64_t)1 << (down + 15);
-    const int32_t x = qtri_hold32(job->x[0] >> 8, 0, job->t.frame_width - 1);
-    const int32_t y = qtri_hold32(job->y[0] >> 8, 0, job->t.state->surface->height - 1);
+    const int32_t x = qtri_hold32(t->corner_x[0] >> 8, 0, t->frame_width - 1);
+    const int32_t y = qtri_hold32(t->corner_y[0] >> 8, 0, t->state->surface->height - 1);
     qtri_large_plane p;
-    qtri_large_plane_init(&p, job, f_q8, -16);
-    p.row += p.dx * (uint64_t)(int64_t)x + p.dy * (uint64_t)(int64_t)(y - job->plane_y);
+    qtri_large_plane_init(&p, t, f_q8, -16);
+    p.row += p.dx * (uint64_t)(int64_t)x + p.dy * (uint64_t)(int64_t)(y - t->plane_y);
     ramp->dx = (qtri_wrap64(p.dx) + half) >> (down + 16);
     ramp->dy = (qtri_wrap64(p.dy) + half) >> (down + 16);
     ramp->at = ((qtri_wrap64(p.row) + half) >> (down + 16)) - ramp->dx * x - ramp->dy * y;
@@ -201,9 +201,9 @@ static int64_t clamp_q32(int64_t coordinate)
 static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3], bool is_clamped)
 {
     const qtri_draw_state *state = job->t.state;
-    const qtri_options *o = job->options;
-    qtri_large_attribute *a = &job->t.a[i];
-    qtri_clamp_axis *axis = &job->t.axis[i];
+    const qtri_options *o = job->t.options;
+    qtri_large_attribute *a = &job->a[i];
+    qtri_clamp_axis *axis = &job->axis[i];
     const int32_t side_log2 = i == 0 ? state->width_log2 : state->height_log2;
     int64_t at[3];
     uint64_t all = 0;
@@ -237,14 +237,25 @@ static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3], bo
     }
 }
 
+void qtri_large_begin_pieces(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    job->count = 0;
+    job->run_log2 = 14;
+    job->packing = QTRI_PACK_NONE;
+    job->has_runs = false;
+    job->first_color = 0;
+    job->alpha = QTRI_LARGE_ATTRIBUTES;
+}
+
 void qtri_large_set_texture(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    const qtri_large_vertex *v = job->v;
+    const qtri_large_vertex *v = job->t.in->v;
     const int64_t u[3] = {v[0].u_q32, v[1].u_q32, v[2].u_q32};
     const int64_t w[3] = {v[0].v_q32, v[1].v_q32, v[2].v_q32};
-    set_axis(job, 0, u, job->options->wrap_u == QTRI_CLAMP);
-    set_axis(job, 1, w, job->options->wrap_v == QTRI_CLAMP);
+    set_axis(job, 0, u, job->t.options->wrap_u == QTRI_CLAMP);
+    set_axis(job, 1, w, job->t.options->wrap_v == QTRI_CLAMP);
     job->count = 2;
     job->first_color = 2;
 }
@@ -307,7 +318,7 @@ void qtri_large_channels(int packing, uint32_t out[3], const uint32_t color_8p16
 /* An attribute from what it is at the vertices, 8.16. */
 static void add_attribute(qtri_large_job *job, const uint32_t value[3], uint32_t half)
 {
-    qtri_large_attribute *a = &job->t.a[job->count++];
+    qtri_large_attribute *a = &job->a[job->count++];
     qtri_find_range(&a->least, &a->most, value);
     for (int k = 0; k < 3; k++) {
         a->f[k] = (value[k] - a->least) << QTRI_LARGE_COLOR_UP;
@@ -337,8 +348,8 @@ uint8_t qtri_large_packing_of(const qtri_options *o)
 void qtri_large_set_colors(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    const qtri_options *o = job->options;
-    const qtri_large_vertex *v = job->v;
+    const qtri_options *o = job->t.options;
+    const qtri_large_vertex *v = job->t.in->v;
     const uint32_t half = qtri_large_half_of(o);
     uint32_t value[3];
     job->packing = qtri_large_packing_of(o);
@@ -361,7 +372,7 @@ void qtri_large_set_colors(qtri_large *t)
 void qtri_large_set_alpha(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    const qtri_large_vertex *v = job->v;
+    const qtri_large_vertex *v = job->t.in->v;
     const uint32_t value[3] = {v[0].alpha_q16 << 8, v[1].alpha_q16 << 8, v[2].alpha_q16 << 8};
     job->alpha = job->count;
     add_attribute(job, value, (uint32_t)1 << 15);
@@ -372,28 +383,27 @@ void qtri_large_set_alpha(qtri_large *t)
 static void set_plane(qtri_large_job *job, int i, const uint32_t f[3])
 {
     /* Colours are where vertices are snapped to, so that they stay within those of the vertices. */
-    qtri_large_use_weights(job, job->is_true && i < job->first_color);
-    qtri_large_plane_of(&job->t.a[i].along.plane, job, f);
+    qtri_large_use_weights(&job->t, job->t.is_true && i < job->first_color);
+    qtri_large_plane_of(&job->a[i].along.plane, &job->t, f);
 }
 
 /* Packed colours, without texture: runs begin at any pixel of a row. */
 static void set_runs(qtri_large_job *job)
 {
-    qtri_large *t = &job->t;
-    qtri_large_use_weights(job, false);
+    qtri_large_use_weights(&job->t, false);
     for (int i = 0; i < 3; i++) {
-        qtri_large_attribute *a = &t->a[i];
+        qtri_large_attribute *a = &job->a[i];
         const int64_t f_q8[3] = {(int64_t)a->f[0] * 256, (int64_t)a->f[1] * 256,
                                  (int64_t)a->f[2] * 256};
         qtri_large_ramp ramp;
-        qtri_large_ramp_init(&ramp, job, f_q8, QTRI_LARGE_COLOR_UP);
+        qtri_large_ramp_init(&ramp, &job->t, f_q8, QTRI_LARGE_COLOR_UP);
         a->step = (uint32_t)ramp.dx;
-        t->run_down[i] = (uint32_t)ramp.dy;
-        t->run_at[i] = (uint32_t)ramp.at + a->start;
-        t->run_step[i] = a->step << QTRI_LARGE_RUN_LOG2;
+        job->run_down[i] = (uint32_t)ramp.dy;
+        job->run_at[i] = (uint32_t)ramp.at + a->start;
+        job->run_step[i] = a->step << QTRI_LARGE_RUN_LOG2;
     }
     qtri_large_set_run_steps(job);
-    t->has_runs = true;
+    job->has_runs = true;
 }
 
 static void set_linear_planes(qtri_large_job *job)
@@ -402,13 +412,13 @@ static void set_linear_planes(qtri_large_job *job)
     job->q.row = 0;
     job->q.dy = 0;
     job->is_level = true;
-    job->t.is_bent = false;
+    job->is_bent = false;
     if (job->packing == QTRI_PACK_565) {
         set_runs(job);
         return;
     }
     for (int i = 0; i < job->count; i++) {
-        qtri_large_attribute *a = &job->t.a[i];
+        qtri_large_attribute *a = &job->a[i];
         const int32_t down = 32 - a->up; /* 11..52 */
         set_plane(job, i, a->f);
         a->step = (uint32_t)((
@@ -423,13 +433,13 @@ static void set_linear_planes(qtri_large_job *job)
    them, pixels may have 2^-5 of it more. */
 static void set_q(qtri_large_job *job, int64_t q_q8[3])
 {
-    const qtri_large_vertex *v = job->v;
+    const qtri_large_vertex *v = job->t.in->v;
     const int32_t most = qtri_greatest32(v[0].inv_w_exponent,
                                          qtri_greatest32(v[1].inv_w_exponent, v[2].inv_w_exponent));
     for (int k = 0; k < 3; k++) {
         const uint32_t down = (uint32_t)most - (uint32_t)v[k].inv_w_exponent;
         int64_t q = down <= 29 ? (int64_t)v[k].inv_w_q31 << 8 >> down : 256;
-        q -= job->is_true ? q >> 5 : 0;
+        q -= job->t.is_true ? q >> 5 : 0;
         q_q8[k] = q;
         job->q_at[k] = (uint32_t)(q >> 8);
     }
@@ -453,9 +463,9 @@ static bool strays(const qtri_large_job *job, const qtri_large_attribute *a, int
 static bool needs_perspective(const qtri_large_job *job)
 {
     for (int i = 0; i < job->count; i++) {
-        const int32_t tolerance = i < job->first_color ? job->t.axis[i].shift + AFFINE_TEXEL_LOG2
+        const int32_t tolerance = i < job->first_color ? job->axis[i].shift + AFFINE_TEXEL_LOG2
                                                        : AFFINE_COLOR_LOG2 + QTRI_LARGE_COLOR_UP;
-        if (strays(job, &job->t.a[i], tolerance)) {
+        if (strays(job, &job->a[i], tolerance)) {
             return true;
         }
     }
@@ -469,18 +479,18 @@ static uint64_t value_bound(const qtri_large_job *job)
     const int64_t dx = qtri_wrap64(job->q.dx);
     const int64_t dy = qtri_wrap64(job->q.dy);
     const int32_t x_end = surface->width - 1 + QTRI_LARGE_CHUNK;
-    const int32_t x = qtri_hold32((dx < 0 ? job->x_least : job->x_least + job->width) >> 8,
+    const int32_t x = qtri_hold32((dx < 0 ? job->t.x_least : job->t.x_least + job->t.width) >> 8,
                                   -QTRI_LARGE_CHUNK, x_end);
-    const int32_t y = qtri_hold32((dy < 0 ? job->y_least : job->y_least + job->height) >> 8, 0,
-                                  surface->height - 1);
-    const uint64_t columns = (uint64_t)(uint32_t)(job->width >> 8) + 1;
-    const uint64_t rows = (uint64_t)(uint32_t)(job->height >> 8) + 1;
+    const int32_t y = qtri_hold32((dy < 0 ? job->t.y_least : job->t.y_least + job->t.height) >> 8,
+                                  0, surface->height - 1);
+    const uint64_t columns = (uint64_t)(uint32_t)(job->t.width >> 8) + 1;
+    const uint64_t rows = (uint64_t)(uint32_t)(job->t.height >> 8) + 1;
     if ((qtri_magnitude64(dx) >> 32) * columns + (qtri_magnitude64(dy) >> 32) * rows >= (uint64_t)1
                                                                                             << 31) {
         return UINT64_MAX; /* of steep planes that corner may be out of reach */
     }
     const int64_t value = qtri_wrap64(job->q.row + job->q.dx * (uint64_t)(int64_t)x +
-                                      job->q.dy * (uint64_t)(int64_t)(y - job->plane_y));
+                                      job->q.dy * (uint64_t)(int64_t)(y - job->t.plane_y));
     return value <= 0 ? UINT64_MAX : (uint64_t)value | qtri_magnitude64(dx) | qtri_magnitude64(dy);
 }
 
@@ -504,7 +514,7 @@ static void set_projected(qtri_large_job *job, qtri_large_attribute *a, const in
         const uint64_t part = qtri_mul_u32(a->f[k], (uint32_t)q_q8[k] & 0xFF) >> 8;
         product[k] = (int64_t)((whole + part + 0x800000u) >> 24);
     }
-    qtri_large_plane_init(&a->along.plane, job, product, job->q_up);
+    qtri_large_plane_init(&a->along.plane, &job->t, product, job->q_up);
 }
 
 bool qtri_large_set_linear(qtri_large_job *job, int64_t q_q8[3])
@@ -520,16 +530,16 @@ bool qtri_large_set_linear(qtri_large_job *job, int64_t q_q8[3])
 
 void qtri_large_set_curved(qtri_large_job *job, const int64_t q_q8[3])
 {
-    qtri_large_use_weights(job, job->is_true);
-    qtri_large_plane_init(&job->q, job, q_q8, 0);
+    qtri_large_use_weights(&job->t, job->t.is_true);
+    qtri_large_plane_init(&job->q, &job->t, q_q8, 0);
     job->q_up = (uint8_t)room_above(job);
-    qtri_large_plane_init(&job->q, job, q_q8, job->q_up);
+    qtri_large_plane_init(&job->q, &job->t, q_q8, job->q_up);
     for (int i = 0; i < job->count; i++) {
-        set_projected(job, &job->t.a[i], q_q8);
+        set_projected(job, &job->a[i], q_q8);
     }
     job->is_curved = true;
     job->is_level = false;
-    job->t.is_bent = true;
+    job->is_bent = true;
     job->zeros = 0;
     qtri_large_set_lengths(job);
 }

@@ -18,7 +18,6 @@
 #include "large_levels.h"
 
 enum {
-    QTRI_LARGE_ATTRIBUTES = 6, /* u v, light or red green blue, alpha */
     QTRI_LARGE_CHUNK_LOG2 = 7, /* points begin anew every 2^this pixels of a row */
     QTRI_LARGE_CHUNK = 1 << QTRI_LARGE_CHUNK_LOG2,
     QTRI_LARGE_COLOR_UP = 5, /* bits that colours, 8.16, gain */
@@ -28,76 +27,16 @@ enum {
 /* Colours of pieces: none, one attribute as it is, a word of 565, lanes of 8.8 or 9.7. */
 enum { QTRI_PACK_NONE, QTRI_PACK_ONE, QTRI_PACK_565, QTRI_PACK_888, QTRI_PACK_WEIGHTS };
 
-/* How much vertices 1 and 2 weigh: steps of a pixel right and down, and at the centre of the pixel
-   that has vertex 0, 2^-fraction. */
-typedef struct qtri_large_weights {
-    int64_t b[2][3]; /* |.| < 2^61, 2^62 */
-    int32_t fraction;
-    bool is_true; /* through the vertices' true positions */
-} qtri_large_weights;
-
-/* An attribute by steps of whole units, exact to half of one each: at column 0 of row 0. */
-typedef struct qtri_large_ramp {
-    int64_t at, dx, dy;
-} qtri_large_ramp;
-
-typedef struct qtri_large_job {
-    qtri_large t; /* first: what the body has a pointer to */
-    const qtri_options *options;
-    const qtri_large_vertex *v;
-    uint32_t vertex_depth[3]; /* theirs, 16.16, as the material shifts it */
-    const qtri_screen_point *const *p;
-    int32_t x[3], y[3]; /* of the vertices, 24.8 */
-    int64_t area;       /* qtri_triangle_area() of these */
-    qtri_large_weights weights;
-    bool is_true;          /* weights of attributes may be those of true positions */
-    qtri_large_ramp depth; /* 16.16 with QTRI_DEPTH_HALF; it may be out of range */
-    /* Of a row whose depth leaves its range: what is not drawn yet. */
-    int32_t next_left, next_right;
-
-    int32_t x_least, y_least, width, height; /* of the triangle, 24.8 */
-    int32_t pixels;                          /* of its longer side */
-    bool clamps_depth; /* it may leave its range; is_clamped: it is out of it where the row is */
-    bool is_clamped;
-
-    uint8_t first_color, alpha, count; /* attributes: u v if textured, colours, alpha */
-    uint8_t packing;                   /* of colours: below */
-    uint8_t run_log2;                  /* pixels that colours may be stepped */
-    uint32_t q_at[3];
-    uint8_t q_up; /* planes are times 2^this, q_at is not */
-    qtri_large_plane q;
-    int32_t plane_y;                              /* of planes' rows */
-    bool is_curved;                               /* planes are times q */
-    bool is_quadratic;                            /* attributes are quadratics */
-    uint8_t quadratic_log2;                       /* pixels of a piece of these */
-    uint32_t weight_q30[2][3];                    /* as weights, of these */
-    bool may_be_level;                            /* q hardly changes along rows: by `steep` */
-    uint32_t steep;                               /* 2^-16 a pixel */
-    int8_t steps_log2;                            /* of pieces that steps are for */
-    uint8_t level_log2;                           /* of the row's pixels that steps are for */
-    bool is_level;                                /* nor in this row */
-    int32_t q_slope_log2, chord_log2, texel_log2; /* see large_curves.c */
-    int32_t piece_max;                            /* log2 of the longest piece */
-    int32_t one_log2;         /* of pieces, where one length serves all rows; else -1 */
-    qtri_large_levels levels; /* of a texture that is mipmapped */
-    uint32_t center[3];       /* half of what rounding of packed steps sums up to, n.16 */
-
-    int32_t chunk_end, h_log2; /* h_log2: of a piece; -1: points are a pixel apart */
-    int32_t zeros;             /* of q at the last point */
-    uint32_t delta_step;       /* of q from a point to the next */
-    int32_t delta;             /* (q1 - q0) / 2 q at the last point, Q16 */
-} qtri_large_job;
-
 /* In large.c: edges of a triangle, from the first row on that is drawn; false: there is none. */
 bool qtri_large_edges_init(qtri_large_edges *edges, const qtri_rect *bounds,
                            const qtri_screen_point *const vertex[3], bool clockwise);
 /* What a triangle that is drawn from row t.y + 1 on has but its edges. */
-void qtri_large_set_box(qtri_large_job *job, const qtri_screen_point *const p[3], int64_t area);
-void qtri_large_set_up(qtri_large_job *job);
+void qtri_large_set_box(qtri_large *t, const qtri_screen_point *const p[3], int64_t area);
+void qtri_large_set_up(qtri_large *t);
 
 /* Columns `left` to `right` of row t.y are what is drawn next; false: nothing of
    it is within the bounds. */
-bool qtri_large_set_row(qtri_large_job *job, int32_t left, int32_t right);
+bool qtri_large_set_row(qtri_large *t, int32_t left, int32_t right);
 
 /* The columns of a row; row by row. */
 static inline void qtri_large_edges_next(qtri_large_edges *e, int32_t y, int32_t *left,
@@ -113,23 +52,18 @@ static inline void qtri_large_edges_next(qtri_large_edges *e, int32_t y, int32_t
 }
 
 /* The row below: where it begins, and its depth. */
-static inline void qtri_large_step_row(qtri_large_job *job)
+static inline void qtri_large_step_row(qtri_large *t)
 {
-    job->t.y++;
-    job->t.row_pixel += (uintptr_t)job->t.pitch;
-    job->t.row_depth += (uintptr_t)job->t.depth_pitch;
-    job->t.row_z += job->t.row_z_step;
-}
-
-static inline qtri_large_job *qtri_large_job_of(qtri_large *t)
-{
-    return (qtri_large_job *)(void *)t;
+    t->y++;
+    t->row_pixel += (uintptr_t)t->pitch;
+    t->row_depth += (uintptr_t)t->depth_pitch;
+    t->row_z += t->row_z_step;
 }
 
 /* The texture is mipmapped, and has levels. */
 static inline bool qtri_large_has_levels(const qtri_large_job *job)
 {
-    return job->options->mipmapped && job->t.state->last_level != 0;
+    return job->t.options->mipmapped && job->t.state->last_level != 0;
 }
 
 static inline uint32_t qtri_large_whole(uint64_t value)
@@ -162,18 +96,18 @@ static inline uint32_t qtri_large_positive(uint32_t q)
 
 /* In large_setup.c: weights, of true positions where these are known and the triangle is not too
    thin; others than before, where they differ. */
-void qtri_large_set_weights(qtri_large_job *job);
-void qtri_large_use_weights(qtri_large_job *job, bool is_true);
+void qtri_large_set_weights(qtri_large *t);
+void qtri_large_use_weights(qtri_large *t, bool is_true);
 
 /* The plane through (vertex i, f[i]) by these weights, in row plane_y: 0 <= f < 2^39, in 2^-8;
    times 2^up. Then of whole values, which are below 2^31. */
-void qtri_large_plane_init(qtri_large_plane *p, const qtri_large_job *job, const int64_t f_q8[3],
+void qtri_large_plane_init(qtri_large_plane *p, const qtri_large *t, const int64_t f_q8[3],
                            int32_t up);
-void qtri_large_plane_of(qtri_large_plane *p, const qtri_large_job *job, const uint32_t f[3]);
+void qtri_large_plane_of(qtri_large_plane *p, const qtri_large *t, const uint32_t f[3]);
 
 /* The ramp of values in 2^-down of its units; steps are rounded from vertex 0 on, or from where the
    frame is nearest to it. */
-void qtri_large_ramp_init(qtri_large_ramp *ramp, const qtri_large_job *job, const int64_t f_q8[3],
+void qtri_large_ramp_init(qtri_large_ramp *ramp, const qtri_large *t, const int64_t f_q8[3],
                           int32_t down);
 
 /* Linear planes where perspective cannot be seen, else false and 1/w of the vertices; then its

@@ -125,7 +125,7 @@ static const qtri_pipeline *generic_of(const qtri_options *options)
     return options->samples != 0 ? &qtri_pipeline_any_x4 : &qtri_pipeline_any;
 }
 
-static void large(struct qtri_large *triangle)
+static void large(const struct qtri_large_input *triangle)
 {
     const unsigned long long before = pixels;
     const qtri_options *options = &triangle->state->options;

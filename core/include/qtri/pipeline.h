@@ -101,7 +101,7 @@ typedef struct qtri_options {
 } qtri_options;
 
 struct qtri_draw_state;
-struct qtri_large;
+struct qtri_large_input;
 struct qtri_small;
 struct qtri_stroke_span;
 struct qtri_line_job;
@@ -110,7 +110,7 @@ struct qtri_vertex;
 struct qtri_pipeline {
     qtri_options options;
     /* Internal: what draws a large triangle, and a small one of a mesh. */
-    void (*large)(struct qtri_large *triangle);
+    void (*large)(const struct qtri_large_input *triangle);
     bool (*small)(struct qtri_small *triangle); /* false: it is large */
     /* Of those that draw no triangles: pixels of a stroke, and a line. */
     void (*span)(const struct qtri_stroke_span *span);

@@ -12,7 +12,7 @@
 #include "body/small_samples.h"
 
 #define QTRI_PIPELINE(name, ...)                                                                   \
-    static void name##_large(struct qtri_large *triangle)                                          \
+    static void name##_large(const struct qtri_large_input *triangle)                              \
     {                                                                                              \
         static const qtri_options options = {__VA_ARGS__};                                         \
         qtri_large_triangle_draw(&options, triangle);                                              \

@@ -27,6 +27,18 @@ typedef struct qtri_large_piece {
     uint32_t level; /* of a texture that is mipmapped */
 } qtri_large_piece;
 
+/* What a draw call has of a triangle. */
+typedef struct qtri_large_input {
+    qtri_draw_state *state;
+    const qtri_screen_point *const *p;
+    int64_t area;   /* qtri_triangle_area() of these, not 0 */
+    uint32_t color; /* 0x00RRGGBB */
+    const struct qtri_large_vertex *v;
+    uint32_t depth_16p16[3]; /* of the vertices, as the material shifts it */
+} qtri_large_input;
+
+struct qtri_large;
+
 /* Light by pixel: colours along rows, found by what a draw call with such lights brings. */
 typedef struct qtri_light_walk {
     void (*begin)(struct qtri_large *triangle);
@@ -34,6 +46,8 @@ typedef struct qtri_light_walk {
     int32_t (*next)(struct qtri_large *triangle, int32_t count);
     qtri_large_piece piece; /* its colours */
 } qtri_light_walk;
+
+enum { QTRI_LARGE_ATTRIBUTES = 6 /* u v, light or red green blue, alpha */ };
 
 enum { QTRI_LARGE_RUN_LOG2 = 6, QTRI_LARGE_RUN = 1 << QTRI_LARGE_RUN_LOG2 };
 
@@ -91,9 +105,23 @@ typedef struct qtri_large_attribute {
     uint32_t at, step; /* along a row where it is linear */
 } qtri_large_attribute;
 
+/* How much vertices 1 and 2 weigh: steps of a pixel right and down, and at the centre of the pixel
+   that has vertex 0, 2^-fraction. */
+typedef struct qtri_large_weights {
+    int64_t b[2][3]; /* |.| < 2^61, 2^62 */
+    int32_t fraction;
+    bool is_true; /* through the vertices' true positions */
+} qtri_large_weights;
+
+/* An attribute by steps of whole units, exact to half of one each: at column 0 of row 0. */
+typedef struct qtri_large_ramp {
+    int64_t at, dx, dy;
+} qtri_large_ramp;
+
+/* A triangle on its way: its edges, its depth, and where it is along a row. */
 typedef struct qtri_large {
     qtri_draw_state *state;
-    uint32_t color; /* of the triangle, 0x00RRGGBB */
+    const qtri_large_input *in;
 
     /* The row: what is drawn of it, columns x0..x1 - 1, and where the next pieces start. */
     int32_t y, x0, x1, x;
@@ -110,7 +138,59 @@ typedef struct qtri_large {
     int32_t frame_width;
     int32_t row_left, row_right; /* of the triangle, inside of the frame */
     bool is_new;                 /* nothing of the row is found yet */
+    bool clamps_depth; /* depth may leave its range; is_clamped: it is out of it where the row is */
+    bool is_clamped;
+    bool is_true; /* weights of attributes may be those of true positions */
 
+    int32_t fog_x; /* column that fog is asked for next */
+    uint32_t fog, fog_step;
+
+    qtri_large_samples *samples; /* with four samples a pixel */
+
+    const qtri_options *options;
+    int32_t corner_x[3], corner_y[3]; /* of the vertices, 24.8 */
+    int64_t area;                     /* qtri_triangle_area() of these */
+    qtri_large_weights weights;
+    int32_t plane_y;        /* of planes' rows */
+    qtri_large_ramp ramp_z; /* 16.16 with QTRI_DEPTH_HALF; it may be out of range */
+    /* Of a row whose depth leaves its range: what is not drawn yet. */
+    int32_t next_left, next_right;
+    int32_t x_least, y_least, width, height; /* of the triangle, 24.8 */
+    int32_t pixels;                          /* of its longer side */
+} qtri_large;
+
+/*
+ * What the footprint of a triangle with perspective is made of, see large_footprint.c: along each
+ * axis the steps right and down, times q^2, in 2^-exponent of 2^(1/2) texels; |.| < 2^28 where the
+ * triangle is in the frame.
+ */
+typedef struct qtri_footprint_plane {
+    uint32_t right[2], right_dy[2]; /* in row 0, for one row down */
+    uint32_t down[2], down_dx[2];   /* in column 0, for one column right */
+    uint32_t along, along_dx;       /* straight: the step down's length, as `down` and `down_dx` */
+    bool straight;                  /* it is linear in x */
+    int32_t before;  /* the shift of a length that is compared with q's square, see is_left() */
+    uint32_t length; /* of the row's step right */
+} qtri_footprint_plane;
+
+/* Bits of q's square, and the shift by which a length of level 0 is compared with it. */
+typedef struct qtri_footprint_measure {
+    uint32_t square;
+    int32_t before;
+} qtri_footprint_measure;
+
+typedef struct qtri_large_levels {
+    qtri_clamp_axis axis[2]; /* those of level 0 */
+    bool are_found;          /* along rows; false: `only` is that of the triangle */
+    uint8_t only;            /* that, or the last one of a row along which w does not change */
+    uint8_t run_log2;        /* of pixels along such a row that have one */
+    qtri_footprint_measure measure; /* in such a row */
+    qtri_footprint_plane footprint;
+} qtri_large_levels;
+
+/* What varies along rows beside depth. */
+typedef struct qtri_large_job {
+    qtri_large t;            /* first: what functions of all triangles have a pointer to */
     qtri_large_attribute *a; /* as many as vary: u v, light or red green blue, alpha */
     bool is_bent;            /* pieces have steps of u and v that change */
     qtri_large_piece piece[2];
@@ -123,18 +203,49 @@ typedef struct qtri_large {
     uint32_t run[3], run_step[3];
     uint32_t run_even, run_odd;
 
-    int32_t fog_x; /* column that fog is asked for next */
-    uint32_t fog, fog_step;
+    uint8_t first_color, alpha, count; /* attributes: u v if textured, colours, alpha */
+    uint8_t packing;                   /* of colours: see core/raster/large_setup.h */
+    uint8_t run_log2;                  /* pixels that colours may be stepped */
+    uint8_t q_up;                      /* planes are times 2^this, q_at is not */
+    uint32_t q_at[3];
+    qtri_large_plane q;
+    bool is_curved;                               /* planes are times q */
+    bool is_quadratic;                            /* attributes are quadratics */
+    uint8_t quadratic_log2;                       /* pixels of a piece of these */
+    bool may_be_level;                            /* q hardly changes along rows: by `steep` */
+    uint32_t weight_q30[2][3];                    /* as weights, of quadratics */
+    uint32_t steep;                               /* 2^-16 a pixel */
+    int8_t steps_log2;                            /* of pieces that steps are for */
+    uint8_t level_log2;                           /* of the row's pixels that steps are for */
+    bool is_level;                                /* nor in this row */
+    int32_t q_slope_log2, chord_log2, texel_log2; /* see large_curves.c */
+    int32_t piece_max;                            /* log2 of the longest piece */
+    int32_t one_log2;          /* of pieces, where one length serves all rows; else -1 */
+    qtri_large_levels *levels; /* of a texture that is mipmapped */
+    uint32_t center[3];        /* half of what rounding of packed steps sums up to, n.16 */
 
-    qtri_large_samples *samples; /* with four samples a pixel */
-} qtri_large;
+    int32_t chunk_end, h_log2; /* h_log2: of a piece; -1: points are a pixel apart */
+    int32_t zeros;             /* of q at the last point */
+    uint32_t delta_step;       /* of q from a point to the next */
+    int32_t delta;             /* (q1 - q0) / 2 q at the last point, Q16 */
+} qtri_large_job;
+
+static inline qtri_large_job *qtri_large_job_of(qtri_large *t)
+{
+    return (qtri_large_job *)(void *)t;
+}
+
+/* In large.c, without samples: the first row that is drawn; false: there is none. */
+bool qtri_large_begin_rows(qtri_large *t);
 
 /* In large_samples.c: passes, one place after the other from QTRI_CENTER down. False: there is
    nothing to draw in it. Then rows, or parts of them. */
 bool qtri_large_begin_samples(qtri_large *t, int32_t place);
 bool qtri_large_next_samples(qtri_large *t);
 
-/* Before the first row: what varies, then planes of all of it, or quadratics where these serve. */
+/* Before the first row: nothing varies yet; what varies; then planes of all of
+ * it, or quadratics where these serve. */
+void qtri_large_begin_pieces(qtri_large *t);
 void qtri_large_set_texture(qtri_large *t);
 void qtri_large_set_colors(qtri_large *t);
 void qtri_large_set_alpha(qtri_large *t);
@@ -175,6 +286,10 @@ QTRI_BODY bool qtri_large_has_pieces(const qtri_options *o)
 
 QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w)
 {
+    if (qtri_large_has_pieces(o)) {
+        qtri_large_begin_pieces(t);
+        w->axis = qtri_large_job_of(t)->axis;
+    }
     if (qtri_is_textured(o)) {
         qtri_large_set_texture(t);
     }
@@ -197,10 +312,9 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
         qtri_draw_state_set_table(t->state);
     }
     qtri_walk_begin(o, w, t->state);
-    w->axis = t->axis;
     w->z_step = t->z_step;
     if (!qtri_varies(o)) {
-        w->color = qtri_walk_color(o, t->state->surface, t->color);
+        w->color = qtri_walk_color(o, t->state->surface, t->in->color);
     }
 }
 
@@ -260,7 +374,7 @@ QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_large *t, q
                                          int32_t count)
 {
     const bool curves = qtri_is_textured(o);
-    if (curves && qtri_is_short(o) && !t->is_bent) {
+    if (curves && qtri_is_short(o) && !qtri_large_job_of(t)->is_bent) {
         qtri_pixels_draw(o, w, false, count); /* a second loop saves two additions a pixel */
     } else {
         do {
@@ -300,18 +414,19 @@ QTRI_BODY uint32_t qtri_large_word(uint32_t r, uint32_t g, uint32_t b)
 /* A row along which packed colours are linear. */
 QTRI_BODY void qtri_large_runs(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w)
 {
+    const qtri_large_job *job = qtri_large_job_of(t);
     const uint32_t skipped = qtri_large_begin_runs(t);
-    uint32_t r = t->run[0], g = t->run[1], b = t->run[2];
+    uint32_t r = job->run[0], g = job->run[1], b = job->run[2];
     int32_t left = t->x1 - t->x0;
     int32_t count = QTRI_LARGE_RUN - (int32_t)skipped;
     w->c = qtri_large_word(r, g, b);
-    w->c_step = t->run_even;
-    w->c_other = t->run_odd;
+    w->c_step = job->run_even;
+    w->c_other = job->run_odd;
     if (skipped != 0) {
         w->c += w->c_step * ((skipped + 1) >> 1) + w->c_other * (skipped >> 1);
         if ((skipped & 1) != 0) {
-            w->c_step = t->run_odd;
-            w->c_other = t->run_even;
+            w->c_step = job->run_odd;
+            w->c_other = job->run_even;
         }
     }
     for (;;) {
@@ -321,12 +436,12 @@ QTRI_BODY void qtri_large_runs(const qtri_options *o, qtri_large *t, qtri_pixel_
             return;
         }
         count = QTRI_LARGE_RUN;
-        r += t->run_step[0];
-        g += t->run_step[1];
-        b += t->run_step[2];
+        r += job->run_step[0];
+        g += job->run_step[1];
+        b += job->run_step[2];
         w->c = qtri_large_word(r, g, b);
-        w->c_step = t->run_even;
-        w->c_other = t->run_odd;
+        w->c_step = job->run_even;
+        w->c_other = job->run_odd;
     }
 }
 
@@ -337,7 +452,7 @@ QTRI_BODY bool qtri_large_next_of(const qtri_options *o, struct qtri_large *t)
     return qtri_has_samples(o) ? qtri_large_next_samples(t) : qtri_large_next_row(t);
 }
 
-QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, struct qtri_large *t, qtri_pixel_walk *w)
+QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w)
 {
     qtri_large_begin(o, t, w);
     while (qtri_large_next_of(o, t)) {
@@ -357,13 +472,13 @@ QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, struct qtri_large *t,
             qtri_large_pixels(o, t, w, t->x1 - t->x0);
             continue;
         }
-        if (qtri_is_packed_565(o) && !o->per_pixel && t->has_runs) {
+        if (qtri_is_packed_565(o) && !o->per_pixel && qtri_large_job_of(t)->has_runs) {
             qtri_large_runs(o, t, w);
             continue;
         }
         do {
             int32_t pieces = qtri_large_next(o, t);
-            const qtri_large_piece *piece = t->piece;
+            const qtri_large_piece *piece = qtri_large_job_of(t)->piece;
             do {
                 qtri_large_load(o, t, w, piece);
                 qtri_large_pixels(o, t, w, piece->count);
@@ -373,30 +488,47 @@ QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, struct qtri_large *t,
     }
 }
 
-/* Options may ask for more than three attributes. */
-QTRI_BODY bool qtri_large_has_many(const qtri_options *o)
+/* How many attributes options may ask for. */
+QTRI_BODY int qtri_large_attributes(const qtri_options *o)
 {
 #if defined(QTRI_PIPELINE_IS_ANY) || defined(QTRI_AMALGAMATION)
     (void)o;
-    return true;
+    return QTRI_LARGE_ATTRIBUTES;
 #else
-    return qtri_large_varies(o) &&
-           (qtri_is_textured(o) ? !qtri_is_lit(o) || o->vertex_alpha : o->vertex_alpha);
+    return (qtri_is_textured(o) ? 2 : 0) +
+           (!qtri_large_varies(o) ? 0
+            : qtri_is_lit(o)      ? 1
+                                  : 3) +
+           (o->vertex_alpha ? 1 : 0);
 #endif
 }
 
-QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, struct qtri_large *t)
+QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, const qtri_large_input *in)
 {
     qtri_pixel_walk w = QTRI_BODY_ZERO;
+    /* On the stack of pipelines that need them. */
+    qtri_large plain;
+    qtri_large_job job;
     qtri_large_samples samples;
-    qtri_large_attribute few[3], many[6]; /* on the stack of pipelines that need them */
-    if (qtri_large_has_pieces(o)) {
-        t->a = qtri_large_has_many(o) ? many : few;
-    }
+    qtri_large_levels levels;
+    qtri_large_attribute one[1], few[3], many[QTRI_LARGE_ATTRIBUTES];
+    const int count = qtri_large_attributes(o);
+    qtri_large *t = count != 0 ? &job.t : &plain;
     int32_t place = 0; /* without samples: there is one pass */
+    t->state = in->state;
+    t->in = in;
+    t->options = &in->state->options;
+    if (count != 0) {
+        job.a = count > 3 ? many : count > 1 ? few : one;
+    }
+    if (o->mipmapped) {
+        job.levels = &levels;
+    }
     if (qtri_has_samples(o)) {
         place = QTRI_CENTER;
         t->samples = &samples;
+    } else if (!qtri_large_begin_rows(t)) {
+        return;
     }
     do {
         if (qtri_has_samples(o)) {
@@ -410,9 +542,6 @@ QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, struct qtri_large
         }
         qtri_large_rows_draw(o, t, &w);
     } while (qtri_has_samples(o) && --place >= 0);
-    if (qtri_has_samples(o)) {
-        t->samples = NULL;
-    }
 }
 
 #ifdef __cplusplus
