@@ -7,6 +7,7 @@
 
 #include "frame/depth_format.h"
 #include "frame/pixel.h"
+#include "qtri/body/large.h"
 
 enum { WIDTH = 70, HEIGHT = 52, FORMATS = 3, GUARD = 16 };
 
@@ -762,13 +763,49 @@ static void edges(void **state)
     }
 }
 
+/* What float16 stores by a shift is what it stores of each depth; a row's runs have one exponent
+   each, whichever way it goes, and together all of its pixels. */
+static void octaves(void **state)
+{
+    (void)state;
+    uint64_t seed = 31;
+    for (int n = 0; n < 400000; n++) {
+        const uint32_t random = (uint32_t)random_in(&seed, INT32_MIN, INT32_MAX);
+        const uint32_t near = random >> (n % 32), at = n % 2 == 0 ? near : ~near;
+        const qtri_octave o = qtri_depth_octave(at);
+        assert_true(at - o.zero < o.size && o.down != 0);
+        assert_int_equal(o.base + ((at - o.zero) >> o.down),
+                         qtri_depth_encode_float16(qtri_depth_of(at)));
+    }
+    for (int n = 0; n < 4000; n++) {
+        const uint32_t from = (uint32_t)random_in(&seed, INT32_MIN, INT32_MAX) >> (n % 8);
+        const uint32_t to = ~((uint32_t)random_in(&seed, INT32_MIN, INT32_MAX) >> (n / 8 % 32));
+        const int32_t width = 1 + n % 97;
+        const int32_t step = (int32_t)(((int64_t)to - from) / width) * (n % 2 == 0 ? 1 : -1);
+        qtri_pixel_walk walk = {.z = step < 0 ? to : from, .z_step = (uint32_t)step};
+        uint32_t z = walk.z;
+        for (int32_t left = width; left > 0;) {
+            const int32_t count = qtri_large_next_octave(&walk, left);
+            assert_in_range(count, 1, left);
+            for (int32_t i = 0; i < count; i++) {
+                assert_int_equal(walk.octave.base + (walk.z >> walk.octave.down),
+                                 qtri_depth_encode_float16(qtri_depth_of(z)));
+                walk.z += walk.z_step;
+                z += (uint32_t)step;
+            }
+            left -= count;
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(loops),  cmocka_unit_test(codes),       cmocka_unit_test(counts),
-        cmocka_unit_test(twins),  cmocka_unit_test(comparisons), cmocka_unit_test(smooth_lines),
-        cmocka_unit_test(pieces), cmocka_unit_test(planes),      cmocka_unit_test(layouts),
-        cmocka_unit_test(frames), cmocka_unit_test(edges),       cmocka_unit_test(ends_of_depths),
+        cmocka_unit_test(loops),   cmocka_unit_test(codes),       cmocka_unit_test(counts),
+        cmocka_unit_test(twins),   cmocka_unit_test(comparisons), cmocka_unit_test(smooth_lines),
+        cmocka_unit_test(pieces),  cmocka_unit_test(planes),      cmocka_unit_test(layouts),
+        cmocka_unit_test(frames),  cmocka_unit_test(edges),       cmocka_unit_test(ends_of_depths),
+        cmocka_unit_test(octaves),
     };
     return cmocka_run_group_tests(tests, set_up, NULL);
 }

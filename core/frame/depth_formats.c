@@ -4,7 +4,7 @@
  */
 #include "depth_format.h"
 
-#include "qtri/body/state.h"
+#include "qtri/body/stored.h"
 
 #include "../bits/bits.h"
 #include "pixel.h"
@@ -98,6 +98,25 @@ uint32_t qtri_depth_encode_float16(uint32_t z_16p16)
     octave o;
     find_octave(&o, t);
     return 65535 - (o.base + (t >> o.down));
+}
+
+/* Z = z less the half lies in 65535.0 - t. With M = (from + size) >> down what is stored is
+   65535 - base - (M - 1) + (Z' >> down), Z' from the octave's greatest t on. Depths before the
+   first have Z' < 2^16, of which the shift by 19 leaves nothing: they are stored as it is. */
+qtri_octave qtri_depth_octave(uint32_t z)
+{
+    const uint32_t first = z < QTRI_DEPTH_HALF ? 0 : z - QTRI_DEPTH_HALF;
+    qtri_octave out = {FARTHEST + QTRI_DEPTH_HALF + 1, 0xFFFF - QTRI_DEPTH_HALF, 65535, 31};
+    if (first <= FARTHEST) {
+        octave o;
+        find_octave(&o, FARTHEST - first);
+        const uint32_t end = (o.from >> o.down) + (o.size >> o.down);
+        out.zero = QTRI_DEPTH_HALF + FARTHEST - (o.from + (o.size - 1));
+        out.size = o.size;
+        out.base = 65536 - o.base - end;
+        out.down = o.down;
+    }
+    return out;
 }
 
 void qtri_depth_to_float16(uint32_t *depth, int32_t count)

@@ -94,6 +94,13 @@ QTRI_BODY uint32_t qtri_body_shift(uint32_t x, uint32_t by)
     }
 #endif
 
+/* Where a branch cannot lead, which the compiler need not make. */
+#if defined(__GNUC__)
+#define QTRI_BODY_NEVER() __builtin_unreachable()
+#else
+#define QTRI_BODY_NEVER() ((void)0)
+#endif
+
 /* Keeps a branch a branch. */
 #if defined(__GNUC__)
 #define QTRI_BODY_BRANCH() __asm__ volatile("")

@@ -368,6 +368,46 @@ QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_large *t, qtri_pixel_
     }
 }
 
+/* Of `count` > 0 pixels of the row, those whose depths are stored with one exponent. */
+QTRI_BODY int32_t qtri_large_next_octave(qtri_pixel_walk *w, int32_t count)
+{
+    uint32_t last = w->z + (uint32_t)(count - 1) * w->z_step;
+    if (w->z >= w->octave.size) {
+        QTRI_RARELY();
+        const uint32_t z = w->z + w->octave.zero;
+        const qtri_octave found = qtri_depth_octave(z); /* or the walk would lie in memory */
+        w->octave = found;
+        w->z = z - w->octave.zero;
+        last = w->z + (uint32_t)(count - 1) * w->z_step;
+    }
+    const bool falls = (int32_t)w->z_step < 0;
+    if (last >= w->octave.size || (last < w->z) != falls) {
+        QTRI_RARELY();
+        const uint32_t left = falls ? w->z : w->octave.size - 1 - w->z;
+        const uint32_t step = falls ? 0 - w->z_step : w->z_step;
+        const uint32_t inside = step == 0 ? (uint32_t)count - 1 : left / step;
+        count = inside < (uint32_t)count ? (int32_t)inside + 1 : count;
+    }
+    return count;
+}
+
+/* Pixels along which everything is a polynomial, but what is stored of their depths. */
+QTRI_BODY void qtri_large_run(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t count)
+{
+    if (o->depth != QTRI_FLOAT16 || !qtri_tests_depth(o) || qtri_has_samples(o)) {
+        qtri_pixels_draw(o, w, bent, count);
+        return;
+    }
+    while (count > 0) {
+        const int32_t n = qtri_large_next_octave(w, count);
+        if (w->octave.down == 0) {
+            QTRI_BODY_NEVER();
+        }
+        qtri_pixels_draw(o, w, bent, n);
+        count -= n;
+    }
+}
+
 /* Loops that few options repeat have one call of what they repeat: calls are inlined and looked at
    by the compiler, which is most of its time, before what options do not ask for is left out. */
 QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w,
@@ -375,7 +415,7 @@ QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_large *t, q
 {
     const bool curves = qtri_is_textured(o);
     if (curves && qtri_is_short(o) && !qtri_large_job_of(t)->is_bent) {
-        qtri_pixels_draw(o, w, false, count); /* a second loop saves two additions a pixel */
+        qtri_large_run(o, w, false, count); /* a second loop saves two additions a pixel */
     } else {
         do {
             int32_t n = count;
@@ -384,7 +424,7 @@ QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_large *t, q
                 w->fog = t->fog;
                 w->fog_step = t->fog_step;
             }
-            qtri_pixels_draw(o, w, curves, n);
+            qtri_large_run(o, w, curves, n);
             count -= n;
         } while (o->fog && count > 0);
     }
@@ -430,7 +470,7 @@ QTRI_BODY void qtri_large_runs(const qtri_options *o, qtri_large *t, qtri_pixel_
         }
     }
     for (;;) {
-        qtri_pixels_draw(o, w, false, left < count ? left : count);
+        qtri_large_run(o, w, false, left < count ? left : count);
         left -= count;
         if (left <= 0) {
             return;
@@ -461,7 +501,7 @@ QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, qtri_large *t, qtri_p
             w->depth = t->depth;
         }
         if (qtri_needs_depth(o)) {
-            w->z = qtri_has_samples(o) ? t->z - w->z_place : t->z;
+            w->z = t->z - (qtri_has_samples(o) ? w->z_place : w->octave.zero);
             w->z_step = t->z_step;
         }
         if (qtri_needs_place(o)) {

@@ -175,7 +175,9 @@ QTRI_BODY bool qtri_pixel_function(const qtri_options *o, const qtri_pixel_walk 
     qtri_fragment f;
     f.x = w->x;
     f.y = w->y;
-    f.depth_16p16 = qtri_has_samples(o) ? w->z + w->z_place : w->z;
+    f.depth_16p16 = qtri_has_samples(o)        ? w->z + w->z_place
+                    : o->depth == QTRI_FLOAT16 ? w->z + w->octave.zero
+                                               : w->z;
     f.u = w->u;
     f.v = o->large_texture || !qtri_is_textured(o)
               ? w->v
@@ -255,7 +257,9 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
         samples = qtri_samples_test(o, w, pixel, depth);
         drawn = samples != 0;
     } else if (qtri_tests_depth(o)) {
-        z = qtri_depth_encode(o, surface, w->z);
+        z = o->depth == QTRI_FLOAT16 && w->octave.down != 0
+                ? w->octave.base + (w->z >> w->octave.down)
+                : qtri_depth_encode(o, surface, w->z);
         drawn = o->compare == QTRI_ALWAYS ||
                 qtri_compare_passes(o->compare, z, qtri_load(depth_bytes, depth));
     }

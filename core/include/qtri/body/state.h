@@ -69,6 +69,14 @@ typedef struct qtri_clamp_axis {
 } qtri_clamp_axis;
 
 /*
+ * Depths, with the half that rounds linear16, that &qtri_depth_float16 stores with one exponent:
+ * `size` of them from `zero` on are base + ((z - zero) >> down), 0 < down. size 0: none is known.
+ */
+typedef struct qtri_octave {
+    uint32_t zero, size, base, down;
+} qtri_octave;
+
+/*
  * What the loop over pixels steps. With n.16 the half that rounds is in the start.
  *
  * Texture coordinates of a repeated axis fill 32 bits, so that they wrap by themselves: u 2^32 is a
@@ -87,7 +95,8 @@ typedef struct qtri_clamp_axis {
 typedef struct qtri_pixel_walk {
     uint8_t *pixel, *depth;
     uintptr_t apart;    /* from a depth to its pixel, where one pointer serves both */
-    uint32_t z, z_step; /* 16.16, with QTRI_DEPTH_HALF */
+    uint32_t z, z_step; /* 16.16, with QTRI_DEPTH_HALF, less octave.zero */
+    qtri_octave octave; /* of rows whose depths are stored by it; otherwise zeros */
     uint32_t u, v, u_step, v_step, u_bend, v_bend;
     uint32_t c, c_step, g, g_step;
     uint32_t c_other;           /* packed colours of 565: every second step */
@@ -136,6 +145,9 @@ uint32_t qtri_alpha_mean(const uint32_t texel[4], uint32_t along, uint32_t acros
 
 /* depth_16p16 as &qtri_depth_float16 stores it. */
 uint32_t qtri_depth_encode_float16(uint32_t z_16p16);
+
+/* The octave of a depth with the half that rounds linear16. */
+qtri_octave qtri_depth_octave(uint32_t z);
 
 #ifdef __cplusplus
 }
