@@ -392,7 +392,8 @@ QTRI_BODY int32_t qtri_large_next_octave(qtri_pixel_walk *w, int32_t count)
 }
 
 /* Pixels along which everything is a polynomial, but what is stored of their depths. */
-QTRI_BODY void qtri_large_run(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t count)
+QTRI_BODY void qtri_large_octaves(const qtri_options *o, qtri_pixel_walk *w, bool bent,
+                                  int32_t count)
 {
     if (o->depth != QTRI_FLOAT16 || !qtri_tests_depth(o) || qtri_has_samples(o)) {
         qtri_pixels_draw(o, w, bent, count);
@@ -415,7 +416,7 @@ QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_large *t, q
 {
     const bool curves = qtri_is_textured(o);
     if (curves && qtri_is_short(o) && !qtri_large_job_of(t)->is_bent) {
-        qtri_large_run(o, w, false, count); /* a second loop saves two additions a pixel */
+        qtri_large_octaves(o, w, false, count); /* a second loop saves two additions a pixel */
     } else {
         do {
             int32_t n = count;
@@ -424,7 +425,7 @@ QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_large *t, q
                 w->fog = t->fog;
                 w->fog_step = t->fog_step;
             }
-            qtri_large_run(o, w, curves, n);
+            qtri_large_octaves(o, w, curves, n);
             count -= n;
         } while (o->fog && count > 0);
     }
@@ -470,7 +471,7 @@ QTRI_BODY void qtri_large_runs(const qtri_options *o, qtri_large *t, qtri_pixel_
         }
     }
     for (;;) {
-        qtri_large_run(o, w, false, left < count ? left : count);
+        qtri_large_octaves(o, w, false, left < count ? left : count);
         left -= count;
         if (left <= 0) {
             return;
