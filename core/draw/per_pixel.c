@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "per_pixel.h"
 
-#include "../raster/large_light.h"
+#include "../raster/pixel_light.h"
 #include "lights.h"
 
 /* The normal of a triangle. */

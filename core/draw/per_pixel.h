@@ -6,7 +6,7 @@
 #ifndef QTRI_DRAW_PER_PIXEL_H
 #define QTRI_DRAW_PER_PIXEL_H
 
-#include "../raster/large_light.h"
+#include "../raster/pixel_light.h"
 #include "../raster/descriptions.h"
 #include "mesh_job.h"
 #include "qtri/pipeline.h"

@@ -15,7 +15,6 @@
 
 #include "dda.h"
 #include "large.h"
-#include "large_levels.h"
 
 enum {
     QTRI_LARGE_CHUNK_LOG2 = 7, /* points begin anew every 2^this pixels of a row */

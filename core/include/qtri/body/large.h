@@ -160,7 +160,7 @@ typedef struct qtri_large {
 } qtri_large;
 
 /*
- * What the footprint of a triangle with perspective is made of, see large_footprint.c: along each
+ * What the footprint of a triangle with perspective is made of, see mipmap.c: along each
  * axis the steps right and down, times q^2, in 2^-exponent of 2^(1/2) texels; |.| < 2^28 where the
  * triangle is in the frame.
  */
@@ -259,7 +259,7 @@ bool qtri_large_next_row(qtri_large *t);
 int32_t qtri_large_next_uv(qtri_large *t);
 int32_t qtri_large_next_any(qtri_large *t);
 
-/* In large_levels.c: of a texture that is mipmapped. Set once planes are; then pieces, with or
+/* In mipmap.c: of a texture that is mipmapped. Set once planes are; then pieces, with or
    without perspective, of levels; and what a level changes, beside the walk. */
 void qtri_large_set_levels(qtri_large *t);
 int32_t qtri_large_next_levels(qtri_large *t);
