@@ -37,8 +37,7 @@ static int32_t set_regular(qtri_stroke_ring *ring, int32_t n)
         {0, 12210, 17267}, {0, 8383, 14520, 16766}, {0, 6351, 11736, 15334, 16597}};
     const int32_t last = n + 2;
     for (int32_t i = 0; i <= last; i++) {
-        ring->at[i].up = (uint16_t)((side[n][last - i] * ring->radius + 8192) >> 14);
-        ring->at[i].half = (uint16_t)((side[n][i] * ring->radius + 8192) >> 14);
+        ring->half[i] = (uint16_t)((side[n][i] * ring->radius + 8192) >> 14);
     }
     return last;
 }
@@ -52,28 +51,35 @@ static int32_t set_levels(qtri_stroke_ring *ring)
     const int32_t radius = ring->radius;
     int32_t last = 0;
     for (; 16 * last * last < radius; last++) {
-        const int32_t up = radius - 16 * last * last;
-        const int32_t half = last == 0 ? 0 : half_chord(radius, up) + 2;
-        ring->at[last].up = (uint16_t)qtri_least32(up, UINT16_MAX);
-        ring->at[last].half = (uint16_t)qtri_least32(half, UINT16_MAX);
+        const int32_t half = last == 0 ? 0 : half_chord(radius, radius - 16 * last * last) + 2;
+        ring->half[last] = (uint16_t)qtri_least32(half, UINT16_MAX);
     }
-    ring->at[last].up = 0;
-    ring->at[last].half = (uint16_t)qtri_least32(radius + 2, UINT16_MAX);
+    ring->half[last] = (uint16_t)qtri_least32(radius + 2, UINT16_MAX);
     return last;
+}
+
+/* How far above the centre a vertex lies: a regular polygon has its mirror image in the diagonal.
+ */
+static inline int32_t ring_up(const qtri_stroke_ring *ring, int32_t k)
+{
+    return ring->is_regular ? ring->half[ring->last - k]
+           : k < ring->last ? ring->radius - 16 * k * k
+                            : 0;
 }
 
 void qtri_stroke_ring_init(qtri_stroke_ring *ring, int32_t radius)
 {
-    ring->radius = radius;
     int32_t n = 0;
     while (n < REGULAR && radius > regular_radius[n]) {
         n++;
     }
+    ring->radius = radius;
+    ring->is_regular = n < REGULAR;
     ring->last = n < REGULAR ? set_regular(ring, n) : set_levels(ring);
     for (int32_t i = 0; i < ring->last; i++) {
-        const int32_t height = qtri_greatest32(ring->at[i].up - ring->at[i + 1].up, 1);
-        const int32_t wide = ring->at[i + 1].half - ring->at[i].half; /* 0..2^11 */
-        ring->at[i].slope_q16 = wide * 65536 / height;
+        const int32_t height = qtri_greatest32(ring_up(ring, i) - ring_up(ring, i + 1), 1);
+        const int32_t wide = ring->half[i + 1] - ring->half[i]; /* 0..2^11 */
+        ring->slope_q16[i] = wide * 65536 / height;
     }
 }
 
@@ -143,7 +149,7 @@ static uint8_t cut_of(int64_t slope_q32)
 /* From ends, which of them are round, and `out`, radius times direction from a to b. */
 static void set_outline(qtri_stroke_shape *s, int32_t out_x, int32_t out_y)
 {
-    const int32_t reach = s->ring != NULL ? s->ring->at[0].up : s->radius;
+    const int32_t reach = s->ring != NULL ? ring_up(s->ring, 0) : s->radius;
     const int32_t dy = s->b.y_24p8 - s->a.y_24p8;
     /* To the left of the direction, or where that is down, so that its y is not negative. */
     s->offset_x = out_x < 0 ? out_y : -out_y;
@@ -151,10 +157,7 @@ static void set_outline(qtri_stroke_shape *s, int32_t out_x, int32_t out_y)
     /* To the right and down, the offset leads to the left bound; to the left, to the right one. */
     s->is_left = out_x >= 0;
     s->slope_q32 = dy == 0 ? 0 : slope_of(s->b.x_24p8 - s->a.x_24p8, dy);
-    s->end_slope_q32 =
-        s->offset_y == 0 || (s->round_a && s->round_b) ? 0 : slope_of(s->offset_x, s->offset_y);
     s->cut = cut_of(s->slope_q32);
-    s->end_cut = cut_of(s->end_slope_q32);
     s->top = s->a.y_24p8 - (s->round_a ? reach : s->offset_y);
     s->bottom = s->b.y_24p8 + (s->round_b ? reach : s->offset_y);
     s->piece[0].top = s->piece[1].top = INT32_MIN; /* none are found */
@@ -221,25 +224,25 @@ static void set_arc(qtri_stroke_piece *p, const qtri_stroke_ring *ring,
     const int32_t down = y - center->y_24p8;
     const int32_t level = down < 0 ? -down : down + 1;
     int32_t k = p->vertex; /* from this to the next: up_k >= level > up_(k+1) */
-    while (k > 0 && ring->at[k].up < level) {
+    while (k > 0 && ring_up(ring, k) < level) {
         k--;
     }
-    while (k + 1 < ring->last && ring->at[k + 1].up >= level) {
+    while (k + 1 < ring->last && ring_up(ring, k + 1) >= level) {
         k++;
     }
-    const int32_t upper = sign * ring->at[k].half;
-    const int32_t lower = sign * ring->at[k + 1].half;
-    const int32_t slope = sign * ring->at[k].slope_q16;
+    const int32_t upper = sign * ring->half[k];
+    const int32_t lower = sign * ring->half[k + 1];
+    const int32_t slope = sign * ring->slope_q16[k];
     p->vertex = k;
     if (down < 0) {
-        p->top = center->y_24p8 - ring->at[k].up;
-        p->bottom = center->y_24p8 - ring->at[k + 1].up;
+        p->top = center->y_24p8 - ring_up(ring, k);
+        p->bottom = center->y_24p8 - ring_up(ring, k + 1);
         p->x0 = center->x_24p8 + upper;
         p->x1 = center->x_24p8 + lower;
         p->slope_q16 = slope;
     } else {
-        p->top = center->y_24p8 + ring->at[k + 1].up;
-        p->bottom = center->y_24p8 + ring->at[k].up;
+        p->top = center->y_24p8 + ring_up(ring, k + 1);
+        p->bottom = center->y_24p8 + ring_up(ring, k);
         p->x0 = center->x_24p8 + lower;
         p->x1 = center->x_24p8 + upper;
         p->slope_q16 = -slope;
@@ -267,8 +270,9 @@ static void set_end(qtri_stroke_shape *s, int side, bool is_upper, int32_t top, 
     const qtri_screen_point *center = is_upper ? &s->a : &s->b;
     const int32_t sign = side == 0 ? -1 : 1;
     if (!(is_upper ? s->round_a : s->round_b)) {
-        set_side(p, center->x_24p8 - s->offset_x, center->y_24p8 - s->offset_y, bottom,
-                 s->end_slope_q32, s->end_cut, y);
+        const int64_t slope_q32 = slope_of(s->offset_x, s->offset_y); /* below a corner: not 0 */
+        set_side(p, center->x_24p8 - s->offset_x, center->y_24p8 - s->offset_y, bottom, slope_q32,
+                 cut_of(slope_q32), y);
     } else if (s->ring != NULL) {
         set_arc(p, s->ring, center, sign, y);
         cut_piece(p, top, bottom);

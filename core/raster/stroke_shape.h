@@ -32,10 +32,9 @@ enum { QTRI_STROKE_RING = 66 };
 typedef struct qtri_stroke_ring {
     int32_t radius;
     int32_t last; /* the vertex at the side */
-    struct {
-        uint16_t up, half; /* 1/256 pixel from the centre */
-        int32_t slope_q16; /* of half, down from here to the next */
-    } at[QTRI_STROKE_RING];
+    bool is_regular;
+    uint16_t half[QTRI_STROKE_RING];     /* of the chord there, 1/256 pixel */
+    int32_t slope_q16[QTRI_STROKE_RING]; /* of half, down from here to the next */
 } qtri_stroke_ring;
 
 void qtri_stroke_ring_init(qtri_stroke_ring *ring, int32_t radius);
@@ -59,8 +58,8 @@ typedef struct qtri_stroke_shape {
     int32_t radius;
     int32_t offset_x, offset_y; /* offset_y >= 0 */
     int32_t top, bottom;
-    int64_t slope_q32, end_slope_q32; /* x for y along the long sides and the flat ends */
-    uint8_t cut, end_cut;             /* and their pieces' height, 2^cut */
+    int64_t slope_q32; /* x for y along the long sides */
+    uint8_t cut;       /* and their pieces' height, 2^cut */
     bool round_a, round_b;
     bool is_disc;               /* without a length, and round */
     bool is_left;               /* a + offset is on the left bound, a - offset on the right one */

@@ -14,8 +14,8 @@ typedef struct span {
     int32_t left_sum, right_sum; /* of both: twice what they are at the middle */
 } span;
 
-/* Those of a slice are disjoint, and sorted. */
-enum { SPANS = 12 };
+/* Those of a slice are disjoint, and sorted. Windows with more parts are a few columns wide. */
+enum { SPANS = 8 };
 
 typedef struct spans {
     span of[SPANS];
@@ -76,8 +76,8 @@ static int32_t up_to_crossings(const spans *all, const span *more, int32_t heigh
 
 /*
  * Adds a span: those that it touches become one with it. Where there is no room it is taken
- * together with the one before it, in a slice of which more than twelve separate parts lie in one
- * strip.
+ * together with the one before it, in a slice of which more than eight separate parts lie in a few
+ * columns.
  */
 static void add_span(spans *all, const span *more)
 {

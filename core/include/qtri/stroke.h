@@ -17,7 +17,7 @@
  * and written where half of a pixel or more is covered. A frame in bands, or drawn by any scissor,
  * has the pixels of the whole frame.
  *
- * A call takes 4.6 KB of stack, a wide wireframe 6.8, with a view's lights 7.8. Instructions: the
+ * A call takes 4.3 KB of stack, a wide wireframe 6.5, with a view's lights 7.5. Instructions: the
  * rows K1, K5, KP and KW of `make bench`.
  *
  * Of a material count depth_compare, depth_read_only, depth_bias, fog and what a blend asks for;
