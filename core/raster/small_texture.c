@@ -240,15 +240,20 @@ static bool set_light_curve(qtri_small_curves *curves, const curvature *c,
     return true;
 }
 
+bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_place *p,
+                                const qtri_small *t, const qtri_options *o)
+{
+    curvature c;
+    curves->is_curved = true;
+    return set_curvature(&c, p, t) && set_light_curve(curves, &c, p, t, o);
+}
+
 bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
                            const qtri_small *t, const qtri_options *o, bool has_light)
 {
-    const bool is_textured = qtri_is_textured(o);
-    qtri_small_uv at = {0, 0, 0, 0, 0, 0};
+    qtri_small_uv at;
     curvature c;
-    if (is_textured) {
-        qtri_small_uv_find(&at, t);
-    }
+    qtri_small_uv_find(&at, t);
     int32_t f[2][3] = {{at.u0, at.u1, at.u2}, {at.v0, at.v1, at.v2}};
     curves->light_piece = 0;
     curves->is_curved =
@@ -262,8 +267,7 @@ bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
         }
         return true;
     }
-    return set_curvature(&c, p, t) &&
-           (!is_textured || set_texture_curves(curves, &c, f, p, t, o)) &&
+    return set_curvature(&c, p, t) && set_texture_curves(curves, &c, f, p, t, o) &&
            (!has_light || set_light_curve(curves, &c, p, t, o));
 }
 

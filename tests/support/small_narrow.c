@@ -25,6 +25,7 @@
 #define qtri_small_set_light          narrow_small_set_light
 #define qtri_small_set_curves         narrow_small_set_curves
 #define qtri_small_set_level          narrow_small_set_level
+#define qtri_small_set_light_curve    narrow_small_set_light_curve
 #define qtri_small_set_weights        narrow_small_set_weights
 
 #include "raster/small_triangle.c"

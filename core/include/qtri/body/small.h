@@ -335,7 +335,9 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
     if (has_curved_light || (qtri_is_textured(o) &&
                              !QTRI_SMALL_SETUP(set_linear_texture)(&rows.u, &rows.v, &p, t, o))) {
         QTRI_RARELY();
-        if (!qtri_small_set_curves(&curves, qtri_small_kept(&copy, &p), t, o, has_curved_light)) {
+        const qtri_small_place *kept = qtri_small_kept(&copy, &p);
+        if (!(qtri_is_textured(o) ? qtri_small_set_curves(&curves, kept, t, o, has_curved_light)
+                                  : qtri_small_set_light_curve(&curves, kept, t, o))) {
             return false;
         }
         w.axis = curves.axis;

@@ -130,9 +130,12 @@ bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t);
 bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
                                    const qtri_small_place *p, const qtri_small *t,
                                    const qtri_options *o);
-/* False: they bend too much; the triangle is large. */
+/* False: they bend too much; the triangle is large. Light without texture is apart, so that it
+   links no more. */
 bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
                            const qtri_small *t, const qtri_options *o, bool has_light);
+bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_place *p,
+                                const qtri_small *t, const qtri_options *o);
 
 /* Fog along a row of `count` pixels, from a share to another: the step. */
 uint32_t qtri_small_fog_step(uint32_t from, uint32_t to, int32_t count);
