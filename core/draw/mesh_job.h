@@ -86,7 +86,8 @@ struct qtri_fill {
     void (*band)(qtri_mesh_job *draw);
 };
 
-/* What the fills of wireframes share, in mesh_lines.c: edges that neighbours have are drawn once. */
+/* What the fills of wireframes share, in mesh_lines.c: edges that neighbours have are drawn once.
+ */
 void qtri_wireframe_triangle(const qtri_mesh_job *draw, const void *triangle,
                              qtri_vertex *const vertex[3]);
 void qtri_wireframe_mesh(qtri_mesh_job *draw);

@@ -79,11 +79,6 @@ static void set_texel_slope(qtri_large_job *job)
     job->texel_log2 = qtri_large_has_levels(job) ? INT16_MIN : most;
 }
 
-int32_t qtri_large_chord_bound_log2(const qtri_large_job *job)
-{
-    return job->packing != QTRI_PACK_565 && qtri_stores_565(job->t.options) ? 16 : 14;
-}
-
 /* The greatest slope of colours times q, and what of it comes of q. */
 static int32_t chord_log2(const qtri_large_job *job)
 {
@@ -99,7 +94,7 @@ static int32_t chord_log2(const qtri_large_job *job)
     return bound * 256 - log2_q8(most) - LOG2_ERROR;
 }
 
-void qtri_large_set_lengths(qtri_large_job *job)
+static void set_lengths(qtri_large_job *job)
 {
     const uint32_t slope = slope_of(job->q.dx);
     uint32_t least = UINT32_MAX;
@@ -451,6 +446,16 @@ QTRI_INLINE int32_t next_pieces(qtri_large_job *job, bool textured, bool colored
         }
     }
     return curved_pieces(job, textured, colored);
+}
+
+void qtri_large_set_planes(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    int64_t q_q8[3];
+    if (!qtri_large_set_linear(job, q_q8) && !qtri_large_set_quadratics(job)) {
+        qtri_large_set_curved(job, q_q8);
+        set_lengths(job);
+    }
 }
 
 int32_t qtri_large_next_uv(qtri_large *t)

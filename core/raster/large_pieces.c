@@ -327,3 +327,8 @@ int32_t qtri_large_next_fog(qtri_large *t, int32_t count)
     t->fog_x = x + done;
     return done;
 }
+
+int32_t qtri_large_chord_bound_log2(const qtri_large_job *job)
+{
+    return job->packing != QTRI_PACK_565 && qtri_stores_565(job->t.options) ? 16 : 14;
+}

@@ -541,14 +541,4 @@ void qtri_large_set_curved(qtri_large_job *job, const int64_t q_q8[3])
     job->is_level = false;
     job->is_bent = true;
     job->zeros = 0;
-    qtri_large_set_lengths(job);
-}
-
-void qtri_large_set_planes(qtri_large *t)
-{
-    qtri_large_job *job = qtri_large_job_of(t);
-    int64_t q_q8[3];
-    if (!qtri_large_set_linear(job, q_q8) && !qtri_large_set_quadratics(job)) {
-        qtri_large_set_curved(job, q_q8);
-    }
 }

@@ -21,7 +21,7 @@
 enum {
     QTRI_STROKE_SHAPES = 6, /* kept */
     QTRI_STROKE_NEAR = 24,  /* parts of a strip that are listed */
-    QTRI_STROKE_BLOCKS = 8 /* of parts that follow each other, with their boxes */
+    QTRI_STROKE_BLOCKS = 8  /* of parts that follow each other, with their boxes */
 };
 
 /* Parts 0 .. count-1 of a line. `place` says false of what is not to be seen. */
