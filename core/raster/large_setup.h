@@ -155,9 +155,10 @@ static inline void qtri_large_clamp_chord(const qtri_large_attribute *a, uint32_
     *at = (uint32_t)from;
 }
 
-/* In large_curves.c: sets job->is_level, and steps along the row if it is; planes are the row's. */
-/* By how much, n.16, colours may stray for going along chords: 2^this, 1/4 of a step. */
+/* In large_pieces.c: by how much, n.16, colours may stray for going along chords: 2^this, 1/4 of a
+ * step. */
 int32_t qtri_large_chord_bound_log2(const qtri_large_job *job);
+/* In large_curves.c: sets job->is_level, and steps along the row if it is; planes are the row's. */
 bool qtri_large_begin_level(qtri_large_job *job);
 
 /* In large_quadratic.c: quadratics of all attributes; false: they do not serve. Then pieces. */
