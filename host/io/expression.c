@@ -17,11 +17,16 @@ struct reader {
     struct expression_error *error;
 };
 
+/* A token may hold the NUL that strchr() would find. */
+static bool is_one_of(const char *characters, char c)
+{
+    return c != '\0' && strchr(characters, c) != NULL;
+}
+
 bool expression_is(const struct token *token)
 {
     for (size_t i = 0; i < token->length; i++) {
-        if (strchr("$()*/", token->text[i]) != NULL ||
-            (i > 0 && strchr("+-", token->text[i]) != NULL)) {
+        if (is_one_of("$()*/", token->text[i]) || (i > 0 && is_one_of("+-", token->text[i]))) {
             return true;
         }
     }
@@ -66,7 +71,7 @@ static bool arguments(struct reader *r, double *value, int count)
 static bool number(struct reader *r, double *value)
 {
     const char *at = r->at;
-    while (at < r->end && strchr("0123456789.", *at) != NULL) {
+    while (at < r->end && is_one_of("0123456789.", *at)) {
         at++;
     }
     if (at > r->at && at < r->end && (*at == 'e' || *at == 'E')) {

@@ -255,8 +255,11 @@ QTRI_BODY uint32_t qtri_small_curve_at_place(const qtri_small_curve *c, uint32_t
 {
     const int32_t dx = (int32_t)(c->dx + 2 * x * c->xx) >> 1;
     const int32_t dy = (int32_t)(c->dy + x * c->xy) >> 1;
+    const int32_t a = dx >> 2, b = dy >> 2; /* |dx|, |dy| <= 2^30: three times a quarter fits */
+    const int32_t r = dx & 3, s = dy & 3;
     return qtri_small_curve_at(c, x) +
-           qtri_samples_more(place, (uint32_t)((dx + 3 * dy) >> 2), (uint32_t)((3 * dx - dy) >> 2));
+           qtri_samples_more(place, (uint32_t)(a + 3 * b + ((r + 3 * s) >> 2)),
+                             (uint32_t)(3 * a - b + ((3 * r - s) >> 2)));
 }
 
 /* Curves are found anew for each pixel: with four samples that is little of it. */
