@@ -130,6 +130,7 @@ QTRI_NOINLINE static void draw_looks(qtri_stroker *stroker, int32_t first, int32
     }
     for (int32_t i = first; i < end;) {
         const int32_t from = i;
+        // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): all of them are set
         if (weight[i - first] == 0) {
             i++;
             continue;
