@@ -170,40 +170,19 @@ QTRI_INLINE uint32_t qtri_mix_add(qtri_mix mix, uint32_t d, uint32_t keep, qtri_
     return mix == QTRI_MIX_565_SWAPPED ? qtri_swapped16(d) : d;
 }
 
+QTRI_INLINE int32_t qtri_mix_size(qtri_mix mix)
+{
+    return mix == QTRI_MIX_GRAY8 ? 1 : mix == QTRI_MIX_24 ? 3 : mix == QTRI_MIX_32 ? 4 : 2;
+}
+
 QTRI_INLINE uint32_t qtri_mix_get(qtri_mix mix, const uint8_t *at)
 {
-    switch (mix) {
-    case QTRI_MIX_GRAY8:
-        return at[0];
-    case QTRI_MIX_565:
-    case QTRI_MIX_565_SWAPPED:
-        return *(const uint16_t *)(const void *)at;
-    case QTRI_MIX_24:
-        return at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16;
-    default:
-        return *(const uint32_t *)(const void *)at;
-    }
+    return qtri_stored_get(qtri_mix_size(mix), at);
 }
 
 QTRI_INLINE void qtri_mix_put(qtri_mix mix, uint8_t *at, uint32_t stored)
 {
-    switch (mix) {
-    case QTRI_MIX_GRAY8:
-        at[0] = (uint8_t)stored;
-        break;
-    case QTRI_MIX_565:
-    case QTRI_MIX_565_SWAPPED:
-        *(uint16_t *)(void *)at = (uint16_t)stored;
-        break;
-    case QTRI_MIX_24:
-        at[0] = (uint8_t)stored;
-        at[1] = (uint8_t)(stored >> 8);
-        at[2] = (uint8_t)(stored >> 16);
-        break;
-    default:
-        *(uint32_t *)(void *)at = stored;
-        break;
-    }
+    qtri_stored_put(qtri_mix_size(mix), at, stored);
 }
 
 /* The cases of a switch over qtri_mix_of(): calls `function` with the kind and its bytes, constants
