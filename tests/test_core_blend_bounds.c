@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * How far blends and fog are from exact arithmetic, at most (qtri/blend.h): every colour of a
+ * How far blends and fog are from exact arithmetic, at most (qtri/material.h): every colour of a
  * channel, at the fractions that round farthest, over every stored one, with every alpha; and the
  * inputs that are off the most.
  */

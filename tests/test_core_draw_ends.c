@@ -8,12 +8,11 @@
 
 #include "geometry/projector.h"
 
-#include <qtri/blend.h>
-#include <qtri/edges.h>
+#include <qtri/material.h>
+#include <qtri/antialias.h>
 #include <qtri/frame.h>
 #include <qtri/light.h>
 #include <qtri/prepared.h>
-#include <qtri/samples.h>
 #include <qtri/stroke.h>
 
 enum { WIDTH = 48, HEIGHT = 40, TRIANGLES = CUBE_TRIANGLES + 1, VERTICES = CUBE_VERTICES };

@@ -4,8 +4,8 @@
  */
 #include "support/core.h"
 
-#include <qtri/font.h>
-#include <qtri/samples.h>
+#include <qtri/paint.h>
+#include <qtri/antialias.h>
 
 #include "io/bdf.h"
 #include "tools/font_build.h"

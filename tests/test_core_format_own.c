@@ -5,12 +5,10 @@
  */
 #include "support/cube.h"
 
-#include <qtri/blend.h>
+#include <qtri/material.h>
 #include <qtri/dither.h>
-#include <qtri/filters.h>
-#include <qtri/font.h>
-#include <qtri/image.h>
-#include <qtri/samples.h>
+#include <qtri/antialias.h>
+#include <qtri/paint.h>
 #include <qtri/stroke.h>
 
 enum { WIDTH = 44, HEIGHT = 40, SIDE = 16 };

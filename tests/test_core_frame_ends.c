@@ -8,8 +8,7 @@
 #include "frame/pixel.h"
 
 #include <qtri/dither.h>
-#include <qtri/edges.h>
-#include <qtri/filters.h>
+#include <qtri/antialias.h>
 #include <qtri/frame.h>
 
 enum { WIDTH = 24, HEIGHT = 20 };

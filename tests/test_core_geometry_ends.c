@@ -11,8 +11,8 @@
 #include "geometry/projector.h"
 
 #include <qtri/animation.h>
-#include <qtri/bounds.h>
-#include <qtri/clip.h>
+#include <qtri/mesh.h>
+#include <qtri/view.h>
 #include <qtri/light.h>
 
 static void viewports_are_held(void **state)

@@ -4,8 +4,8 @@
  */
 #include "support/core.h"
 
-#include <qtri/image.h>
-#include <qtri/samples.h>
+#include <qtri/paint.h>
+#include <qtri/antialias.h>
 
 enum { SIDE = 40, MEMORY = 40 * 40 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Lines: the rule of raster.h exactly, both directions, chains, pictures, values along them.
+ * Lines: the rule of draw.h exactly, both directions, chains, pictures, values along them.
  */
 #include "support/core.h"
 #include "support/line_narrow.h"

@@ -9,7 +9,7 @@
 #include "bits/reciprocal.h"
 
 #include <qtri/mat.h>
-#include <qtri/q16_exp.h>
+#include <qtri/q16.h>
 
 static void quotients_round_up_to_the_end(void **state)
 {

@@ -8,10 +8,9 @@
 
 #include "tools/mesh_neighbours.h"
 
-#include <qtri/edges.h>
+#include <qtri/antialias.h>
 #include <qtri/frame.h>
 #include <qtri/prepared.h>
-#include <qtri/samples.h>
 
 enum { WIDTH = 50, HEIGHT = 44, SIDE = 5, VERTICES = 6 * SIDE * SIDE, CELLS = SIDE - 1 };
 enum { TRIANGLES = 12 * CELLS * CELLS, WORDS = 9000 };

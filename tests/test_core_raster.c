@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The fill rule of raster.h, exactly: against an independent integer edge function, on meshes whose
+ * The fill rule of draw.h, exactly: against an independent integer edge function, on meshes whose
  * triangles must meet without gaps, and as pictures.
  */
 #include "support/core.h"

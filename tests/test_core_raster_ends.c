@@ -5,11 +5,9 @@
  */
 #include "support/cube.h"
 
-#include <qtri/blend.h>
-#include <qtri/font.h>
-#include <qtri/image.h>
+#include <qtri/material.h>
 #include <qtri/paint.h>
-#include <qtri/samples.h>
+#include <qtri/antialias.h>
 #include <qtri/stroke.h>
 
 enum { WIDTH = 48, HEIGHT = 40, SIDE = 8 };

@@ -7,7 +7,7 @@
 
 #include "raster/large_setup.h"
 
-#include <qtri/samples.h>
+#include <qtri/antialias.h>
 #include <qtri/stroke.h>
 
 enum { WIDTH = 48, HEIGHT = 40, SIDE = 8 };

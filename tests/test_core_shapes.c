@@ -4,7 +4,7 @@
  */
 #include "support/transform.h"
 
-#include <qtri/bounds.h>
+#include <qtri/mesh.h>
 #include <qtri/shapes.h>
 
 enum { VERTICES = 2000, TRIANGLES = 4000 };

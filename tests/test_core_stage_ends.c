@@ -8,10 +8,9 @@
 
 #include "raster/samples.h"
 
-#include <qtri/blend.h>
-#include <qtri/depth.h>
-#include <qtri/edges.h>
-#include <qtri/samples.h>
+#include <qtri/material.h>
+#include <qtri/format.h>
+#include <qtri/antialias.h>
 #include <qtri/stroke.h>
 
 enum { WIDTH = 64, HEIGHT = 48 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Sheets of paper far away: which format of depth tells them apart, against the double-precision
- * reference. These are figures of qtri/depth.h.
+ * reference. These are figures of qtri/format.h.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -14,7 +14,7 @@
 #include "verify/reference.h"
 #include "verify/table.h"
 
-#include "qtri/q16_trig.h"
+#include "qtri/q16.h"
 
 #define LENGTH_OF(array) (sizeof(array) / sizeof((array)[0]))
 

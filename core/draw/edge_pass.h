@@ -5,7 +5,7 @@
 #ifndef QTRI_DRAW_EDGE_PASS_H
 #define QTRI_DRAW_EDGE_PASS_H
 
-#include "qtri/edges.h"
+#include "qtri/antialias.h"
 
 /* How stored depths are compared with those of edges. */
 typedef enum qtri_edge_test {

@@ -14,7 +14,7 @@
  * its low half, from 1 on; then the entries. An entry is
  * next << 19 | weak << 18 | corner << 16 | triangle.
  */
-#include "qtri/edges.h"
+#include "qtri/antialias.h"
 
 #include "checked.h"
 #include "edge_pass.h"

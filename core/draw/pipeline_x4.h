@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Pipelines of surfaces with four samples a pixel (qtri/samples.h). Internal. */
+/* Pipelines of surfaces with four samples a pixel (qtri/antialias.h). Internal. */
 #ifndef QTRI_DRAW_PIPELINE_X4_H
 #define QTRI_DRAW_PIPELINE_X4_H
 

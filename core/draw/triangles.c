@@ -7,7 +7,7 @@
 #include "checked.h"
 #include "lights.h"
 #include "per_pixel.h"
-#include "qtri/raster.h"
+#include "qtri/draw.h"
 
 #include "../bits/bits.h"
 

@@ -2,7 +2,7 @@
 /*
  * FXAA: fxaa.inc is one row of it, in any format and in RGB565; the rest keeps rows of old colours.
  */
-#include "qtri/filters.h"
+#include "qtri/antialias.h"
 
 #include "../frame/barrier.h"
 #include "../frame/pixel.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "qtri/filters.h"
+#include "qtri/antialias.h"
 
 #include "mix.h"
 

@@ -4,7 +4,7 @@
  * in the steps of the kind of colour. For 565 one is enough: lanes of 10, 10 and 11 bits hold 32
  * times 31, 31 and 63.
  */
-#include "qtri/filters.h"
+#include "qtri/antialias.h"
 #include "qtri/error.h"
 
 #include "../frame/barrier.h"

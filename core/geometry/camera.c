@@ -2,8 +2,8 @@
 /*
  * Cameras, projections and views, and what turns to a camera.
  */
+#include "qtri/antialias.h"
 #include "qtri/error.h"
-#include "qtri/jitter.h"
 #include "qtri/transform.h"
 #include "qtri/view.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "qtri/clip.h"
 #include "qtri/error.h"
+#include "qtri/view.h"
 
 #include "../bits/bits.h"
 #include "../bits/wide.h"

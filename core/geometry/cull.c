@@ -2,8 +2,8 @@
 /*
  * What encloses a mesh, whether a projector or a view can see it, and the faces that turn away.
  */
-#include "qtri/bounds.h"
 #include "qtri/error.h"
+#include "qtri/mesh.h"
 
 #include <stddef.h>
 

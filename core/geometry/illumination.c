@@ -4,7 +4,7 @@
  * texture coordinates by normals.
  */
 #include "qtri/error.h"
-#include "qtri/q16_exp.h"
+#include "qtri/q16.h"
 
 #include "../bits/reciprocal.h"
 #include "illumination.h"

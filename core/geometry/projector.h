@@ -5,10 +5,8 @@
 #ifndef QTRI_GEOMETRY_PROJECTOR_H
 #define QTRI_GEOMETRY_PROJECTOR_H
 
-#include "qtri/clip.h"
 #include "qtri/draw.h"
 #include "qtri/mesh.h"
-#include "qtri/raster.h"
 #include "qtri/view.h"
 
 #include "../bits/reciprocal.h"

@@ -2,9 +2,9 @@
 /*
  * Computed meshes, put together of vertices, triangles and rings.
  */
-#include "qtri/bounds.h"
 #include "qtri/error.h"
-#include "qtri/q16_trig.h"
+#include "qtri/mesh.h"
+#include "qtri/q16.h"
 #include "qtri/shapes.h"
 
 #include <stdbool.h>

@@ -2,9 +2,9 @@
 /*
  * Matrices of 3 x 3 and of 4 x 4 numbers; identities and inverses of both.
  */
-#include "qtri/mat.h"
 #include "qtri/error.h"
-#include "qtri/q16_trig.h"
+#include "qtri/mat.h"
+#include "qtri/q16.h"
 
 #include "dot.h"
 #include "../bits/bits.h"

@@ -2,7 +2,7 @@
 /*
  * Powers and logarithms.
  */
-#include "qtri/q16_exp.h"
+#include "qtri/q16.h"
 
 #include "../bits/bits.h"
 #include "coefficients.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "qtri/q16_text.h"
 #include "qtri/error.h"
+#include "qtri/q16.h"
 
 #include "../bits/bits.h"
 

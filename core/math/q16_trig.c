@@ -2,8 +2,8 @@
 /*
  * Sines, tangents and their inverses.
  */
-#include "qtri/q16_trig.h"
 #include "qtri/error.h"
+#include "qtri/q16.h"
 
 #include "../bits/bits.h"
 #include "coefficients.h"

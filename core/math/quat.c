@@ -2,9 +2,9 @@
 /*
  * Quaternions.
  */
-#include "qtri/q16_trig.h"
-#include "qtri/quat.h"
 #include "qtri/error.h"
+#include "qtri/q16.h"
+#include "qtri/quat.h"
 
 #include "rotation.h"
 #include "unit.h"

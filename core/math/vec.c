@@ -2,9 +2,9 @@
 /*
  * Vectors of two, three and four numbers.
  */
-#include "qtri/vec.h"
 #include "qtri/error.h"
-#include "qtri/q16_trig.h"
+#include "qtri/q16.h"
+#include "qtri/vec.h"
 
 #include <stddef.h>
 #include "dot.h"

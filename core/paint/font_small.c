@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Made of small.bdf by `qtri font`. */
-#include "qtri/font.h"
+#include "qtri/paint.h"
 
 /* clang-format off */
 static const uint8_t qtri_font_small_rows[] = {

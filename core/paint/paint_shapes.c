@@ -2,7 +2,7 @@
 /* Rectangles, circles, arcs, polygons and lines as contours. */
 #include "contour.h"
 
-#include "qtri/q16_trig.h"
+#include "qtri/q16.h"
 
 #include "paint_checked.h"
 

@@ -10,7 +10,7 @@
 #define QTRI_PAINT_PICTURE_H
 
 #include "qtri/error.h"
-#include "qtri/image.h"
+#include "qtri/paint.h"
 
 #include "mix_stored.h"
 #include "../frame/pixel.h"

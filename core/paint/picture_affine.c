@@ -3,7 +3,7 @@
 #include "picture.h"
 
 #include "qtri/error.h"
-#include "qtri/q16_trig.h"
+#include "qtri/q16.h"
 
 #include "../frame/barrier.h"
 

@@ -3,7 +3,7 @@
 #include "contour.h"
 
 #include "qtri/error.h"
-#include "qtri/font.h"
+#include "qtri/paint.h"
 
 #include "../bits/bits.h"
 #include "../frame/barrier.h"

@@ -16,7 +16,7 @@
 #endif
 
 struct qtri_blend {
-    uint8_t kind;                          /* QTRI_ALPHA and the like, of blend.h */
+    uint8_t kind;                          /* QTRI_ALPHA and the like, of material.h */
     bool by_vertex;                        /* alpha varies between the vertices */
     const qtri_pipeline *const *pipelines; /* NULL: none */
     /* Sets what it asks for: options, and alpha and channels of the state. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Fog by the distance from the eye: the table of its shares, and what is read from it. */
-#include "qtri/blend.h"
 #include "qtri/body/state.h"
+#include "qtri/material.h"
 
 #include "../bits/bits.h"
 #include "descriptions.h"

@@ -8,7 +8,7 @@
 #ifndef QTRI_RASTER_LINE_H
 #define QTRI_RASTER_LINE_H
 
-#include "qtri/raster.h"
+#include "qtri/draw.h"
 #include "qtri/view.h"
 
 #include "stroke_pixels.h"

@@ -5,7 +5,7 @@
  */
 #include "qtri/error.h"
 #include "qtri/pipeline_make.h"
-#include "qtri/q16_exp.h"
+#include "qtri/q16.h"
 
 #include "../bits/bits.h"
 #include "descriptions.h"

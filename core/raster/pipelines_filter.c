@@ -31,7 +31,7 @@ static uint8_t last_level(const qtri_options *o, const qtri_texture *texture)
 {
     const int32_t width_log2 = qtri_side_log2(texture->width_log2);
     uint8_t last = 0;
-    if (texture->levels != NULL && !o->samples) { /* see samples.h */
+    if (texture->levels != NULL && !o->samples) { /* see antialias.h */
         while (last + 1 < width_log2 && last < texture->level_count &&
                texture->levels[last] != NULL) {
             last++;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Surfaces with four samples a pixel: see qtri/samples.h. Internal.
+ * Surfaces with four samples a pixel: see qtri/antialias.h. Internal.
  *
  * A pixel is a record: four stored colours, then the depths of samples 1 to 3; that of sample 0 is
  * the surface's.
@@ -10,8 +10,8 @@
 
 #include <stddef.h>
 
+#include "qtri/antialias.h"
 #include "qtri/pipeline.h"
-#include "qtri/samples.h"
 
 #include "../frame/pixel.h"
 

@@ -3,7 +3,7 @@
 #ifndef QTRI_RASTER_TRIANGLE_H
 #define QTRI_RASTER_TRIANGLE_H
 
-#include "qtri/raster.h"
+#include "qtri/draw.h"
 #include "qtri/view.h"
 
 #include "../bits/bits.h"

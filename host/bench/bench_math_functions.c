@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "bench_math.h"
 
-#include "qtri/q16_text.h"
+#include "qtri/q16.h"
 
 /* A result that is used, at no cost: in a register, or in memory. */
 #define KEEP(value)         __asm__ volatile("" : : "r"(value))

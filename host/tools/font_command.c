@@ -11,7 +11,7 @@
 static const char usage[] =
     "usage: qtri font IN.bdf -o OUT.h [--name NAME]\n"
     "\n"
-    "Makes a font for qtri/font.h of a BDF file: constant data, a `static const qtri_font NAME`.\n"
+    "Makes a font for qtri/paint.h of a BDF file: constant data, a `static const qtri_font NAME`.\n"
     "IN - is standard input, -o - standard output. An OUT that ends in .c defines a font that "
     "other files declare themselves.\n"
     "\n"
@@ -82,10 +82,10 @@ static bool write_font(const struct options *options, const struct bdf_font *bdf
     }
     put(&output, "/* Made of %.200s by `qtri font`. */\n", slash != NULL ? slash + 1 : options->in);
     if (is_source(options)) {
-        put(&output, "#include \"qtri/font.h\"\n\n/* clang-format off */\n");
+        put(&output, "#include \"qtri/paint.h\"\n\n/* clang-format off */\n");
     } else {
         put(&output,
-            "#ifndef QTRI_FONT_OF_%s\n#define QTRI_FONT_OF_%s\n\n#include <qtri/font.h>\n\n"
+            "#ifndef QTRI_FONT_OF_%s\n#define QTRI_FONT_OF_%s\n\n#include <qtri/paint.h>\n\n"
             "/* clang-format off */\n",
             options->name, options->name);
     }

@@ -13,7 +13,8 @@
 static const char usage[] =
     "usage: qtri neighbours MESH.obj -o FILE [--name NAME]\n"
     "\n"
-    "Writes qtri_mesh.neighbours of a mesh as C, for outlines (qtri/edges.h): NAME_neighbours,\n"
+    "Writes qtri_mesh.neighbours of a mesh as C, for outlines (qtri/antialias.h): "
+    "NAME_neighbours,\n"
     "MESH_neighbours without --name; - is standard input, -o - standard output. There are three\n"
     "numbers a triangle, in the order of the file's faces, polygons being fans. Triangles are\n"
     "neighbours across an edge of equal positions, whatever their normals and texture "

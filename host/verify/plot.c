@@ -7,7 +7,7 @@
  */
 #include "reference.h"
 
-#include "qtri/q16_trig.h"
+#include "qtri/q16.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
  */
 #include "verify.h"
 
-#include "qtri/q16_trig.h"
+#include "qtri/q16.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,8 +3,7 @@
 
 #include "reference.h"
 
-#include "qtri/q16_exp.h"
-#include "qtri/q16_trig.h"
+#include "qtri/q16.h"
 
 #define ONE(f)      f, NULL, NULL
 #define TWO(f)      NULL, f, NULL

@@ -10,9 +10,6 @@
 /* Not qtri.h: drawing is not for targets whose int has 16 bits. */
 #include "qtri/mat.h"
 #include "qtri/q16.h"
-#include "qtri/q16_exp.h"
-#include "qtri/q16_text.h"
-#include "qtri/q16_trig.h"
 #include "qtri/quat.h"
 #include "qtri/transform.h"
 #include "qtri/vec.h"

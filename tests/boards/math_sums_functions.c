@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "math_sums.h"
 
-#include "qtri/q16_text.h"
+#include "qtri/q16.h"
 
 #define ADD(name, body)                                                                            \
     static uint32_t add_##name(uint32_t sum, const q16 *x)                                         \

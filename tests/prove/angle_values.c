@@ -12,7 +12,7 @@
 
 #include "bits/bits.h"
 #include "math/trig.h"
-#include "qtri/q16_trig.h"
+#include "qtri/q16.h"
 
 #include "products.h"
 

@@ -11,9 +11,9 @@
 #include "__fc_builtin.h"
 
 #include "frame/pixel.h"
-#include "qtri/clip.h"
-#include "qtri/depth.h"
-#include "qtri/raster.h"
+#include "qtri/draw.h"
+#include "qtri/format.h"
+#include "qtri/view.h"
 #include "raster/dda.h"
 
 #include "products.h"

@@ -14,9 +14,6 @@
 #include "bits/reciprocal.h"
 #include "math/trig.h"
 #include "qtri/q16.h"
-#include "qtri/q16_exp.h"
-#include "qtri/q16_text.h"
-#include "qtri/q16_trig.h"
 
 /* Whose own functions no other file sees. */
 #include "../../core/math/q16_trig.c" /* NOLINT(bugprone-suspicious-include) */

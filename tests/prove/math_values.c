@@ -15,8 +15,6 @@
 #include "bits/bits.h"
 #include "bits/reciprocal.h"
 #include "qtri/q16.h"
-#include "qtri/q16_exp.h"
-#include "qtri/q16_trig.h"
 
 #include "products.h"
 

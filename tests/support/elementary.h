@@ -7,8 +7,6 @@
 #define QTRI_TESTS_SUPPORT_ELEMENTARY_H
 
 #include <qtri/q16.h>
-#include <qtri/q16_exp.h>
-#include <qtri/q16_trig.h>
 
 #define ELEMENTARY_SINGLE 16
 

@@ -51,7 +51,7 @@ typedef struct qtri_pixels {
 } qtri_pixels;
 extern const qtri_pixels qtri_pixels_8, qtri_pixels_16, qtri_pixels_24, qtri_pixels_32;
 
-/* Several samples a pixel; see samples.h. */
+/* Several samples a pixel; see antialias.h. */
 typedef struct qtri_sampling qtri_sampling;
 
 /* The library's own formats, as pipelines know them (pipeline.h). */
@@ -84,7 +84,7 @@ extern const qtri_format qtri_rgb565_swapped; /* its bytes exchanged, as display
 /*
  * Stored as rgb565, but colours have 8 bits until then: one that light, texels, fog and blends make
  * together is rounded once, within 3/4 of a step where &qtri_rgb565 reaches 1 1/4 (not in fog
- * alone: blend.h says what is within which). Pictures that are blended are converted first.
+ * alone: material.h says what is within which). Pictures that are blended are converted first.
  */
 extern const qtri_format qtri_rgb565_exact;
 extern const qtri_format qtri_rgb888;   /* three bytes: red, green, blue */
@@ -111,6 +111,98 @@ enum {
     QTRI_RGB565_BYTES = 2,
     QTRI_RGB888_BYTES = 3,
     QTRI_XRGB8888_BYTES = 4
+};
+
+/* Depth
+ * ---------------------------------------------------------------------------------------------- */
+
+/*
+ * Formats of depth: what a surface stores for each pixel's distance, as constant data.
+ *
+ * Depth is window z, 0 at the near plane and 1 at the far one. A surface stores it as 16 bits,
+ * linear in the window, unless it is laid out with another format; what an application does not
+ * name is not linked.
+ *
+ *     static uint8_t memory[QTRI_FRAME_BYTES_DEPTH(320, 16, QTRI_RGB565_BYTES,
+ *                                                  QTRI_DEPTH_FLOAT16_BYTES)];
+ *     qtri_frame_init(&frame, &qtri_rgb565, 320, 240, 16, memory, sizeof memory);
+ *     qtri_frame_set_depth(&frame, &qtri_depth_float16);
+ *
+ * Which one. In perspective window z has nearly all its steps close to the near plane: at a
+ * distance d faces can be told apart that are d^2 / (65536 near) from each other with linear16,
+ * d / 4096 with float16, d^2 / (2^24 near) with linear24.
+ *
+ * - Move the near plane away as far as the scene allows: that costs nothing.
+ * - linear16 is the fastest by far. It is right where far / near is some hundred, and for views
+ *   without perspective.
+ * - float16 takes the same memory, for wide views: it resolves 1/4096 of every distance. Without
+ *   perspective its steps are wasted at the far plane.
+ * - linear24 has steps of 1/2^24 in 3 bytes. linear32 tells faces apart that are half as far from
+ *   each other, where vertices' own depths end, and saves instructions for the fourth byte.
+ *
+ * Measured, near plane .1, far plane 1000: sheets of paper on each other, 30 away, of whose pixels
+ * so many show the wrong one; and of a knot that is .1 units wide at the same distance (the
+ * reference of `qtri render` compares in double precision; .01 and .05 % are edges that it rounds
+ * otherwise). host/scenes/12-depth-*.scene are the sheets that are .04 apart.
+ *
+ *     apart        .1       .04      .01      .003     .001     knot
+ *     linear16     .82 %    45 %     74 %     80 %     82 %     16 %
+ *     float16      .01      .01      .01      8.4      57       .05
+ *     linear24     .01      .01      .01      .01      .01      .05
+ *     linear32     .01      .01      .01      .01      .01      .05
+ *
+ * Where linear24 ends linear32 does not yet (tests/test_scene_depth.c); sheets 30 away, and larger
+ * ones 100 away:
+ *
+ *     apart        30: .001   .0005    .0002    100: .01     .005     .002
+ *     linear24     .01 %      5.0 %    39 %     .01 %        7.3 %    43 %
+ *     linear32     .01        1.4      9.9      .01          .96      12
+ *
+ * On RGB565 with "less" these formats bring pipelines of their own (pipeline.h), for one colour,
+ * light, colours, and RGB565 texels: some 1.5 KB each at -Os.
+ *
+ * Everything that knows depth takes every format: triangles, lines, strokes, points, fog, blends,
+ * the edge pass, frames. Only surfaces of four samples (antialias.h) have
+ * linear16 alone.
+ *
+ * A format of one's own is such a description in one's own file.
+ */
+
+/* What fills and reads memory of depths that are not linear16. */
+typedef struct qtri_depth_ops qtri_depth_ops;
+struct qtri_pipeline;
+extern const qtri_depth_ops qtri_depth_words;
+
+/* The library's own formats, as pipelines know them (pipeline.h). */
+enum { QTRI_NO_DEPTH, QTRI_LINEAR16, QTRI_FLOAT16, QTRI_LINEAR24, QTRI_LINEAR32, QTRI_OTHER_DEPTH };
+
+/*
+ * Until it is stored, depth is 16.16: window z times 65535, 0..0xFFFF0000. A stored depth is an
+ * integer in the machine's byte order; of three bytes the lowest is first. Stored depths must
+ * compare as depths do: a farther one is never less.
+ */
+typedef struct qtri_depth_format {
+    uint8_t bytes;             /* of a stored depth: 2, 3 or 4 */
+    const qtri_depth_ops *ops; /* &qtri_depth_words; NULL: it is linear16 */
+    /* Depths to stored ones and back, in place; `count` is 1..32. */
+    void (*encode)(uint32_t *depth, int32_t count);
+    void (*decode)(uint32_t *depth, int32_t count);
+    uint8_t kind; /* of the library's own; 0: another */
+    /* Drawn with in place of the generic one (pipeline.h), where they fit; NULL: none. */
+    const struct qtri_pipeline *const *pipelines;
+} qtri_depth_format;
+
+extern const qtri_depth_format qtri_depth_linear16; /* 65535 steps; where none is named */
+extern const qtri_depth_format qtri_depth_float16;  /* 1 - z: 4 bits exponent, 12 bits mantissa */
+extern const qtri_depth_format qtri_depth_linear24; /* steps of 1/256 of those of linear16 */
+extern const qtri_depth_format qtri_depth_linear32; /* steps of 1/65536 of them */
+
+/* Bytes of a stored depth, for memory of constant size. */
+enum {
+    QTRI_DEPTH_LINEAR16_BYTES = 2,
+    QTRI_DEPTH_FLOAT16_BYTES = 2,
+    QTRI_DEPTH_LINEAR24_BYTES = 3,
+    QTRI_DEPTH_LINEAR32_BYTES = 4
 };
 
 #ifdef __cplusplus

@@ -122,8 +122,8 @@ enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, in
  * bands. QTRI_ERROR_MEMORY: the frame's memory, or what is kept, has too few bytes for it;
  * QTRI_ERROR_SIZE: the frame has no bands.
  *
- * Depth of another format, of depth.h; NULL: linear16. Bytes are those of QTRI_FRAME_BYTES_DEPTH or
- * QTRI_FRAME_BYTES_DOUBLE_DEPTH. QTRI_ERROR_FORMAT: as qtri_surface_set_depth.
+ * Depth of another format, of format.h; NULL: linear16. Bytes are those of QTRI_FRAME_BYTES_DEPTH
+ * or QTRI_FRAME_BYTES_DOUBLE_DEPTH. QTRI_ERROR_FORMAT: as qtri_surface_set_depth.
  *
  * Overlap: `rows` rows more above and below, kept in `kept` or, where that is NULL, drawn again.
  * QTRI_ERROR_SIZE: rows outside 0..QTRI_OVERLAP_MAX, or bands with more than QTRI_SURFACE_MAX rows;
@@ -161,7 +161,7 @@ void qtri_frame_join(const qtri_frame *frame, qtri_surface *band);
 
 /*
  * The rows of the last band that are shown; their depth is not to be used. `band` may be what
- * became of it: joined, or resolved (samples.h). The two may be the same.
+ * became of it: joined, or resolved (antialias.h). The two may be the same.
  */
 void qtri_frame_shown(const qtri_frame *frame, const qtri_surface *band, qtri_surface *shown);
 

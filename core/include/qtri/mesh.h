@@ -106,9 +106,27 @@ typedef struct qtri_mesh {
     qtri_box bounds; /* of all positions, in object space: a mesh that cannot be seen is skipped at
                         once; half = 0: unknown */
     /* triangle_count, or NULL: the triangles across the edges from corner 0 to 1, 1 to 2 and 2 to
-       0, or triangle_count where there is none; for outlines, see edges.h */
+       0, or triangle_count where there is none; for outlines, see antialias.h */
     const uint16_t (*neighbours)[3];
 } qtri_mesh;
+
+/* Bounds
+ * ---------------------------------------------------------------------------------------------- */
+
+/* The points within `radius` of `center`. */
+typedef struct qtri_ball {
+    qtri_vec3 center;
+    q16 radius;
+} qtri_ball;
+
+/*
+ * Holds all positions, wide or 16-bit, in object space; no larger than it must be by more than one
+ * step on each side, two with 16-bit positions. All 0 without positions. Sides saturate.
+ */
+qtri_box qtri_mesh_box(const qtri_mesh *mesh);
+
+/* Around the centre of the box: the largest distance of a position, rounded up; saturates. */
+qtri_ball qtri_mesh_ball(const qtri_mesh *mesh);
 
 #ifdef __cplusplus
 }

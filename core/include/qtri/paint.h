@@ -5,7 +5,7 @@
  * Coordinates are those of the frame in 1/256 pixel, as a triangle's corners are: QTRI_PX(3) is the
  * left or upper side of column or row 3. They are held to +-QTRI_PAINT_MAX_24P8. Everything is
  * clipped to the surface's rows and scissor, and a frame in bands has the pixels of the whole
- * frame. Depth is neither tested nor written. Pictures are in image.h, text is in font.h.
+ * frame. Depth is neither tested nor written.
  *
  * A brush says how a shape becomes pixels. Without an ink (NULL) it is opaque and has hard edges: a
  * pixel is painted when its centre lies inside, the left and the upper side counting as inside, the
@@ -20,6 +20,7 @@
 #ifndef QTRI_PAINT_H
 #define QTRI_PAINT_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "q16.h"
@@ -113,6 +114,130 @@ void qtri_paint_polygon(const qtri_surface *surface, const qtri_point *point, in
  */
 void qtri_paint_stroke(const qtri_surface *surface, const qtri_point *from, const qtri_point *to,
                        int32_t width_24p8, const qtri_brush *brush);
+
+/* Pictures
+ * ---------------------------------------------------------------------------------------------- */
+
+/*
+ * Pictures on a surface: copied, with a colour key, blended, scaled and turned.
+ *
+ * A picture is memory in any format of surfaces: one drawn by the library itself, or constant data.
+ * What has the surface's own format is copied as it is stored; anything else is converted through 8
+ * bits a channel, 20 to 80 instructions a pixel on a Cortex-M0+. Everything is clipped, and a frame
+ * in bands has the pixels of the whole frame. Depth is neither tested nor written.
+ */
+
+typedef struct qtri_image {
+    const void *pixels;        /* of row 0, aligned for the format; NULL: nothing is painted */
+    ptrdiff_t pitch;           /* bytes from a row to the next; negative for bottom-up memory */
+    const qtri_format *format; /* NULL: nothing is painted */
+    int32_t width, height;     /* any of 1..QTRI_SURFACE_MAX; otherwise nothing is painted */
+    bool has_key;
+    uint32_t key; /* the stored pixel that is not painted, if has_key */
+} qtri_image;
+
+/* The picture that a surface holds: all rows of it, without a key. */
+qtri_image qtri_image_of(const qtri_surface *surface);
+
+/*
+ * The picture with its left upper corner at column x, row y. Of RGB565 on RGB565: 4 instructions a
+ * pixel at most, 9 with a key.
+ */
+void qtri_image_paint(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y);
+
+/* The same, mixed with what is there: alpha of 255 is the picture alone, 0 paints nothing. */
+void qtri_image_blend(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y,
+                      uint8_t alpha);
+
+/*
+ * Where the pixels of a picture come to lie, Q16.16, x right and y down:
+ *
+ *     x' = xx x + xy y + x0        y' = yx x + yy y + y0
+ */
+typedef struct qtri_affine {
+    q16 xx, xy, x0, yx, yy, y0;
+} qtri_affine;
+
+/*
+ * Scales a picture by (scale_x, scale_y), turns it by degrees, clockwise as seen in the picture,
+ * around its point `pivot`, and puts that to `place`: all Q16.16, pixels. Saturates.
+ */
+void qtri_affine_place(qtri_affine *affine, q16 pivot_x, q16 pivot_y, q16 place_x, q16 place_y,
+                       q16 scale_x, q16 scale_y, q16 degrees);
+
+/*
+ * The picture as `affine` says: each pixel whose centre it covers takes the picture's pixel there,
+ * nearest. One that does not turn and scales by 1 paints what qtri_image_blend does. A matrix
+ * without an inverse, or with one beyond 16384, paints nothing. The inverse is rounded to Q16.16:
+ * across n pixels the picture's coordinate is off by n / 131072 at most.
+ *
+ * Cheapest without a turn, where rows are rows of the picture; where it is opaque and has no key,
+ * what is drawn twice as high or more is copied row by row. The picture may not lie in the surface.
+ */
+void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *image,
+                             const qtri_affine *affine, uint8_t alpha);
+
+/* Text
+ * ---------------------------------------------------------------------------------------------- */
+
+/*
+ * Text on a surface: proportional bitmap fonts, UTF-8.
+ *
+ * A font is constant data: what is not named is not linked. `qtri font IN.bdf -o NAME.h` makes one
+ * of a BDF file; qtri_font_small is the library's own.
+ *
+ *     qtri_text_paint(&band, &qtri_font_small, 10, 20, "42 km/h", &brush);
+ */
+
+/*
+ * Rows of a glyph begin with a byte each, the leftmost pixel in the highest bit; there are
+ * (width + 7) / 8 bytes a row.
+ */
+typedef struct qtri_glyph {
+    uint16_t first;        /* of its bytes in the font's `rows` */
+    uint8_t width, height; /* of the box that is stored; 0 where there is nothing to see */
+    int8_t left, top;      /* of the box: to the right of the pen, and above the baseline */
+    uint8_t advance;       /* how far the pen goes on */
+} qtri_glyph;
+
+/* Characters `first` .. first + count - 1 are the glyphs from `glyph` on. */
+typedef struct qtri_glyph_range {
+    uint32_t first;
+    uint16_t count, glyph;
+} qtri_glyph_range;
+
+typedef struct qtri_font {
+    const uint8_t *rows;
+    const qtri_glyph *glyphs;
+    const qtri_glyph_range *ranges; /* growing */
+    uint16_t range_count;
+    uint16_t missing;        /* the glyph of what the ranges do not have */
+    uint8_t ascent, descent; /* pixels of a line above and below the baseline */
+} qtri_font;
+
+/* ASCII, proportional, capitals of 7 pixels, lines of 10. */
+extern const qtri_font qtri_font_small;
+
+/*
+ * Paints text from pen position x (the left side of the first character's cell) on the baseline
+ * above row `y`: whole pixels. Returns the pen's position behind it, saturated. A newline goes back
+ * to x and down by ascent + descent rows. Bytes that are not UTF-8 are a missing character each.
+ * Hard edges; alpha counts with an ink.
+ */
+int32_t qtri_text_paint(const qtri_surface *surface, const qtri_font *font, int32_t x, int32_t y,
+                        const char *text, const qtri_brush *brush);
+
+/* How far the pen goes in the widest line of the text, pixels, saturated. */
+int32_t qtri_text_width(const qtri_font *font, const char *text);
+
+/* The glyph of a character, never NULL. */
+const qtri_glyph *qtri_font_glyph(const qtri_font *font, uint32_t character);
+
+/*
+ * The character that begins at *text, which moves on behind it; 0 at the end, where it stays.
+ * 0xFFFD for a byte that does not begin a character: overlong, a surrogate, beyond 10FFFF, cut off.
+ */
+uint32_t qtri_text_next(const char **text);
 
 #ifdef __cplusplus
 }

@@ -22,7 +22,7 @@
  * options that are read for each pixel, draws the same bits, and takes 5 to 30 times the
  * instructions a pixel on long rows. Blends, fog, filters and formats of depth bring pipelines
  * for RGB565 with "less", which are taken where &qtri_pipeline_brought stands in the list (config.h
- * leaves them out). On a surface with samples (samples.h) the formats' own pipelines take
+ * leaves them out). On a surface with samples (antialias.h) the formats' own pipelines take
  * the place of the generic one. For another format or comparison QTRI_PIPELINES (pipeline_make.h)
  * makes the usual ones in a line. A draw for which the list has no pipeline, or a list that is
  * NULL, draws nothing; a checked build (error.h) stops there, and says which options the list
@@ -35,7 +35,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "blend.h"
 #include "material.h"
 #include "surface.h"
 #include "texture.h"
@@ -68,7 +67,7 @@ struct qtri_fragment {
 
 typedef struct qtri_options {
     uint8_t format;    /* of format.h */
-    uint8_t depth;     /* of depth.h */
+    uint8_t depth;     /* of format.h */
     uint8_t compare;   /* a qtri_compare */
     uint8_t read_only; /* material.depth_read_only; QTRI_ANY: as the material says */
     uint8_t texel;     /* of texture.h */
@@ -77,7 +76,7 @@ typedef struct qtri_options {
     uint8_t key;            /* texture.has_key */
     uint8_t alpha_test;     /* material.least_alpha != 0, of texels with alpha */
     uint8_t shade;
-    uint8_t blend;        /* of blend.h */
+    uint8_t blend;        /* of material.h */
     uint8_t vertex_alpha; /* alpha varies between the vertices */
     uint8_t keep;         /* material.keep != 0 */
     uint8_t fog;

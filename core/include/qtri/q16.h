@@ -21,7 +21,10 @@
 #ifndef QTRI_Q16_H
 #define QTRI_Q16_H
 
+#include <stddef.h>
 #include <stdint.h>
+
+#include "error.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -254,6 +257,126 @@ static inline q16 q16_div_sat(q16 a, q16 b)
     return q16_div(a, b);
 }
 #endif
+
+/* Trigonometry
+ * ---------------------------------------------------------------------------------------------- */
+
+/*
+ * Trigonometry in Q16.16, in radians as in <math.h> and in degrees, where right angles are exact.
+ *
+ * Errors are against the exact value, .5 of them being the rounding to a result; the maxima are
+ * those over all arguments (tests/test_core_elementary.c names the worst ones). Functions that are
+ * odd or even are so to the last bit, for Q16_MIN with the angle 32768 it stands for.
+ */
+
+/*
+ * Sine and cosine of any angle, in [-1, 1], within .51 ULP. In degrees multiples of 90 are exact;
+ * so is sin of 30, and angles whole turns apart have the same results to the bit. sincos gives the
+ * same results in less time than both calls.
+ * Minimax polynomials of degree 7 and 6 on an eighth of a turn.
+ */
+q16 q16_sin(q16 radians);
+q16 q16_cos(q16 radians);
+void q16_sincos(q16 radians, q16 *sine, q16 *cosine);
+q16 q16_sin_deg(q16 degrees);
+q16 q16_cos_deg(q16 degrees);
+void q16_sincos_deg(q16 degrees, q16 *sine, q16 *cosine);
+
+/*
+ * Tangent, within .53 ULP while it is below 256 and 2^-24.9 of itself beyond; saturates to
+ * Q16_MAX and Q16_MIN. Odd multiples of 90 degrees, where there is none, give Q16_MAX with the sign
+ * of the argument: Q16_MIN for negative ones. In degrees all others repeat to the bit after 180.
+ */
+q16 q16_tan(q16 radians);
+q16 q16_tan_deg(q16 degrees);
+
+/*
+ * The angle of the vector (x, y) from the x axis, in (-pi, pi] or (-180, 180]: y < 0 is negative,
+ * y = 0 and x < 0 is half a turn. (0, 0) gives 0. Within .51 ULP, .52 in degrees; multiples of 45
+ * degrees are exact. x and y may be in any one format, as only their ratio counts.
+ * Quotient by Newton's method, polynomial of degree 9 around 0 and atan(1/2).
+ */
+q16 q16_atan2(q16 y, q16 x);
+q16 q16_atan2_deg(q16 y, q16 x);
+
+/* Arctangent, in [-pi/2, pi/2] or [-90, 90]: q16_atan2(x, 1). Monotone. Within .51 and .52 ULP. */
+q16 q16_atan(q16 x);
+q16 q16_atan_deg(q16 x);
+
+/*
+ * Arcsine in [-pi/2, pi/2] and arccosine in [0, pi], and in degrees; x beyond [-1, 1] is taken as
+ * the nearer end. Within .51 ULP. The angle of the sides x and sqrt(1 - x^2).
+ */
+q16 q16_asin(q16 x);
+q16 q16_acos(q16 x);
+q16 q16_asin_deg(q16 x);
+q16 q16_acos_deg(q16 x);
+
+/* Exponentials and logarithms
+ * ---------------------------------------------------------------------------------------------- */
+
+/*
+ * Exponentials and logarithms in Q16.16.
+ *
+ * Errors are against the exact value, .5 of them being the rounding to a result; the maxima are
+ * those over all arguments (tests/test_core_elementary.c names the worst ones).
+ */
+
+/*
+ * 2^x and e^x. Below 2^-17 the result is 0, from 32768 up Q16_MAX. Within .69 and .92 ULP in the
+ * whole range, and .51 while the result is below 128. Monotone. exp2 of a whole number is exact.
+ * Degree-7 polynomial in the fraction of x; e^x = 2^(x log2 e).
+ */
+q16 q16_exp2(q16 x);
+q16 q16_exp(q16 x);
+
+/*
+ * Logarithms to base 2 and e. x <= 0 gives Q16_MIN. Within .52 ULP. Monotone. log2 of a power of
+ * two is exact. Sixteen table entries and a cubic (Tang 1990).
+ */
+q16 q16_log2(q16 x);
+q16 q16_log(q16 x);
+
+/*
+ * x^y. Within .52 ULP while the result is below 64 (over all pairs, by a search that leaves out
+ * only what cannot be worse) and 2^-22.8 of it beyond (tested, not over all pairs); saturates.
+ *   y = 0              1, also for x = 0
+ *   x = 0              0 for y > 0, Q16_MAX for y < 0
+ *   x < 0, y whole     |x|^y with the sign of (-1)^y; at most Q16_MAX, at least Q16_MIN
+ *   x < 0, otherwise   0: there is no real result
+ */
+q16 q16_pow(q16 x, q16 y);
+
+/* Decimal text
+ * ---------------------------------------------------------------------------------------------- */
+
+/*
+ * Q16.16 numbers as decimal text. No libc, no locale: the decimal sign is '.'.
+ */
+
+/* Characters that any number needs, with the NUL: "-32767.99998". */
+#define QTRI_Q16_TEXT_SIZE 13
+
+/*
+ * Reads an optional sign, digits and an optional '.' with digits, at least one digit in all, from
+ * the start of the text: "2", "-.5", "+3.", "1.70710678". No blanks before it and no exponent:
+ * what follows the number is the caller's to judge. Any number of digits is rounded once, to
+ * nearest, halves away from zero.
+ *
+ * Returns how many characters were read, and stores the number. Text that does not begin with
+ * one gives 0 and leaves *out alone. A number beyond the range (-32768.000007..32767.999992 round
+ * into it) stores Q16_MIN or Q16_MAX and gives QTRI_ERROR_SIZE.
+ */
+int32_t q16_from_string(const char *text, q16 *out);
+
+/*
+ * Writes the shortest decimal that q16_from_string reads as x again, of those with as many digits
+ * the nearest: "0.1", "-1.5", "3", "0.00002". At most five digits behind the point.
+ *
+ * Returns the length without the NUL. A buffer too small for the text and its NUL gives
+ * QTRI_ERROR_MEMORY and holds an empty string, if it has room for that.
+ */
+int32_t q16_to_string(q16 x, char *buffer, size_t size);
 
 #ifdef __cplusplus
 }

@@ -13,7 +13,6 @@
 #include <stdint.h>
 
 #include "config.h"
-#include "depth.h"
 #include "error.h"
 #include "format.h"
 #include "q16.h"
@@ -67,11 +66,11 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
                                   size_t bytes);
 
 /*
- * Gives a surface that was just laid out depth of another format, of depth.h; NULL: linear16.
+ * Gives a surface that was just laid out depth of another format, of format.h; NULL: linear16.
  * bytes: of its memory, QTRI_BAND_BYTES_DEPTH(width, rows, format->pixels->bytes,
  * depth_format->bytes). QTRI_ERROR_FORMAT: the surface has no format; a depth's bytes are not 2, 3
- * or 4; or the surface has samples (samples.h), whose depth is linear16. QTRI_ERROR_MEMORY: too few
- * bytes. After an error the surface is all zero.
+ * or 4; or the surface has samples (antialias.h), whose depth is linear16. QTRI_ERROR_MEMORY: too
+ * few bytes. After an error the surface is all zero.
  */
 enum qtri_error qtri_surface_set_depth(qtri_surface *surface, const qtri_depth_format *format,
                                        size_t bytes);

@@ -85,7 +85,7 @@ extern const qtri_filter qtri_mipmapped_bilinear;
  * Sides are powers of two: others would take 15 to 25 % more of a pixel's instructions, of every
  * texture. `qtri texture` resamples pictures to such sides, the nearest or those that --size names,
  * and says so; u and v go from 0 to 1 all the same. Pictures that are painted may have any size:
- * see image.h.
+ * see paint.h.
  *
  * Bilinear weights have 8 bits, rounded to nearest, and their sum of colours is rounded once, with
  * the pixel. A weight is off by 1/512 at most, and by what the coordinate is off: the colour by the

@@ -61,13 +61,13 @@ typedef struct qtri_large_edges {
 
 /*
  * A triangle of samples is walked once for each place where pixels may take their colours
- * (samples.h), as the triangle that is moved so that this place lies where centres do: in a pass
+ * (antialias.h), as the triangle that is moved so that this place lies where centres do: in a pass
  * only the pixels that take theirs there are drawn.
  */
 typedef struct qtri_large_samples {
     qtri_samples_row row;
     int32_t place;             /* of the pass */
-    uint32_t z_p, z_q;         /* what depth has more: see samples.h */
+    uint32_t z_p, z_q;         /* what depth has more: see antialias.h */
     int32_t first_row, end;    /* of all places */
     int32_t next, left, right; /* of the row at the pass's place: what is not drawn yet */
     qtri_screen_point moved[3];

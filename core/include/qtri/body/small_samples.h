@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A small triangle of a mesh, four samples a pixel (samples.h). Internal, part of the pipelines'
+ * A small triangle of a mesh, four samples a pixel (antialias.h). Internal, part of the pipelines'
  * body (pipeline_make.h).
  *
  * Samples of a pixel are one below the other, a quarter of a pixel apart: edges are walked in

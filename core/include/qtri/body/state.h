@@ -108,7 +108,7 @@ typedef struct qtri_pixel_walk {
     bool keeps_depth;           /* the material's depths are read only; see qtri_pixel_writes() */
 
     /* Four samples a pixel: which of them are drawn, and what their depths have more; see
-       samples.h. */
+       antialias.h. */
     uint32_t samples;
     uint32_t z_p, z_q;
     uint32_t z_place; /* what depth has more where the pixel takes its colour */

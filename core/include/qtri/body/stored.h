@@ -189,7 +189,7 @@ QTRI_BODY bool qtri_compare_passes(uint8_t compare, uint32_t z, uint32_t stored)
     }
 }
 
-/* Bytes from a pixel to the next: a pixel of four samples is a record (samples.h). */
+/* Bytes from a pixel to the next: a pixel of four samples is a record (antialias.h). */
 QTRI_BODY uint32_t qtri_pixel_step(const qtri_options *o)
 {
     const uint32_t bytes = qtri_pixel_bytes(o);
