@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The library compiled for a Cortex-M0+ without a libc: what its objects need, hold and export. clang compiles it
-# without a warning for three cores, small and fast: each has inline assembler of its own, which clang assembles itself.
+# without a warning for three cores: each has inline assembler of its own, which clang assembles itself.
 gate=freestanding
 . tests/check/files.sh
 need clang arm-none-eabi-gcc arm-none-eabi-nm arm-none-eabi-size
@@ -23,16 +23,14 @@ compile()
     into=$work/$1
     shift
     mkdir "$into"
-    c_files core port/panels | grep '\.c$' | xargs -P "$jobs" -n 8 sh -c 'into=$1 command=$2; shift 2; for file; do
+    c_files core port/panels | grep '\.c$' | xargs -P "$jobs" -n 2 sh -c 'into=$1 command=$2; shift 2; for file; do
         $command -c -o "$into/$(echo "$file" | tr / -).o" "$file" || { echo "no object of $file by $command"; failed=1; }; done
         exit ${failed:-0}' sh "$into" "$* -std=c99 -ffreestanding -Icore/include -Iport/include" || status=1
 }
 compile gcc arm-none-eabi-gcc -Os -mcpu=cortex-m0plus -mthumb
-for core in cortex-m0plus cortex-m3 'cortex-m4 -mfloat-abi=hard'; do
-    for level in Os O2; do
-        compile "clang-${core%% *}-$level" clang --target=arm-none-eabi -mcpu=$core -mthumb -$level $warnings \
-            -idirafter port/boards/common/libc
-    done
+for target in 'cortex-m0plus -Os' 'cortex-m3 -O2' 'cortex-m4 -mfloat-abi=hard -O2'; do
+    compile "clang-$(echo "${target%% *}${target##* }")" clang --target=arm-none-eabi -mthumb -mcpu=$target $warnings \
+        -idirafter port/boards/common/libc
 done
 
 # symbols FOLDER OPTION...: a line `object: symbol` for each
