@@ -73,13 +73,16 @@ static void build_stage(struct reader *r, job *j)
     build_transform(r, &j->view.projection);
     build_transform(r, &j->view.camera);
     build_transform(r, &j->pose);
-    take(r, &j->light, sizeof j->light);
+    take(r, &j->light, offsetof(qtri_light, model)); /* one white light */
     j->view.light = take_byte(r) % 2 ? &j->light : NULL;
-    j->view.lights = take_byte(r) % 2 ? build_lamps(r, &j->lamps) : NULL;
+    if (take_byte(r) % 2) {
+        j->view.light = build_lamps(r, &j->lamps);
+    }
     j->view.vertices = j->vertices;
     j->view.vertex_count = take_byte(r) % (VERTICES + 1);
     j->material = build_material(r, &j->texture, j->levels, texels);
-    j->material.reflection = j->view.lights != NULL ? &j->lamps.reflection : NULL;
+    j->material.reflection =
+        j->view.light != NULL && j->view.light->model != NULL ? &j->lamps.reflection : NULL;
     const uint8_t more = take_byte(r);
     take(r, j->alphas, sizeof j->alphas);
     j->material.alphas = more & 1 ? j->alphas : NULL;

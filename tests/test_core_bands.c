@@ -181,7 +181,8 @@ static void lit_meshes(void **state)
                                                         {9, 10, 11},  {12, 13, 14}, {15, 16, 17},
                                                         {18, 19, 20}, {21, 22, 23}};
     static qtri_vertex vertices[MESH_VERTICES];
-    const qtri_light light = {{30000, -20000, 50000}, Q16(.1), Q16(.9)};
+    const qtri_light light = {
+        .towards = {30000, -20000, 50000}, .ambient = Q16(.1), .diffuse = Q16(.9)};
     uint64_t seed = 66;
     for (int n = 0; n < 1000; n++) {
         const qtri_format *format = formats[n % 3];

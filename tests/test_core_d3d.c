@@ -141,14 +141,14 @@ static void same_picture(void **state)
             const bool d3d = i == 1;
             const qtri_light_color ambient = {6000, 6000, 6000};
             qtri_light_source sources[2];
-            qtri_lights lights;
+            qtri_light lights;
             qtri_view view;
             qtri_transform pose;
             set_lights(sources, d3d);
-            assert_int_equal(qtri_lights_init(&lights, sources, 2, ambient), QTRI_OK);
+            assert_int_equal(qtri_light_init(&lights, sources, 2, ambient), QTRI_OK);
             qtri_view_init(&view, 64, 48);
             qtri_transform_identity(&pose);
-            view.lights = &lights;
+            view.light = &lights;
             if (d3d) {
                 const qtri_vec3 factor = {Q16_ONE, Q16_ONE, -Q16_ONE};
                 qtri_transform_scale(&pose, factor);

@@ -153,7 +153,9 @@ static void any_scratch_size(void **state)
     for (int n = 0; n < 600; n++) {
         qtri_view view;
         qtri_transform pose;
-        qtri_light light = {{random_any(&seed), random_any(&seed), 70000}, Q16(0.3), Q16(0.9)};
+        qtri_light light = {.towards = {random_any(&seed), random_any(&seed), 70000},
+                            .ambient = Q16(0.3),
+                            .diffuse = Q16(0.9)};
         random_mesh(&m, &seed);
         if (n % 2 != 0) {
             compact_mesh(&m, &seed);
@@ -288,7 +290,9 @@ static void flat_light_without_normals(void **state)
     for (int n = 0; n < 200; n++) {
         qtri_view view;
         qtri_transform pose;
-        qtri_light light = {{random_any(&seed), random_any(&seed), 70000}, Q16(0.1), Q16(0.9)};
+        qtri_light light = {.towards = {random_any(&seed), random_any(&seed), 70000},
+                            .ambient = Q16(0.1),
+                            .diffuse = Q16(0.9)};
         random_mesh(&m, &seed);
         compact_mesh(&m, &seed);
         random_view(&view, &seed);
@@ -336,7 +340,9 @@ static void compact_equals_wide(void **state)
     for (int n = 0; n < 400; n++) {
         qtri_view view;
         qtri_transform pose;
-        qtri_light light = {{random_any(&seed), random_any(&seed), 70000}, Q16(0.3), Q16(0.9)};
+        qtri_light light = {.towards = {random_any(&seed), random_any(&seed), 70000},
+                            .ambient = Q16(0.3),
+                            .diffuse = Q16(0.9)};
         random_mesh(&m, &seed);
         random_view(&view, &seed);
         random_pose(&pose, &seed);
@@ -393,7 +399,9 @@ static void stages(void **state)
     for (int n = 0; n < 600; n++) {
         qtri_view view;
         qtri_transform pose;
-        const qtri_light light = {{random_any(&seed), random_any(&seed), 70000}, Q16(.3), Q16(.9)};
+        const qtri_light light = {.towards = {random_any(&seed), random_any(&seed), 70000},
+                                  .ambient = Q16(.3),
+                                  .diffuse = Q16(.9)};
         const bool is_compact = random_flag(&seed);
         const qtri_vertex_stage stage = {
             .positions = random_in(&seed, 1, 4) == 1 ? NULL : &qtri_positions_wide,
@@ -583,9 +591,9 @@ static void lit(void **state)
         qtri_vec3 up = {0, Q16_ONE, 0};
         q16 k = random_in(&seed, 20000, 120000);
         qtri_vec3 factor = {random_flag(&seed) ? k : -k, k, random_flag(&seed) ? k : -k};
-        qtri_light light = {{random_any(&seed), random_any(&seed), random_any(&seed)},
-                            random_in(&seed, 10000, 30000),
-                            random_in(&seed, 0, 90000)};
+        qtri_light light = {.towards = {random_any(&seed), random_any(&seed), random_any(&seed)},
+                            .ambient = random_in(&seed, 10000, 30000),
+                            .diffuse = random_in(&seed, 0, 90000)};
         qtri_view_init(&view, 32, 32);
         qtri_transform_look_at(&view.camera, eye, origin, up);
         qtri_transform_ortho(&view.projection, Q16(-20), Q16(20), Q16(-20), Q16(20), Q16(-200),
@@ -714,7 +722,7 @@ static void fill_random(void *memory, size_t bytes, uint64_t *seed)
 
 /* Random bits in every field that is not a pointer or a bool. */
 /* Lights of any bits, of kinds and tables that exist. */
-static void random_lights(qtri_lights *lights, qtri_light_source sources[QTRI_LIGHTS_MAX],
+static void random_lights(qtri_light *lights, qtri_light_source sources[QTRI_LIGHTS_MAX],
                           const qtri_shininess *table, uint64_t *seed)
 {
     static const qtri_light_kind *const kinds[] = {&qtri_directional_light, &qtri_point_light,
@@ -726,7 +734,7 @@ static void random_lights(qtri_lights *lights, qtri_light_source sources[QTRI_LI
         sources[i].kind = kinds[random_in(seed, 0, 3)];
         sources[i].falloff = random_flag(seed) ? table : NULL;
     }
-    (void)qtri_lights_init(lights, sources, (uint32_t)random_in(seed, 0, 9), ambient);
+    (void)qtri_light_init(lights, sources, (uint32_t)random_in(seed, 0, 9), ambient);
 }
 
 static void garbage(void **state)
@@ -741,14 +749,14 @@ static void garbage(void **state)
     for (int n = 0; n < 8000; n++) {
         qtri_view view;
         qtri_transform pose;
-        qtri_light light;
-        qtri_lights lights;
+        qtri_light light = {.ambient = 0};
+        qtri_light lights;
         qtri_light_source sources[QTRI_LIGHTS_MAX];
         qtri_shininess table;
         qtri_reflection reflection;
         fill_random(&view, sizeof view, &seed);
         fill_random(&pose, sizeof pose, &seed);
-        fill_random(&light, sizeof light, &seed);
+        fill_random(&light, offsetof(qtri_light, model), &seed);
         fill_random(m.position, sizeof m.position, &seed);
         fill_random(m.normal, sizeof m.normal, &seed);
         fill_random(m.uv, sizeof m.uv, &seed);
@@ -793,7 +801,9 @@ static void garbage(void **state)
         view.vertex_count = view.vertices != NULL ? LENGTH_OF(scratch) : 0;
         qtri_shininess_init(&table, random_any(&seed));
         random_lights(&lights, sources, &table, &seed);
-        view.lights = random_flag(&seed) ? &lights : NULL;
+        if (random_flag(&seed)) {
+            view.light = &lights;
+        }
         fill_random(&reflection.ambient, sizeof reflection.ambient, &seed);
         fill_random(&reflection.specular, sizeof reflection.specular, &seed);
         fill_random(&reflection.emission, sizeof reflection.emission, &seed);

@@ -413,8 +413,8 @@ static void prepared_in_many_lights(void **state)
                                            .constant = Q16(1),
                                            .quadratic = Q16(.1)}};
     const qtri_light_color dark = {Q16(.1), Q16(.1), Q16(.1)};
-    qtri_lights lights;
-    assert_int_equal(qtri_lights_init(&lights, sources, 2, dark), QTRI_OK);
+    qtri_light lights;
+    assert_int_equal(qtri_light_init(&lights, sources, 2, dark), QTRI_OK);
     for (int i = 0; i < 3 * VERTICES; i++) { /* one cube above, one in the frame, one below */
         spread[i] = cube_positions[i % VERTICES];
         spread[i].y += (i / VERTICES - 1) * Q16(5);
@@ -429,7 +429,7 @@ static void prepared_in_many_lights(void **state)
     for (int n = 0; n < 32; n++) {
         qtri_transform pose;
         qtri_view view = view_of(n & 8 ? 3.5 : 7, &pose);
-        view.lights = &lights;
+        view.light = &lights;
         view.vertices = room;
         view.vertex_count = n & 16 ? 2 * VERTICES : LENGTH_OF(room);
         const qtri_mesh mesh = {.positions = spread,
@@ -469,7 +469,7 @@ static void prepared_light_that_was_lost(void **state)
     const qtri_light_source source = {
         .kind = &qtri_directional_light, .position = vec3_of(1, 2, 2), .color = {Q16(1), 0, 0}};
     const qtri_light_color dark = {0, 0, 0};
-    qtri_lights lights;
+    qtri_light lights;
     qtri_transform pose;
     qtri_view view = view_of(5, &pose);
     const qtri_mesh mesh = cube();
@@ -477,8 +477,8 @@ static void prepared_light_that_was_lost(void **state)
     qtri_prepared prepared;
     qtri_frame frame;
     canvas c = new_canvas(), empty = new_canvas();
-    assert_int_equal(qtri_lights_init(&lights, &source, 1, dark), QTRI_OK);
-    view.lights = &lights;
+    assert_int_equal(qtri_light_init(&lights, &source, 1, dark), QTRI_OK);
+    view.light = &lights;
     prepared_init_with(&prepared, vertices, LENGTH_OF(vertices), lists, LENGTH_OF(lists));
     assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 40, c.memory, c.bytes),
                      QTRI_OK);

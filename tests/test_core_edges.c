@@ -26,7 +26,8 @@ static const qtri_format any_565 = {.pixels = &qtri_pixels_16,
                                     .encode = encode_any,
                                     .decode = qtri_decode_rgb565};
 static const qtri_rgb sky = {10, 20, 30};
-static const qtri_light sun = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.2), Q16(.8)};
+static const qtri_light sun = {
+    .towards = {Q16(.4), Q16(.6), Q16(.7)}, .ambient = Q16(.2), .diffuse = Q16(.8)};
 
 /* ---- A torus, closed or with holes, in all forms that a mesh has ---- */
 

@@ -211,7 +211,9 @@ static void same_pictures(void **state)
         }
         mesh.vertex_count -= n % 8 == 7 ? 20 : 0;
         qtri_material material = random_material(&seed);
-        const qtri_light light = {{random_any(&seed), random_any(&seed), 70000}, Q16(.3), Q16(.9)};
+        const qtri_light light = {.towards = {random_any(&seed), random_any(&seed), 70000},
+                                  .ambient = Q16(.3),
+                                  .diffuse = Q16(.9)};
         qtri_view view;
         qtri_transform pose;
         faces_view(&view, &seed, WIDTH, HEIGHT);
@@ -348,9 +350,10 @@ static void light_by_planes(void **state)
     for (int n = 0; n < repeats(120); n++) {
         faces_mesh_make(&m, &seed, noise_of(n));
         const double diffuse = faces_random(&seed, 0, 4);
-        const qtri_light light = {{random_any(&seed), random_any(&seed), random_any(&seed)},
-                                  random_in(&seed, 0, 30000),
-                                  fixed(diffuse)};
+        const qtri_light light = {
+            .towards = {random_any(&seed), random_any(&seed), random_any(&seed)},
+            .ambient = random_in(&seed, 0, 30000),
+            .diffuse = fixed(diffuse)};
         const double l[3] = {light.towards.x, light.towards.y, light.towards.z};
         qtri_lighting lighting;
         qtri_lighting_init(&lighting, &light, &identity, false, NULL);
@@ -404,7 +407,9 @@ static void pictures_lit_by_planes(void **state)
             mesh.triangles8 = (const uint8_t(*)[3])m.triangle8;
         }
         qtri_material material = qtri_material_default();
-        const qtri_light light = {{random_any(&seed), random_any(&seed), 70000}, Q16(.2), Q16(.8)};
+        const qtri_light light = {.towards = {random_any(&seed), random_any(&seed), 70000},
+                                  .ambient = Q16(.2),
+                                  .diffuse = Q16(.8)};
         qtri_view view;
         qtri_transform pose;
         material.shading = n % 3 != 0 ? QTRI_FLAT_LAST : QTRI_FLAT_FIRST;

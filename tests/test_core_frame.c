@@ -28,7 +28,8 @@ static const qtri_texture checker = {.format = &qtri_texel_checker,
                                      .height_log2 = 5,
                                      .fields = 6,
                                      .color = {{255, 200, 40}, {20, 60, 200}}};
-static const qtri_light sun = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.2), Q16(.8)};
+static const qtri_light sun = {
+    .towards = {Q16(.4), Q16(.6), Q16(.7)}, .ambient = Q16(.2), .diffuse = Q16(.8)};
 
 static int make_torus(void **state)
 {

@@ -291,7 +291,8 @@ static void any_ambient_and_diffuse(void **state)
         qtri_lighting lighting;
         const double ambient = shares[random_in(&seed, 0, 9)];
         const double diffuse = shares[random_in(&seed, 0, 9)];
-        const qtri_light light = {vec3_of(2, -1, 3), fixed(ambient), fixed(diffuse)};
+        const qtri_light light = {
+            .towards = vec3_of(2, -1, 3), .ambient = fixed(ambient), .diffuse = fixed(diffuse)};
         double v[3] = {0, 0, 0};
         double length = 0;
         double cosine = 0;
@@ -356,11 +357,11 @@ static void sizes_beyond_any_do_not_dim(void **state)
     const qtri_light_source source = {
         .kind = &qtri_directional_light, .position = vec3_of(1, 2, 2), .color = white};
     const qtri_rgb full = {255, 255, 255};
-    qtri_lights lights;
+    qtri_light lights;
     qtri_view view;
     qtri_view_init(&view, 10, 10);
-    assert_int_equal(qtri_lights_init(&lights, &source, 1, black), QTRI_OK);
-    view.lights = &lights;
+    assert_int_equal(qtri_light_init(&lights, &source, 1, black), QTRI_OK);
+    view.light = &lights;
     for (int up = 0; up < 2; up++) {
         const q16 scale = up ? Q16(16384) : 4;
         const qtri_vec3 same = {scale, scale, scale};
@@ -402,14 +403,14 @@ static void places_of_short_positions(void **state)
     const qtri_light_color black = {0, 0, 0};
     const qtri_light_source source = {
         .kind = &qtri_directional_light, .position = vec3_of(1, 2, 2), .color = black};
-    qtri_lights lights;
+    qtri_light lights;
     qtri_view view;
     uint64_t seed = 31;
     double worst = 0;
     int uneven = 0;
     qtri_view_init(&view, 10, 10);
-    assert_int_equal(qtri_lights_init(&lights, &source, 1, black), QTRI_OK);
-    view.lights = &lights;
+    assert_int_equal(qtri_light_init(&lights, &source, 1, black), QTRI_OK);
+    view.light = &lights;
     for (int n = 0; n < 4000; n++) {
         qtri_transform pose;
         qtri_illumination by;

@@ -282,15 +282,15 @@ static void against_double(bool even, bool compact)
     for (int n = 0; n < 4000; n++) {
         world w;
         random_world(&seed, &w, even);
-        qtri_lights lights;
-        assert_int_equal(qtri_lights_init(&lights, w.sources, w.count, w.ambient), QTRI_OK);
+        qtri_light lights;
+        assert_int_equal(qtri_light_init(&lights, w.sources, w.count, w.ambient), QTRI_OK);
         qtri_mesh mesh = {.extent = random_in(&seed, Q16(.2), Q16(4)),
                           .origin = random_vec3(&seed, 17)};
         qtri_illumination by;
         qtri_view view;
         qtri_view_init(&view, 32, 32);
         view.camera = w.camera;
-        view.lights = &lights;
+        view.light = &lights;
         qtri_transform_perspective(&view.projection, Q16(60), Q16(1), Q16(.1), Q16(100));
         qtri_illumination_init(&by, &view, &w.pose, &w.reflection, compact ? &mesh : NULL);
         for (int i = 0; i < 20; i++) {

@@ -20,7 +20,7 @@ typedef struct lamps {
     qtri_light_source sources[QTRI_LIGHTS_MAX];
     qtri_shininess shininess, falloff;
     qtri_reflection reflection;
-    qtri_lights lights;
+    qtri_light lights;
 } lamps;
 
 static q16 random_q16(uint64_t *seed, double low, double high)
@@ -64,7 +64,7 @@ static void lamps_make(lamps *l, uint64_t *seed)
     l->reflection.two_sided = random_flag(seed);
     l->reflection.own_ambient = random_flag(seed);
     l->reflection.ambient = random_rgb(seed);
-    assert_int_equal(qtri_lights_init(&l->lights, l->sources, count, ambient), QTRI_OK);
+    assert_int_equal(qtri_light_init(&l->lights, l->sources, count, ambient), QTRI_OK);
 }
 
 static qtri_material random_material(uint64_t *seed, const lamps *l)
@@ -146,7 +146,7 @@ static void any_memory(void **state)
         const qtri_material material = random_material(&seed, &l);
         faces_view(&view, &seed, WIDTH, HEIGHT);
         faces_pose(&pose, &seed, &mesh);
-        view.lights = &l.lights;
+        view.light = &l.lights;
         canvas first = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
         canvas other = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
         qtri_draw_mesh(&first.surface, &view, &pose, &mesh, &material);
@@ -196,7 +196,7 @@ static void outlines_and_edges(void **state)
         stroke.cap = random_flag(&seed) ? QTRI_CAP_BUTT : QTRI_CAP_ROUND;
         faces_view(&view, &seed, WIDTH, HEIGHT);
         faces_pose(&pose, &seed, &mesh);
-        view.lights = &l.lights;
+        view.light = &l.lights;
         view.vertices = vertices;
         view.vertex_count = random_flag(&seed) ? LENGTH_OF(vertices) : FACES_VERTICES;
         canvas first = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
@@ -271,7 +271,7 @@ static void loose_triangles(void **state)
         material.fill = NULL;
         faces_view(&view, &seed, WIDTH, HEIGHT);
         faces_pose(&pose, &seed, &mesh);
-        view.lights = &l.lights;
+        view.light = &l.lights;
         mesh.normals = has_normals ? mesh.normals : NULL;
         for (uint32_t i = 0; i < 3 * mesh.triangle_count; i++) {
             const uint32_t vertex = mesh.triangles[i / 3][i % 3];
@@ -290,7 +290,7 @@ static void loose_triangles(void **state)
         /* Without lights they are what qtri_draw_triangles draws. */
         canvas_clear(&first);
         canvas_clear(&other);
-        view.lights = NULL;
+        view.light = NULL;
         qtri_draw_triangles(&first.surface, &view, &pose, corners, 3 * mesh.triangle_count,
                             &material);
         qtri_draw_lit_triangles(&other.surface, &view, &pose, corners, normals,
@@ -322,7 +322,7 @@ static void draw_flat_on(canvas *c, const lamps *l, const qtri_corner *corners,
     qtri_transform pose;
     qtri_view_init(&view, WIDTH, HEIGHT);
     qtri_transform_identity(&pose);
-    view.lights = l != NULL ? &l->lights : NULL;
+    view.light = l != NULL ? &l->lights : NULL;
     canvas_clear(c);
     if (l != NULL) {
         qtri_draw_lit_triangles(&c->surface, &view, &pose, corners, normals, 3, material);
@@ -337,7 +337,7 @@ static lamps lamps_of(const qtri_light_source *sources, uint32_t count, q16 ambi
     const qtri_light_color color = {ambient, ambient, ambient};
     memset(&l, 0, sizeof l);
     memcpy(l.sources, sources, count * sizeof *sources);
-    assert_int_equal(qtri_lights_init(&l.lights, l.sources, count, color), QTRI_OK);
+    assert_int_equal(qtri_light_init(&l.lights, l.sources, count, color), QTRI_OK);
     return l;
 }
 
@@ -442,7 +442,7 @@ static void samples_and_alphas(void **state)
         faces_mesh_make(&m, &seed, 0);
         faces_view(&view, &seed, WIDTH, HEIGHT);
         faces_pose(&pose, &seed, &m.wide);
-        view.lights = &l.lights;
+        view.light = &l.lights;
         material.color = random_rgb(&seed);
         material.shading = QTRI_PER_PIXEL;
         material.alphas = alphas;
@@ -501,7 +501,7 @@ static void two_sides(void **state)
         qtri_transform_perspective(&view.projection, Q16(60), Q16(1), Q16(.1), Q16(50));
         qtri_transform_identity(&pose);
         qtri_transform_rotate_x(&pose, n % 4 < 2 ? 0 : Q16(30));
-        view.lights = &l.lights;
+        view.light = &l.lights;
         qtri_mesh mesh = {.positions = p,
                           .normals = towards,
                           .triangles = front,
@@ -611,10 +611,9 @@ static void too_many(void **state)
     (void)state;
     static const qtri_light_source sources[QTRI_LIGHTS_MAX + 1];
     const qtri_light_color none = {0, 0, 0};
-    qtri_lights lights;
-    assert_int_equal(qtri_lights_init(&lights, sources, QTRI_LIGHTS_MAX, none), QTRI_OK);
-    assert_int_equal(qtri_lights_init(&lights, sources, QTRI_LIGHTS_MAX + 1, none),
-                     QTRI_ERROR_SIZE);
+    qtri_light lights;
+    assert_int_equal(qtri_light_init(&lights, sources, QTRI_LIGHTS_MAX, none), QTRI_OK);
+    assert_int_equal(qtri_light_init(&lights, sources, QTRI_LIGHTS_MAX + 1, none), QTRI_ERROR_SIZE);
     assert_int_equal(lights.count, QTRI_LIGHTS_MAX);
 }
 
@@ -669,14 +668,14 @@ static void any_bits(void **state)
             s->outer = random_any(&seed);
         }
         const qtri_light_color ambient = {random_any(&seed), random_any(&seed), random_any(&seed)};
-        (void)qtri_lights_init(&l.lights, l.sources, (uint32_t)random_in(&seed, 0, 9), ambient);
+        (void)qtri_light_init(&l.lights, l.sources, (uint32_t)random_in(&seed, 0, 9), ambient);
         qtri_view_init(&view, WIDTH, HEIGHT);
         any_transform(&seed, &view.camera);
         any_transform(&seed, &pose);
         if (random_flag(&seed)) {
             qtri_transform_perspective(&view.projection, Q16(70), Q16(1), Q16(.1), Q16(1000));
         }
-        view.lights = &l.lights;
+        view.light = &l.lights;
         qtri_material material = random_material(&seed, &l);
         qtri_corner corners[6];
         qtri_normal normals[6];
@@ -742,7 +741,7 @@ static void sources_of_a_kind_are_one_run(void **state)
     qtri_light_source sources[LENGTH_OF(kinds)] = {{0}};
     const qtri_light_color ambient = {0, 0, 0};
     const qtri_reflection reflection = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, NULL, false, false};
-    qtri_lights lights;
+    qtri_light lights;
     qtri_view view;
     qtri_transform pose;
     qtri_illumination by;
@@ -753,9 +752,9 @@ static void sources_of_a_kind_are_one_run(void **state)
         sources[i].constant = Q16(1);
         sources[i].color.r = Q16(.5);
     }
-    assert_int_equal(qtri_lights_init(&lights, sources, LENGTH_OF(kinds), ambient), QTRI_OK);
+    assert_int_equal(qtri_light_init(&lights, sources, LENGTH_OF(kinds), ambient), QTRI_OK);
     qtri_view_init(&view, 16, 16);
-    view.lights = &lights;
+    view.light = &lights;
     qtri_transform_identity(&pose);
     qtri_illumination_init(&by, &view, &pose, &reflection, NULL);
     assert_int_equal(by.count, 2);

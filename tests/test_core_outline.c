@@ -16,7 +16,8 @@ enum { WIDTH = 50, HEIGHT = 44, SIDE = 5, VERTICES = 6 * SIDE * SIDE, CELLS = SI
 enum { TRIANGLES = 12 * CELLS * CELLS, WORDS = 9000 };
 
 static const qtri_rgb sky = {10, 20, 60};
-static const qtri_light sun = {{Q16(.3), Q16(.5), Q16(.8)}, Q16(.1), Q16(.9)};
+static const qtri_light sun = {
+    .towards = {Q16(.3), Q16(.5), Q16(.8)}, .ambient = Q16(.1), .diffuse = Q16(.9)};
 
 static qtri_vec3 positions[VERTICES];
 static uint16_t triangles[TRIANGLES][3], neighbours[TRIANGLES][3];

@@ -47,7 +47,9 @@ static void random_faces(random_states *w)
     faces_view(&w->view, &w->seed, STATES_WIDTH, STATES_HEIGHT);
     faces_pose(&w->pose, &w->seed, &w->mesh);
     w->view.light = random_one_in(w, 3) ? NULL : &w->light;
-    w->view.lights = random_one_in(w, 3) ? &w->lights : NULL;
+    if (random_one_in(w, 3)) {
+        w->view.light = &w->lights;
+    }
     w->view.vertices = w->vertices;
     w->view.vertex_count = STATES_VERTICES;
     w->material.cull = random_one_in(w, 3) ? w->material.cull : QTRI_CULL_BACK;

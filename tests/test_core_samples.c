@@ -363,7 +363,7 @@ static void bands(void **state)
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         qtri_mesh mesh = random_mesh(&seed);
         qtri_view view;
-        qtri_light light = {vec3_of(.3, .5, .8), Q16(.2), Q16(.8)};
+        qtri_light light = {.towards = vec3_of(.3, .5, .8), .ambient = Q16(.2), .diffuse = Q16(.8)};
         qtri_transform pose;
         qtri_material material = qtri_material_default();
         material.color = (qtri_rgb){255, 180, 90};

@@ -113,7 +113,8 @@ static void in_order(void **state)
     (void)state;
     static heap h;
     uint64_t seed = 11;
-    const qtri_light light = {{Q16(.3), Q16(.2), Q16(1)}, Q16(.2), Q16(.8)};
+    const qtri_light light = {
+        .towards = {Q16(.3), Q16(.2), Q16(1)}, .ambient = Q16(.2), .diffuse = Q16(.8)};
     const qtri_fog_range range = {Q16(.5), Q16(20), false};
     const qtri_rgb gray = {90, 100, 110};
     static qtri_vertex vertices[3 * COUNT];
@@ -160,7 +161,8 @@ static void cut_or_whole(void **state)
     static heap h;
     static qtri_vertex vertices[3 * COUNT];
     uint64_t seed = 12;
-    const qtri_light light = {{Q16(.3), Q16(.2), Q16(1)}, Q16(.2), Q16(.8)};
+    const qtri_light light = {
+        .towards = {Q16(.3), Q16(.2), Q16(1)}, .ambient = Q16(.2), .diffuse = Q16(.8)};
     const qtri_fog_range range = {Q16(.5), Q16(20), false};
     const qtri_rgb gray = {90, 100, 110};
     for (int n = 0; n < 56; n++) {

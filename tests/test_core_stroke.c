@@ -666,7 +666,8 @@ static void set_space(space *s, uint64_t *seed, bool kept)
 {
     const qtri_vec3 eye = {0, 0, random_in(seed, 60000, 600000)}, center = {0, 0, 0};
     const qtri_vec3 up = {0, Q16_ONE, 0};
-    const qtri_light light = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.3), Q16(.7)};
+    const qtri_light light = {
+        .towards = {Q16(.4), Q16(.6), Q16(.7)}, .ambient = Q16(.3), .diffuse = Q16(.7)};
     memset(s, 0, sizeof *s);
     qtri_view_init(&s->view, WIDTH, HEIGHT);
     qtri_transform_look_at(&s->view.camera, eye, center, up);

@@ -290,9 +290,9 @@ static void lights(void **state)
     qtri_transform_identity(&identity);
     for (int n = 0; n < repeats(300000); n++) {
         qtri_lighting lighting;
-        qtri_light light = {{random_any(&seed), random_any(&seed), random_any(&seed)},
-                            random_in(&seed, 0, 30000),
-                            random_in(&seed, 0, 70000)};
+        qtri_light light = {.towards = {random_any(&seed), random_any(&seed), random_any(&seed)},
+                            .ambient = random_in(&seed, 0, 30000),
+                            .diffuse = random_in(&seed, 0, 70000)};
         qtri_position16 p[3];
         int shift = random_in(&seed, 0, 15);
         for (int i = 0; i < 3; i++) {
@@ -345,7 +345,8 @@ static void edges_beyond_the_short(void **state)
         e[y] = -32767;
         f[x] = 32768;
         f[y] = 32768 + (i >= 3);
-        const qtri_light light = {{towards[0], towards[1], towards[2]}, 0, Q16_ONE};
+        const qtri_light light = {
+            .towards = {towards[0], towards[1], towards[2]}, .ambient = 0, .diffuse = Q16_ONE};
         const qtri_vec3 corner[3] = {{0, 0, 0}, {e[0], e[1], e[2]}, {f[0], f[1], f[2]}};
         qtri_lighting lighting;
         qtri_lighting_init(&lighting, &light, &identity, false, NULL);
@@ -363,10 +364,11 @@ static void last_bits_of_light(void **state)
     qtri_transform identity;
     qtri_transform_identity(&identity);
     for (int n = 0; n < 20000; n++) {
-        const qtri_light light = {{random_in(&seed, -65536, 65536), random_in(&seed, -65536, 65536),
-                                   random_in(&seed, -65536, 65536)},
-                                  random_in(&seed, 0, 30000),
-                                  random_in(&seed, 0, 70000)};
+        const qtri_light light = {.towards = {random_in(&seed, -65536, 65536),
+                                              random_in(&seed, -65536, 65536),
+                                              random_in(&seed, -65536, 65536)},
+                                  .ambient = random_in(&seed, 0, 30000),
+                                  .diffuse = random_in(&seed, 0, 70000)};
         const qtri_face8 face = {(int8_t)random_in(&seed, -100, 100),
                                  (int8_t)random_in(&seed, -100, 100),
                                  (int8_t)random_in(&seed, -100, 100), 0};

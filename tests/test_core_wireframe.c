@@ -112,7 +112,8 @@ static void place_triangles(scene *s, uint64_t *seed)
 
 static void random_scene(scene *s, uint64_t *seed)
 {
-    static const qtri_light sun = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.1), Q16(.9)};
+    static const qtri_light sun = {
+        .towards = {Q16(.4), Q16(.6), Q16(.7)}, .ambient = Q16(.1), .diffuse = Q16(.9)};
     const qtri_rect all = {0, 0, WIDTH, HEIGHT};
     const qtri_rect part = {random_in(seed, -4, 30), random_in(seed, -4, 30),
                             random_in(seed, 20, WIDTH + 4), random_in(seed, 20, HEIGHT + 4)};

@@ -518,11 +518,11 @@ static void drawn_with_copies(void **state)
     for (int n = 0; n < 80; n++) {
         qtri_corner corners[CORNERS];
         qtri_normal normals[CORNERS];
-        qtri_lights lights;
+        qtri_light lights;
         qtri_view view;
         qtri_transform pose;
         qtri_material m = qtri_material_default();
-        assert_int_equal(qtri_lights_init(&lights, &off, 0, full), QTRI_OK);
+        assert_int_equal(qtri_light_init(&lights, &off, 0, full), QTRI_OK);
         qtri_view_init(&view, COLUMNS, ROWS);
         qtri_transform_identity(&pose);
         for (int i = 0; i < CORNERS; i++) { /* around the middle, so that all are large */
@@ -547,7 +547,7 @@ static void drawn_with_copies(void **state)
         qtri_draw_triangles(&plain.surface, &view, &pose, corners, CORNERS, &m);
         m.blend = n % 2 == 0 ? NULL : &qtri_blend_vertex_alpha;
         m.shading = n % 3 == 0 || n % 2 == 0 ? QTRI_PER_PIXEL : QTRI_SMOOTH;
-        view.lights = m.shading == QTRI_PER_PIXEL ? &lights : NULL;
+        view.light = m.shading == QTRI_PER_PIXEL ? &lights : NULL;
         qtri_draw_lit_triangles(&other.surface, &view, &pose, corners, normals, CORNERS, &m);
         for (int32_t i = 0; i < COLUMNS * ROWS; i++) {
             const uint32_t a = stored_pixel(&plain.surface, i % COLUMNS, i / COLUMNS);

@@ -47,7 +47,7 @@ static struct world {
     qtri_view view;
     qtri_transform pose;
     qtri_light light;
-    qtri_lights lights;
+    qtri_light lights;
     qtri_light_source sources[3];
     qtri_shininess shininess;
     qtri_reflection reflection;
@@ -196,7 +196,6 @@ static void make_lights(const qtri_options *o)
     const qtri_light_color dim = {Q16(.1), Q16(.15), Q16(.1)};
     const bool may = o->shade == QTRI_COLORS ||
                      (o->shade == QTRI_FLAT && o->texel == QTRI_NO_TEXEL) || o->shade == QTRI_TINT;
-    w.view.lights = NULL;
     w.material.reflection = NULL;
     if (!o->per_pixel && (!may || random_flag(&seed))) {
         return;
@@ -221,9 +220,9 @@ static void make_lights(const qtri_options *o)
     w.reflection.shininess = random_flag(&seed) ? &w.shininess : NULL;
     w.reflection.two_sided = random_flag(&seed);
     w.material.reflection = &w.reflection;
-    assert_int_equal(qtri_lights_init(&w.lights, w.sources, (uint32_t)random_in(&seed, 1, 3), dim),
+    assert_int_equal(qtri_light_init(&w.lights, w.sources, (uint32_t)random_in(&seed, 1, 3), dim),
                      QTRI_OK);
-    w.view.lights = &w.lights;
+    w.view.light = &w.lights;
     w.mesh.normals = random_flag(&seed) ? w.normals : NULL;
     w.mesh.colors = random_flag(&seed) ? w.colors : NULL;
     if (o->per_pixel) {

@@ -38,7 +38,8 @@ static bool watch_data(void *context, const uint8_t *bytes, size_t count)
 static void draw_gear(const qtri_surface *surface, q16 angle)
 {
     const qtri_vec3 eye = {0, 0, Q16(3)}, center = {0, 0, 0}, up = {0, Q16(1), 0};
-    const qtri_light light = {{Q16(0.4), Q16(0.6), Q16(0.7)}, Q16(0.2), Q16(0.8)};
+    const qtri_light light = {
+        .towards = {Q16(0.4), Q16(0.6), Q16(0.7)}, .ambient = Q16(0.2), .diffuse = Q16(0.8)};
     const qtri_rgb black = {0, 0, 0};
     qtri_view view;
     qtri_transform pose;

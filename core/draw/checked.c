@@ -30,11 +30,10 @@ void qtri_check_view(const qtri_view *view, const qtri_transform *pose)
     QTRI_ASSERT(viewport->height >= 1 && viewport->height <= QTRI_VIEWPORT_MAX);
     QTRI_ASSERT(is_window_depth(viewport->depth_near) && is_window_depth(viewport->depth_far));
     QTRI_ASSERT(view->vertices != NULL || view->vertex_count == 0);
-    QTRI_ASSERT(view->light == NULL || (view->light->ambient != 1 && view->light->diffuse != 1));
-    if (view->lights != NULL) {
-        QTRI_ASSERT(view->lights->model != NULL); /* qtri_lights_init was called */
-        QTRI_ASSERT(view->lights->sources != NULL || view->lights->count == 0);
-    }
+    const qtri_light *light = view->light;
+    QTRI_ASSERT(light == NULL || (light->ambient != 1 && light->diffuse != 1));
+    QTRI_ASSERT(light == NULL || light->model != NULL || light->count == 0);
+    QTRI_ASSERT(light == NULL || light->sources != NULL || light->count == 0);
 }
 
 static bool is_color(const qtri_light_color *color)

@@ -299,14 +299,16 @@ static const qtri_light_model model = {
     .clipped = draw_clipped,
 };
 
-enum qtri_error qtri_lights_init(qtri_lights *lights, const qtri_light_source *sources,
-                                 uint32_t count, qtri_light_color ambient)
+enum qtri_error qtri_light_init(qtri_light *light, const qtri_light_source *sources, uint32_t count,
+                                qtri_light_color ambient)
 {
-    QTRI_ASSERT(lights != NULL);
+    static const qtri_light none = {.towards = {0, 0, 0}};
+    QTRI_ASSERT(light != NULL);
     QTRI_CHECK(qtri_check_lights(sources, count, &ambient));
-    lights->model = &model;
-    lights->sources = sources;
-    lights->count = count < QTRI_LIGHTS_MAX ? count : QTRI_LIGHTS_MAX;
-    lights->ambient = ambient;
+    *light = none;
+    light->model = &model;
+    light->sources = sources;
+    light->count = count < QTRI_LIGHTS_MAX ? count : QTRI_LIGHTS_MAX;
+    light->color = ambient;
     return count <= QTRI_LIGHTS_MAX ? QTRI_OK : QTRI_ERROR_SIZE;
 }

@@ -73,7 +73,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
     draw->positions = mesh->positions16 != NULL ? stage->positions16 : stage->positions;
     draw->vertices = vertices;
     draw->slot_count = vertex_count;
-    draw->lights = view->lights;
+    draw->lights = qtri_colored_light(view);
     draw->illumination = NULL;
     draw->lit_colors = NULL;
     draw->late = NULL;
@@ -81,7 +81,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
     draw->noted = false;
     draw->lit = false;
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
-    const bool is_lit = view->light != NULL && view->lights == NULL;
+    const bool is_lit = qtri_white_light(view) != NULL;
     draw->lit_per_vertex = is_lit && qtri_is_smooth(material) && normals;
     draw->lit_per_face = is_lit && !draw->lit_per_vertex && stage->face_light != NULL;
     draw->lit_per_vertex = draw->lit_per_vertex && stage->vertex_light != NULL;
@@ -305,8 +305,8 @@ bool qtri_mesh_draw(const qtri_vertex_stage *stage, const qtri_surface *surface,
         return false;
     }
     draw.front = front;
-    if (view->lights != NULL) {
-        view->lights->model->mesh(&draw, view, pose, true, draw_placed, NULL);
+    if (draw.lights != NULL) {
+        draw.lights->model->mesh(&draw, view, pose, true, draw_placed, NULL);
     } else {
         draw_placed(&draw, NULL);
     }

@@ -517,7 +517,7 @@ void qtri_prepare_mesh_by(const qtri_vertex_stage *stage, qtri_prepared *prepare
     prepared->overlap = keeps ? 0 : overlap;
     prepared->edges_above = keeps ? 2 * overlap : overlap;
     prepared->edges_below = prepared->overlap;
-    divide_memory(prepared, view->lights != NULL);
+    divide_memory(prepared, qtri_colored_light(view) != NULL);
     prepare(prepared, frame->format);
 }
 

@@ -56,8 +56,8 @@ typedef struct qtri_mesh_job {
         } mesh;
         qtri_loose_triangle triangle;
     } of;
-    /* view->lights, and with them: */
-    const qtri_lights *lights;
+    /* view->light, if it has sources, and with them: */
+    const qtri_light *lights;
     const struct qtri_illumination *illumination; /* NULL: all that is needed is lit */
     uint32_t *lit_colors;                         /* of every vertex; NULL: there is no room */
     qtri_late_place *late;                        /* NULL: transforms are set */

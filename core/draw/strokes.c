@@ -458,7 +458,6 @@ void qtri_draw_hidden_lines(const qtri_surface *surface, const qtri_view *view,
     lines.fill = &qtri_wireframe;
     lines.depth_bias = nearer_by(material, bias);
     unlit.light = NULL;
-    unlit.lights = NULL;
     unlit.pipelines = faces;
     solid.fog = NULL;
     qtri_draw_mesh(&depth, &unlit, pose, mesh, &solid);

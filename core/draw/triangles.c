@@ -303,7 +303,7 @@ void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,
     QTRI_CHECK(qtri_check_material(material));
     QTRI_CHECK(qtri_check_view(view, pose));
     QTRI_CHECK(qtri_check_corners(corners, corner_count, 3));
-    if (view->lights == NULL) {
+    if (qtri_colored_light(view) == NULL) {
         qtri_draw_triangles(surface, view, pose, corners, corner_count, material);
     } else {
         draw_lit_call(surface, view, pose, corners, normals, corner_count, material);

@@ -374,7 +374,6 @@ void qtri_view_init_pipelines(qtri_view *view, int32_t frame_width, int32_t fram
     view->light = NULL;
     view->vertices = NULL;
     view->vertex_count = 0;
-    view->lights = NULL;
     view->pipelines = pipelines;
 }
 

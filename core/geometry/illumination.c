@@ -194,7 +194,7 @@ static void set_compact_rows(qtri_illumination *by, qtri_light_space *space,
 }
 
 /* Kinds in the order of their first source, each with all of its sources. */
-static void set_sources(qtri_illumination *by, const qtri_lights *lights,
+static void set_sources(qtri_illumination *by, const qtri_light *lights,
                         const qtri_light_space *space)
 {
     const uint32_t count = lights->count < QTRI_LIGHTS_MAX ? lights->count : QTRI_LIGHTS_MAX;
@@ -218,7 +218,7 @@ static void set_sources(qtri_illumination *by, const qtri_lights *lights,
     }
 }
 
-static void set_material(qtri_illumination *by, const qtri_lights *lights,
+static void set_material(qtri_illumination *by, const qtri_light *lights,
                          const qtri_reflection *reflection)
 {
     static const qtri_rgb black = {0, 0, 0};
@@ -228,7 +228,7 @@ static void set_material(qtri_illumination *by, const qtri_lights *lights,
     const uint8_t reflects[3] = {ambient.r, ambient.g, ambient.b};
     const uint8_t emits[3] = {emission.r, emission.g, emission.b};
     uint32_t light_q12[3];
-    qtri_light_color_q12(light_q12, &lights->ambient);
+    qtri_light_color_q12(light_q12, &lights->color);
     for (int i = 0; i < 3; i++) { /* < 2^19 2^8 */
         by->base_q15[i] = ((uint32_t)emits[i] << 15) + reflects[i] * (light_q12[i] << 3) + 0x4000;
         by->ambient_q24[i] = own ? 0 : light_q12[i] << 12;
@@ -281,8 +281,8 @@ void qtri_illumination_init(qtri_illumination *by, const qtri_view *view,
     for (int i = 0; i < 3; i++) {
         by->view_q14[i] = space.view_q14[i];
     }
-    set_material(by, view->lights, reflection);
-    set_sources(by, view->lights, &space);
+    set_material(by, view->light, reflection);
+    set_sources(by, view->light, &space);
 }
 
 /* ---- Points ---- */

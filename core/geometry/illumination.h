@@ -97,7 +97,7 @@ typedef struct qtri_illumination {
     qtri_shine shine[QTRI_LIGHTS_MAX];
 } qtri_illumination;
 
-/* For view->lights. compact: NULL, or a mesh whose positions16 are lit. */
+/* For view->light, which has sources. compact: NULL, or a mesh whose positions16 are lit. */
 void qtri_illumination_init(qtri_illumination *by, const qtri_view *view,
                             const qtri_transform *pose, const qtri_reflection *reflection,
                             const qtri_mesh *compact);

@@ -13,6 +13,17 @@
 
 #include "row.h"
 
+/* The view's light, if it is one white light, and if it has sources of colour; NULL: it is not. */
+static inline const qtri_light *qtri_white_light(const qtri_view *view)
+{
+    return view->light != NULL && view->light->model == NULL ? view->light : NULL;
+}
+
+static inline const qtri_light *qtri_colored_light(const qtri_view *view)
+{
+    return view->light != NULL && view->light->model != NULL ? view->light : NULL;
+}
+
 /*
  * Where eye space is object space rotated, reflected or scaled evenly, the light is taken to object
  * space once and a vertex costs a dot product: of a row, where the light is no stranger than most.

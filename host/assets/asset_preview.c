@@ -91,7 +91,8 @@ static void copy_pixels(const qtri_surface *surface, struct picture *picture, si
 bool asset_preview(const struct asset *asset, int width, int height, struct picture *picture,
                    size_t *drawn)
 {
-    const qtri_light light = {{Q16(0.4), Q16(0.6), Q16(0.7)}, Q16(0.25), Q16(0.75)};
+    const qtri_light light = {
+        .towards = {Q16(0.4), Q16(0.6), Q16(0.7)}, .ambient = Q16(0.25), .diffuse = Q16(0.75)};
     const size_t bytes = QTRI_BAND_BYTES(width, height, 4);
     const qtri_vec3 eye = {0, 0, Q16(3)}, center = {0, 0, 0}, up = {0, Q16(1), 0};
     uint32_t most = 0;

@@ -66,7 +66,8 @@ static const qtri_mesh torus = {
     .triangle_count = TRIANGLES,
 };
 
-static const qtri_light sun = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.2), Q16(.8)};
+static const qtri_light sun = {
+    .towards = {Q16(.4), Q16(.6), Q16(.7)}, .ambient = Q16(.2), .diffuse = Q16(.8)};
 static const qtri_material material = {.color = {255, 180, 90},
                                        .shading = QTRI_SMOOTH,
                                        .cull = QTRI_CULL_BACK,

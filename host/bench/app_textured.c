@@ -60,7 +60,8 @@ static const qtri_mesh crate = {
 static const qtri_texture wood = {
     .texels = texels, .format = &qtri_texel_rgb565, .width_log2 = 3, .height_log2 = 3};
 
-static const qtri_light sun = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.2), Q16(.8)};
+static const qtri_light sun = {
+    .towards = {Q16(.4), Q16(.6), Q16(.7)}, .ambient = Q16(.2), .diffuse = Q16(.8)};
 
 static uint32_t band_memory[QTRI_BAND_BYTES(APP_WIDTH, APP_BAND_ROWS, QTRI_RGB565_BYTES) / 4];
 static qtri_vertex vertex_memory[VERTICES];

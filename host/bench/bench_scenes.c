@@ -271,15 +271,14 @@ static void set_lights(bench_frame *frame)
     const qtri_light_color ambient = {Q16(.125), Q16(.125), Q16(.125)};
     const qtri_reflection reflection = {.specular = {255, 255, 255},
                                         .shininess = &frame->shininess};
-    frame->view.lights = NULL;
     if (frame->scene->lights == 0) {
         return;
     }
     qtri_shininess_init(&frame->shininess, Q16(30));
-    (void)qtri_lights_init(&frame->lights, sources, frame->scene->lights, ambient);
+    (void)qtri_light_init(&frame->lights, sources, frame->scene->lights, ambient);
     frame->reflection = reflection;
     frame->material.reflection = frame->scene->dull ? NULL : &frame->reflection;
-    frame->view.lights = &frame->lights;
+    frame->view.light = &frame->lights;
     frame->view.vertex_count = QTRI_LIT_VERTICES(BENCH_VERTICES_MAX);
 }
 

@@ -103,7 +103,7 @@ typedef struct bench_frame {
     uint32_t
         memory[QTRI_BAND_BYTES(BENCH_WIDTH, BENCH_HEIGHT, QTRI_RGB565_BYTES) / sizeof(uint32_t)];
     qtri_vertex vertices[QTRI_LIT_VERTICES(BENCH_VERTICES_MAX)];
-    qtri_lights lights;
+    qtri_light lights;
     qtri_shininess shininess;
     qtri_reflection reflection;
     uint16_t texels[BENCH_CHAIN_TEXELS];

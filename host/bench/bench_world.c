@@ -17,7 +17,8 @@ const bench_quad bench_turned = {{{Q16(-1.1), Q16(-1.5), Q16(1.9052559)},
                                   {Q16(-1.1), Q16(1.5), Q16(1.9052559)}},
                                  2 * Q16_ONE};
 
-const qtri_light bench_light = {{Q16(.4), Q16(.6), Q16(.69282032)}, Q16(.2), Q16(.8)};
+const qtri_light bench_light = {
+    .towards = {Q16(.4), Q16(.6), Q16(.69282032)}, .ambient = Q16(.2), .diffuse = Q16(.8)};
 const qtri_rgb bench_background = {24, 32, 48};
 const qtri_rgb bench_lit_color = {255, 180, 90};
 

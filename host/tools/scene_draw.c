@@ -88,6 +88,7 @@ struct drawing {
     enum scene_pass pass;
     qtri_edges *edges; /* to note outlines on, for SCENE_EDGES */
     qtri_view view;
+    const qtri_light *white_light; /* where coloured ones are not meant; NULL: none */
     qtri_transform modelview;
     qtri_material material;
     qtri_fog fog; /* the material's */
@@ -163,7 +164,7 @@ static void draw_triangle(struct drawing *d, const struct scene_op *op)
         material.alphas = alpha;
     }
     const bool is_lit = d->pass == SCENE_COLORS && d->resources->lights.model != NULL;
-    d->view.lights = is_lit ? &d->resources->lights : NULL;
+    d->view.light = is_lit ? &d->resources->lights : d->white_light;
     qtri_draw_lit_triangles(d->surface, &d->view, &d->modelview, corner, normal, 3, &material);
 }
 
@@ -365,7 +366,7 @@ static void draw_mesh(struct drawing *d, const struct scene_op *op)
     const struct scene *scene = d->resources->scene;
     uint32_t id = op->id;
     const bool is_lit = d->pass == SCENE_COLORS && scene->lamps_on;
-    d->view.lights = is_lit ? &d->resources->lights : NULL;
+    d->view.light = is_lit ? &d->resources->lights : d->white_light;
     d->material.color = scene_rgb(op->u.mesh.color);
     if (op->kind == SCENE_MODEL) {
         struct scene_part part;
@@ -545,7 +546,8 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
     d.view.vertices = resources->vertices;
     d.view.vertex_count = resources->vertex_count;
     const qtri_vec3 *towards = &resources->light.towards;
-    d.view.light = (towards->x | towards->y | towards->z) != 0 ? &resources->light : NULL;
+    d.white_light = (towards->x | towards->y | towards->z) != 0 ? &resources->light : NULL;
+    d.view.light = d.white_light;
     d.material = material_of(resources, pass);
     if (pass != SCENE_IDS) {
         set_fog(&d);

@@ -46,7 +46,7 @@ struct scene_resources {
     qtri_texture mask;    /* white, with the same holes or alpha: ids are drawn through it */
     qtri_light light;
     /* Of `light`, `ambient`, `material`: they point into resources. */
-    qtri_lights lights;
+    qtri_light lights;
     qtri_light_source sources[QTRI_LIGHTS_MAX];
     qtri_shininess shininess, falloff[QTRI_LIGHTS_MAX];
     qtri_reflection reflection;

@@ -73,6 +73,6 @@ void scene_lights_create(struct scene_resources *resources, const struct scene *
         }
     }
     if (has_light || scene->lamps_on) {
-        (void)qtri_lights_init(&resources->lights, resources->sources, count, color_of(ambient));
+        (void)qtri_light_init(&resources->lights, resources->sources, count, color_of(ambient));
     }
 }

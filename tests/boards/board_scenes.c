@@ -101,7 +101,8 @@ static void draw_torus_mesh(const qtri_surface *surface, board_scene_memory *mem
 /* Gouraud, lit per vertex. */
 static void draw_torus(const qtri_surface *surface, board_scene_memory *memory)
 {
-    static const qtri_light light = {{Q16(0.4), Q16(0.6), Q16(0.69282032)}, Q16(0.2), Q16(0.8)};
+    static const qtri_light light = {
+        .towards = {Q16(0.4), Q16(0.6), Q16(0.69282032)}, .ambient = Q16(0.2), .diffuse = Q16(0.8)};
     qtri_view view;
     view_from(&view, surface, (qtri_vec3){0, 0, Q16(3)}, (qtri_vec3){0, 0, 0}, Q16(55));
     view.light = &light;
@@ -191,7 +192,8 @@ static void draw_box(const qtri_surface *surface, board_scene_memory *memory)
                                   .triangles = triangles,
                                   .vertex_count = 8,
                                   .triangle_count = 12};
-    static const qtri_light light = {{Q16(-1), Q16(2), Q16(2)}, Q16(0.3), Q16(0.7)};
+    static const qtri_light light = {
+        .towards = {Q16(-1), Q16(2), Q16(2)}, .ambient = Q16(0.3), .diffuse = Q16(0.7)};
     qtri_view view;
     view_from(&view, surface, (qtri_vec3){0, 0, Q16(3)}, (qtri_vec3){0, 0, 0}, Q16(45));
     view.light = &light;

@@ -87,7 +87,8 @@ static const char *advance(void *memory, uint32_t frame)
 
 static void draw(void *memory, const qtri_surface *surface)
 {
-    static const qtri_light light = {{Q16(-.5), Q16(1), Q16(.6)}, Q16(.25), Q16(.75)};
+    static const qtri_light light = {
+        .towards = {Q16(-.5), Q16(1), Q16(.6)}, .ambient = Q16(.25), .diffuse = Q16(.75)};
     const qtri_vec3 eye = {0, Q16(1.1), Q16(3)}, center = {0, 0, 0}, up = {0, Q16_ONE, 0};
     attitude_memory *m = memory;
     qtri_view view;

@@ -75,7 +75,8 @@ static void draw_texture(lcd_memory *lcd, const qtri_surface *surface, qtri_view
 
 static void draw_mesh(lcd_memory *lcd, const qtri_surface *surface, qtri_view *view)
 {
-    static const qtri_light light = {{Q16(.4), Q16(.6), Q16(.69282032)}, Q16(.2), Q16(.8)};
+    static const qtri_light light = {
+        .towards = {Q16(.4), Q16(.6), Q16(.69282032)}, .ambient = Q16(.2), .diffuse = Q16(.8)};
     qtri_mesh torus = board_torus(&lcd->meshes);
     view->light = &light;
     view->vertices = lcd->meshes.vertices;

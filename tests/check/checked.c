@@ -256,24 +256,24 @@ static void plain_numbers(void)
 static void lights(void)
 {
     static qtri_light_source lamp[1];
-    static const qtri_light one = {{0, 0, Q16_ONE}, 0, 1};
+    static const qtri_light one = {.towards = {0, 0, Q16_ONE}, .ambient = 0, .diffuse = 1};
     const qtri_light_color dim = {Q16(.1), Q16(.1), Q16(.1)};
     const qtri_light_color plain = {1, 1, 1};
     const qtri_light_source good = {.kind = &qtri_spot_light, .outer = Q16(30)};
-    const qtri_lights never = {0};
-    qtri_lights of;
+    const qtri_light never = {.count = 1};
+    qtri_light of;
     qtri_uv16 uvs[3];
     lamp[0] = good;
-    STOPS("lights != NULL", (void)qtri_lights_init(NULL, lamp, 1, dim));
-    STOPS("sources != NULL", (void)qtri_lights_init(&of, NULL, 1, dim));
-    STOPS("is_color(ambient)", (void)qtri_lights_init(&of, lamp, 1, plain));
-    STOPS("source->color", (lamp[0].color = plain, (void)qtri_lights_init(&of, lamp, 1, dim)));
+    STOPS("light != NULL", (void)qtri_light_init(NULL, lamp, 1, dim));
+    STOPS("sources != NULL", (void)qtri_light_init(&of, NULL, 1, dim));
+    STOPS("is_color(ambient)", (void)qtri_light_init(&of, lamp, 1, plain));
+    STOPS("source->color", (lamp[0].color = plain, (void)qtri_light_init(&of, lamp, 1, dim)));
     lamp[0] = good;
-    STOPS("constant", (lamp[0].constant = 1, (void)qtri_lights_init(&of, lamp, 1, dim)));
+    STOPS("constant", (lamp[0].constant = 1, (void)qtri_light_init(&of, lamp, 1, dim)));
     lamp[0] = good;
-    STOPS("is_angle", (lamp[0].outer = 30, (void)qtri_lights_init(&of, lamp, 1, dim)));
+    STOPS("is_angle", (lamp[0].outer = 30, (void)qtri_light_init(&of, lamp, 1, dim)));
     STOPS("table != NULL", qtri_shininess_init(NULL, Q16(40)));
-    STOPS("lights->model", (view.lights = &never, draw_all()));
+    STOPS("light->model", (view.light = &never, draw_all()));
     STOPS("light->diffuse", (view.light = &one, draw_all()));
     STOPS("corners != NULL",
           qtri_draw_lit_triangles(&surface, &view, &pose, NULL, NULL, 3, &material));

@@ -250,7 +250,8 @@ int main(int argc, char **argv)
         const char *name;
         const qtri_format *format;
     } formats[3] = {{"rgb565", &qtri_rgb565}, {"xrgb8888", &qtri_xrgb8888}, {"gray8", &qtri_gray8}};
-    static const qtri_light sun = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.2), Q16(.8)};
+    static const qtri_light sun = {
+        .towards = {Q16(.4), Q16(.6), Q16(.7)}, .ambient = Q16(.2), .diffuse = Q16(.8)};
     const qtri_texture nearest = {
         .texels = texels565, .format = &qtri_texel_rgb565, .width_log2 = 3, .height_log2 = 3};
     qtri_texture bilinear = nearest;

@@ -39,7 +39,7 @@ static const qtri_normal normals[3] = {{0, 0, 16384}, {0, 11585, 11585}, {0, 115
 static const qtri_vec2 uvs[3] = {{0, 0}, {Q16_ONE, 0}, {0, Q16_ONE}};
 static const uint16_t triangles[1][3] = {{0, 1, 2}};
 static const uint16_t texels[4] = {1, 2, 3, 4};
-static const qtri_light light = {{0, 0, Q16_ONE}, 0, Q16_ONE};
+static const qtri_light light = {.towards = {0, 0, Q16_ONE}, .ambient = 0, .diffuse = Q16_ONE};
 static const qtri_pipeline *const lists[][2] = {{&qtri_pipeline_texture_white, NULL},
                                                 {&qtri_pipeline_flat, NULL}};
 

@@ -9,7 +9,8 @@
 
 enum { CUBE_VERTICES = 8, CUBE_TRIANGLES = 12 };
 
-static const qtri_light cube_light = {{Q16(.3), Q16(.5), Q16(.8)}, Q16(.2), Q16(.8)};
+static const qtri_light cube_light = {
+    .towards = {Q16(.3), Q16(.5), Q16(.8)}, .ambient = Q16(.2), .diffuse = Q16(.8)};
 static const qtri_vec3 cube_positions[CUBE_VERTICES] = {
     {Q16(-1), Q16(-1), Q16(-1)}, {Q16(1), Q16(-1), Q16(-1)}, {Q16(-1), Q16(1), Q16(-1)},
     {Q16(1), Q16(1), Q16(-1)},   {Q16(-1), Q16(-1), Q16(1)}, {Q16(1), Q16(-1), Q16(1)},

@@ -53,7 +53,7 @@ static void draw_on(struct reader *r, const qtri_surface *surface,
     static const uint32_t texels[64] = {0xFF00FFu, 0x123456u, 0xFFFFFFu};
     qtri_view view;
     qtri_vertex cache[CACHE];
-    qtri_light light;
+    qtri_light light = {.ambient = 0};
     lamps lit;
     qtri_transform pose;
     qtri_texture texture = {0};
@@ -76,11 +76,13 @@ static void draw_on(struct reader *r, const qtri_surface *surface,
     light.ambient = take_int(r);
     light.diffuse = take_int(r);
     view.light = take_byte(r) % 2 ? &light : NULL;
-    view.lights = take_byte(r) % 2 ? build_lamps(r, &lit) : NULL;
+    if (take_byte(r) % 2) {
+        view.light = build_lamps(r, &lit);
+    }
     view.vertices = cache;
     view.vertex_count = take_byte(r) % (CACHE + 1);
     qtri_material material = build_material(r, &texture, levels, texels);
-    material.reflection = view.lights != NULL ? &lit.reflection : NULL;
+    material.reflection = view.light != NULL && view.light->model != NULL ? &lit.reflection : NULL;
 
     switch (take_byte(r) % 4) {
     case 0:

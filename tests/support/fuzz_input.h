@@ -277,7 +277,7 @@ static inline qtri_material build_material(struct reader *r, qtri_texture *textu
 
 /* Lights of any bits, and what they point to. */
 typedef struct lamps {
-    qtri_lights lights;
+    qtri_light lights;
     qtri_light_source sources[QTRI_LIGHTS_MAX];
     qtri_shininess table;
     qtri_reflection reflection;
@@ -297,7 +297,7 @@ static inline void build_source(struct reader *r, qtri_light_source *source)
     source->outer = take_int(r);
 }
 
-static inline const qtri_lights *build_lamps(struct reader *r, lamps *l)
+static inline const qtri_light *build_lamps(struct reader *r, lamps *l)
 {
     static const qtri_light_kind *const kinds[4] = {&qtri_directional_light, &qtri_point_light,
                                                     &qtri_spot_light, NULL};
@@ -318,7 +318,7 @@ static inline const qtri_lights *build_lamps(struct reader *r, lamps *l)
     l->reflection.shininess = take_byte(r) % 2 ? &l->table : NULL;
     l->reflection.own_ambient = take_byte(r) % 2;
     l->reflection.two_sided = take_byte(r) % 2;
-    (void)qtri_lights_init(&l->lights, l->sources, count, ambient);
+    (void)qtri_light_init(&l->lights, l->sources, count, ambient);
     return &l->lights;
 }
 

@@ -171,7 +171,7 @@ static void random_lights(random_states *w)
         source->falloff = random_one_in(w, 2) ? &w->table : NULL;
     }
     const qtri_light_color ambient = random_light_color(w);
-    (void)qtri_lights_init(&w->lights, w->sources, 1 + (uint32_t)random_below(w, 3), ambient);
+    (void)qtri_light_init(&w->lights, w->sources, 1 + (uint32_t)random_below(w, 3), ambient);
     w->reflection.ambient = random_rgb(w);
     w->reflection.specular = random_rgb(w);
     w->reflection.emission = random_rgb(w);
@@ -249,7 +249,9 @@ void random_view(random_states *w)
     }
     random_lights(w);
     w->view.light = random_one_in(w, 3) ? NULL : &w->light;
-    w->view.lights = random_one_in(w, 2) ? &w->lights : NULL;
+    if (random_one_in(w, 2)) {
+        w->view.light = &w->lights;
+    }
     w->view.vertices = w->vertices;
     w->view.vertex_count =
         random_one_in(w, 3) ? (uint32_t)random_below(w, STATES_VERTICES) : STATES_VERTICES;
@@ -335,8 +337,7 @@ void random_solid(random_states *w)
     qtri_transform_orbit(&w->view.camera, center, distance, turn, above);
     w->view.vertices = w->vertices;
     w->view.vertex_count = STATES_VERTICES;
-    w->view.light = random_one_in(w, 3) ? &w->light : NULL;
-    w->view.lights = w->view.light == NULL ? &w->lights : NULL;
+    w->view.light = random_one_in(w, 3) ? &w->light : &w->lights;
     qtri_transform_identity(&w->pose);
     switch (random_below(w, 4)) {
     case 0:

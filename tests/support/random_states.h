@@ -34,7 +34,7 @@ typedef struct random_states {
     uint32_t texels[32 * 32];
     qtri_fog fog;
     qtri_light light;
-    qtri_lights lights;
+    qtri_light lights;
     qtri_light_source sources[3];
     qtri_shininess table;
     qtri_reflection reflection;

@@ -41,7 +41,7 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
  * Draws a mesh. Each vertex is transformed once when view->vertices has room for all of them.
  * With view->light the colours are scaled by its intensity: per vertex for smooth shading and a
  * mesh with normals, per face otherwise. Normals follow the inverse transpose of camera and pose.
- * view->lights take its place, see light.h.
+ * Coloured lights are those of light.h.
  */
 void qtri_draw_mesh(const qtri_surface *surface, const qtri_view *view, const qtri_transform *pose,
                     const qtri_mesh *mesh, const qtri_material *material);

@@ -9,12 +9,12 @@
  *         {.kind = &qtri_directional_light, .position = {0, Q16(1), 0},
  *          .color = {Q16(.2), Q16(.2), Q16(.3)}}};
  *     const qtri_light_color dim = {Q16(.1), Q16(.1), Q16(.1)};
- *     qtri_lights lights;
+ *     qtri_light light;
  *     qtri_shininess polished;
- *     qtri_lights_init(&lights, sources, 2, dim);
+ *     qtri_light_init(&light, sources, 2, dim);
  *     qtri_shininess_init(&polished, Q16(40));
  *     const qtri_reflection steel = {.specular = {255, 255, 255}, .shininess = &polished};
- *     view.lights = &lights;
+ *     view.light = &light;
  *     material.reflection = &steel;
  *
  * What a vertex shows, each channel by itself, is held to 0..1:
@@ -57,7 +57,7 @@
  * mesh of small triangles four times what light by vertex takes. Triangles of
  * qtri_draw_lit_triangles and pieces of clipped ones are lit along their rows whatever their size.
  *
- * Nothing of this is linked where qtri_lights_init is not named, nor a kind of light that no source
+ * Nothing of this is linked where qtri_light_init is not named, nor a kind of light that no source
  * names. A single directional light without colour is qtri_light, see view.h, at a tenth of the
  * cost.
  */
@@ -78,11 +78,6 @@ extern "C" {
 
 #define QTRI_LIGHTS_MAX 8
 
-/* 0..16 a channel, 1: all that a surface reflects is shown as it is. Held to that range. */
-typedef struct qtri_light_color {
-    q16 r, g, b;
-} qtri_light_color;
-
 /*
  * (n . h)^shininess, made once: up to 129 values, linear in between. Fields are internal.
  */
@@ -102,7 +97,7 @@ void qtri_shininess_init(qtri_shininess *table, q16 shininess);
 typedef struct qtri_light_kind qtri_light_kind;
 extern const qtri_light_kind qtri_directional_light, qtri_point_light, qtri_spot_light;
 
-typedef struct qtri_light_source {
+struct qtri_light_source {
     const qtri_light_kind *kind; /* NULL: is off */
     /* In the world. Of a directional light: the direction to it, any length; zero: is off. A vertex
        at the very position of a source is not lit by it. */
@@ -124,34 +119,23 @@ typedef struct qtri_light_source {
     qtri_vec3 direction;
     q16 inner, outer;
     const qtri_shininess *falloff; /* NULL: none */
-} qtri_light_source;
-
-/* What draw calls of meshes do with lights. Internal. */
-typedef struct qtri_light_model qtri_light_model;
+};
 
 /*
- * The lights of a view, set by qtri_lights_init.
- *
  * Scratch memory of a draw call, view->vertices or a prepared mesh's vertices, has room for the
  * colours of lit vertices if it has QTRI_LIT_VERTICES(n) elements for a mesh of n vertices.
  * With less, vertices are lit again for every triangle: slower, and the same pixels.
+ *
+ *     static qtri_vertex memory[QTRI_LIT_VERTICES(500)];
  */
-struct qtri_lights {
-    const qtri_light_model *model;
-    const qtri_light_source *sources;
-    uint32_t count;
-    qtri_light_color ambient;
-};
-
-/* static qtri_vertex memory[QTRI_LIT_VERTICES(500)]; */
 #define QTRI_LIT_VERTICES(count) ((count) + ((count) + 4u) / 5u)
 
 /*
  * Sources are read by every draw call: they may move between frames. QTRI_ERROR_SIZE, and the first
  * QTRI_LIGHTS_MAX of them, when there are more.
  */
-enum qtri_error qtri_lights_init(qtri_lights *lights, const qtri_light_source *sources,
-                                 uint32_t count, qtri_light_color ambient);
+enum qtri_error qtri_light_init(qtri_light *light, const qtri_light_source *sources, uint32_t count,
+                                qtri_light_color ambient);
 
 /* What a material reflects beside its own colour: material->reflection. */
 struct qtri_reflection {
@@ -165,7 +149,7 @@ struct qtri_reflection {
 };
 
 /*
- * qtri_draw_triangles in the light of view->lights, if there are any: at the place (x/w, y/w, z/w)
+ * qtri_draw_triangles in the light of view->light, if it has sources: at the place (x/w, y/w, z/w)
  * of each corner, rounded to Q16.16. normals: of each corner, in object space; NULL, or zero for a
  * corner, for that of the triangle.
  */

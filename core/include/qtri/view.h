@@ -32,17 +32,32 @@ qtri_viewport qtri_viewport_top(int32_t x, int32_t y, int32_t width, int32_t hei
 qtri_viewport qtri_viewport_bottom(int32_t x, int32_t y, int32_t width, int32_t height,
                                    int32_t frame_height);
 
-/* One directional light: intensity = min(1, ambient + diffuse max(0, n . towards)). */
+/* Several coloured lights: see light.h. */
+typedef struct qtri_light_source qtri_light_source;
+typedef struct qtri_light_model qtri_light_model; /* what draw calls do with them. Internal. */
+
+/* 0..16 a channel, 1: all that a surface reflects is shown as it is. Held to that range. */
+typedef struct qtri_light_color {
+    q16 r, g, b;
+} qtri_light_color;
+
+/*
+ * The light of a view. One white directional light is written down, the rest left out (zero):
+ * intensity = min(1, ambient + diffuse max(0, n . towards)). Several coloured sources are set by
+ * qtri_light_init.
+ */
 typedef struct qtri_light {
     qtri_vec3 towards; /* to the light, in eye space, any length; zero: ambient only */
     q16 ambient, diffuse;
+
+    const qtri_light_model *model; /* NULL: the white light above; else: */
+    const qtri_light_source *sources;
+    uint32_t count;
+    qtri_light_color color; /* ambient */
 } qtri_light;
 
 /* What draws the pixels: see pipeline.h. */
 typedef struct qtri_pipeline qtri_pipeline;
-
-/* Several lights with colours of their own: see light.h. */
-typedef struct qtri_lights qtri_lights;
 
 /* On the screen, in 1/256 pixel of the frame. */
 typedef struct qtri_screen_point {
@@ -65,10 +80,9 @@ typedef struct qtri_view {
     qtri_transform camera;     /* world to eye */
     qtri_transform projection; /* eye to clip space */
     qtri_viewport viewport;
-    const qtri_light *light;   /* NULL: meshes show their plain colours */
-    qtri_vertex *vertices;     /* scratch for mesh draws, overwritten by each; NULL with count 0 */
-    uint32_t vertex_count;     /* fewer than a mesh's vertices is slower, never wrong */
-    const qtri_lights *lights; /* not NULL: in place of `light` */
+    const qtri_light *light; /* NULL: meshes show their plain colours */
+    qtri_vertex *vertices;   /* scratch for mesh draws, overwritten by each; NULL with count 0 */
+    uint32_t vertex_count;   /* fewer than a mesh's vertices is slower, never wrong */
     const qtri_pipeline *const *pipelines; /* what draws triangles: see pipeline.h */
 } qtri_view;
 

@@ -40,7 +40,8 @@ static uint8_t mesh_memory[MODEL_BYTES(HEIGHT, ROWS)];
 
 enum qtri_error example_run(void)
 {
-    static const qtri_light light = {{Q16(.4), Q16(.6), Q16(.7)}, Q16(.25), Q16(.75)};
+    static const qtri_light light = {
+        .towards = {Q16(.4), Q16(.6), Q16(.7)}, .ambient = Q16(.25), .diffuse = Q16(.75)};
     const qtri_vec3 eye = {0, 0, Q16(3.6)}, center = {0, 0, 0}, up = {0, Q16(1), 0};
     const qtri_rgb sky = {16, 24, 40};
     make_model();

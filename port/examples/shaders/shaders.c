@@ -125,7 +125,8 @@ static void make_land(void)
 enum qtri_error example_run(void)
 {
     const qtri_vec3 eye = {0, Q16(2.6), Q16(6)}, center = {0, Q16(.4), 0}, up = {0, Q16(1), 0};
-    const qtri_light light = {{Q16(.5), Q16(.7), Q16(.4)}, Q16(.15), Q16(.85)};
+    const qtri_light light = {
+        .towards = {Q16(.5), Q16(.7), Q16(.4)}, .ambient = Q16(.15), .diffuse = Q16(.85)};
     const qtri_rgb sky = {120, 170, 220};
     const qtri_mesh sea = {.positions = water_positions,
                            .uvs = water_uvs,

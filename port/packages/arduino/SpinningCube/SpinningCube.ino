@@ -54,7 +54,7 @@ static qtri_screen screen;
 static qtri_view view;
 static qtri_mesh cube;
 static qtri_material material;
-static const qtri_light light = {{Q16(0.4), Q16(0.6), Q16(0.7)}, Q16(0.2), Q16(0.8)};
+static const qtri_light light = {.towards = {Q16(0.4), Q16(0.6), Q16(0.7)}, .ambient = Q16(0.2), .diffuse = Q16(0.8)};
 
 void setup()
 {
