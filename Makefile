@@ -215,6 +215,10 @@ COVERAGE := -O1 -g -fprofile-instr-generate -fcoverage-mapping
 MUTANTS  ?= 500
 SEED     ?= 1
 
+.PHONY: reference
+reference: ## Write the API reference with Doxygen: build/reference/index.html
+	@sh tests/check/reference.sh
+
 .PHONY: routes
 routes: ## Files, functions and returns that lead through core from a draw call to its pixels
 	@JOBS=$(JOBS) sh tests/check/routes.sh
@@ -260,7 +264,7 @@ test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V,
 GATES := check-format check-packages check-cppcheck check-warnings check-headers check-levels \
          check-freestanding check-options check-same check-tree \
          check-tidy check-budgets check-matrix check-checked check-stack check-version \
-         check-house check-words
+         check-house check-words check-reference
 
 .PHONY: check $(GATES)
 check: ## Run the tests of other builds (test-others) and every gate below
@@ -284,6 +288,7 @@ check-version:      ## Every manifest has the version of qtri/version.h, every s
 check-packages:     ## Each package is built and used; what needs a missing tool is skipped by name
 check-house:        ## Files and lines of each folder of core, and routes, within their budgets (sh tests/check/house.sh write)
 check-words:        ## Names and comments have plain words, subjects of commits at most 72 characters
+check-reference:    ## Doxygen reads every public header, and no public name is without documentation
 check-tree:         ## No overlong or binary files, tabs, paths of one machine or sources of one name
 
 $(GATES): check-%:

@@ -359,6 +359,7 @@ void qtri_view_jitter(qtri_view *out, const qtri_view *view, uint32_t n, int32_t
  * that a pixel's samples have.
  */
 
+/* Formats of four samples a pixel. */
 extern const qtri_format qtri_rgb565_x4, qtri_rgb565_swapped_x4;
 extern const qtri_format qtri_rgb888_x4, qtri_xrgb8888_x4, qtri_gray8_x4;
 

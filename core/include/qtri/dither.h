@@ -22,6 +22,7 @@
 extern "C" {
 #endif
 
+/* How gray becomes a few levels. */
 typedef enum qtri_dither {
     QTRI_DITHER_NEAREST, /* the nearest level; of two, the threshold lies between 127 and 128 */
     QTRI_DITHER_BAYER4,  /* 4 x 4 pixels: 16 steps from a level to the next */

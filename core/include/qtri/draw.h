@@ -62,11 +62,13 @@ typedef struct qtri_vertex_light qtri_vertex_light;
 typedef struct qtri_face_light qtri_face_light;
 typedef struct qtri_uneven_light qtri_uneven_light;
 
+/* The parts of a vertex stage that the library has. */
 extern const qtri_position_ops qtri_positions_wide, qtri_positions_compact;
 extern const qtri_vertex_light qtri_light_by_vertex;
 extern const qtri_face_light qtri_light_by_face;
 extern const qtri_uneven_light qtri_light_uneven;
 
+/* What a draw call may do with vertices: NULL leaves the part out. */
 typedef struct qtri_vertex_stage {
     const qtri_position_ops *positions;    /* of meshes with mesh.positions */
     const qtri_position_ops *positions16;  /* of meshes with mesh.positions16 */
@@ -80,6 +82,7 @@ typedef struct qtri_vertex_stage {
 /* All of the above. */
 extern const qtri_vertex_stage qtri_vertex_stage_any;
 
+/* qtri_draw_mesh with the stage given. */
 void qtri_draw_mesh_by(const qtri_vertex_stage *stage, const qtri_surface *surface,
                        const qtri_view *view, const qtri_transform *pose, const qtri_mesh *mesh,
                        const qtri_material *material);
@@ -117,6 +120,7 @@ bool qtri_view_sees_ball(const qtri_view *view, const qtri_transform *pose, cons
 
 #define QTRI_SCREEN_MAX_24P8 ((int32_t)1 << 22) /* guard band: 16384 pixels */
 
+/* A vertex on the screen, as clipping and projection leave it. */
 typedef struct qtri_screen_vertex {
     int32_t x_24p8, y_24p8; /* frame coordinates in 1/256 pixel, held to +-QTRI_SCREEN_MAX_24P8 */
     uint32_t depth_16p16;   /* window z times 65535, 0..65535.0; more is taken as 65535.0 */

@@ -47,6 +47,7 @@
 
 #include <stddef.h> /* NULL, for conditions */
 
+/* What functions return that can fail: QTRI_OK or a negative number. */
 enum qtri_error {
     QTRI_OK = 0,
     /* A width, height, row or count is outside its range; a number in text beyond Q16.16's. */

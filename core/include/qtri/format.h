@@ -49,6 +49,7 @@ typedef struct qtri_pixels {
     void (*fill)(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t count);
     void (*store)(uint8_t *pixel, const uint32_t *stored, uint32_t mask, int32_t count);
 } qtri_pixels;
+/* Memory of pixels of 1, 2, 3 and 4 bytes. */
 extern const qtri_pixels qtri_pixels_8, qtri_pixels_16, qtri_pixels_24, qtri_pixels_32;
 
 /* Several samples a pixel; see antialias.h. */
@@ -67,6 +68,7 @@ enum {
     QTRI_DEPTH_ONLY
 };
 
+/* What a stored pixel is: its memory, and what its bits mean. */
 typedef struct qtri_format {
     const qtri_pixels *pixels;
     const qtri_colors *colors; /* the kind that encode takes */

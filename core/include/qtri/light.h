@@ -76,6 +76,7 @@
 extern "C" {
 #endif
 
+/* How many sources a view may have. */
 #define QTRI_LIGHTS_MAX 8
 
 /*
@@ -97,6 +98,7 @@ void qtri_shininess_init(qtri_shininess *table, q16 shininess);
 typedef struct qtri_light_kind qtri_light_kind;
 extern const qtri_light_kind qtri_directional_light, qtri_point_light, qtri_spot_light;
 
+/* A source of light in the world. */
 struct qtri_light_source {
     const qtri_light_kind *kind; /* NULL: is off */
     /* In the world. Of a directional light: the direction to it, any length; zero: is off. A vertex

@@ -26,6 +26,7 @@ typedef struct qtri_mat3 {
     q16 m[3][3];
 } qtri_mat3;
 
+/* 3D homogeneous transforms. */
 typedef struct qtri_mat4 {
     q16 m[4][4];
 } qtri_mat4;
@@ -33,6 +34,7 @@ typedef struct qtri_mat4 {
 /* 2D homogeneous transforms ----------------------------------------------------------------------
  */
 
+/* Builders of transforms of the plane: p' = M p. */
 qtri_mat3 qtri_mat3_identity(void);
 qtri_mat3 qtri_mat3_translate(qtri_vec2 offset);
 qtri_mat3 qtri_mat3_scale(qtri_vec2 factor); /* negative factors reflect */
@@ -52,6 +54,7 @@ qtri_vec2 qtri_mat3_vector(const qtri_mat3 *m, qtri_vec2 v);
 /* Both kinds -------------------------------------------------------------------------------------
  */
 
+/* Product, transpose, and the product with a vector. */
 qtri_mat3 qtri_mat3_mul(const qtri_mat3 *a, const qtri_mat3 *b); /* first b, then a */
 qtri_mat3 qtri_mat3_transpose(const qtri_mat3 *a);
 qtri_vec3 qtri_mat3_vec3(const qtri_mat3 *m, qtri_vec3 v);
@@ -69,6 +72,7 @@ bool qtri_mat3_inverse(qtri_mat3 *out, const qtri_mat3 *m);
 /* 3D transforms ----------------------------------------------------------------------------------
  */
 
+/* Builders of transforms of space: p' = M p. */
 qtri_mat4 qtri_mat4_identity(void);
 qtri_mat4 qtri_mat4_translate(qtri_vec3 offset);
 qtri_mat4 qtri_mat4_scale(qtri_vec3 factor); /* negative factors reflect */
@@ -82,6 +86,7 @@ qtri_mat4 qtri_mat4_shear(q16 x_by_y, q16 x_by_z, q16 y_by_x, q16 y_by_z, q16 z_
  */
 qtri_mat4 qtri_mat4_reflect(qtri_vec4 plane);
 
+/* Turns about the axes of the coordinates. */
 qtri_mat4 qtri_mat4_rotate_x_deg(q16 degrees);
 qtri_mat4 qtri_mat4_rotate_y_deg(q16 degrees);
 qtri_mat4 qtri_mat4_rotate_z_deg(q16 degrees);
@@ -114,12 +119,14 @@ qtri_mat4 qtri_mat4_rotate_euler_deg(qtri_vec3 degrees, qtri_euler order);
 qtri_mat3 qtri_mat4_linear(const qtri_mat4 *m);
 qtri_mat4 qtri_mat4_from_linear(const qtri_mat3 *linear);
 
+/* Product and transpose. */
 qtri_mat4 qtri_mat4_mul(const qtri_mat4 *a, const qtri_mat4 *b); /* first b, then a */
 qtri_mat4 qtri_mat4_transpose(const qtri_mat4 *a);
 
 /* M v; out is not v. */
 void qtri_mat4_times(q16 out[4], const qtri_mat4 *m, const q16 v[4]);
 
+/* M v. */
 static inline qtri_vec4 qtri_mat4_vec4(const qtri_mat4 *m, qtri_vec4 v)
 {
     const q16 column[4] = {v.x, v.y, v.z, v.w};

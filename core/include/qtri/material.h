@@ -86,6 +86,7 @@ typedef struct qtri_fragment qtri_fragment;
 /* Channels that stay as they are. Of GRAY8: only all three. */
 enum { QTRI_KEEP_BLUE = 1, QTRI_KEEP_GREEN = 2, QTRI_KEEP_RED = 4 };
 
+/* How a draw call colours, tests and stores the pixels of its triangles. */
 typedef struct qtri_material {
     qtri_rgb color;              /* of meshes that bring no colours of their own */
     const qtri_shading *shading; /* NULL: flat */
@@ -196,6 +197,7 @@ enum { QTRI_FOG_STEPS = 16 * 8 + 2 };
 
 struct qtri_pipeline;
 
+/* Fog, as functions of depth: filled in by the functions below. */
 struct qtri_fog {
     bool is_set;                                  /* by a function below; false: no fog */
     uint32_t color;                               /* 0x00RRGGBB */

@@ -33,10 +33,12 @@ typedef struct qtri_position16 {
     int16_t x, y, z;
 } qtri_position16;
 
+/* A compact normal. */
 typedef struct qtri_normal8 {
     int8_t x, y, z;
 } qtri_normal8;
 
+/* Compact texture coordinates. */
 typedef struct qtri_uv16 {
     int16_t x, y;
 } qtri_uv16;
@@ -72,6 +74,7 @@ typedef struct qtri_face8 {
 typedef struct qtri_face_culling qtri_face_culling;
 extern const qtri_face_culling qtri_cull_by_planes;
 
+/* The planes of a mesh, and how far they may be off. */
 typedef struct qtri_faces {
     const qtri_face_culling *culling; /* &qtri_cull_by_planes; NULL: for light only */
     const qtri_face8 *planes;         /* triangle_count, or NULL */
@@ -87,6 +90,7 @@ typedef struct qtri_box {
     qtri_vec3 center, half;
 } qtri_box;
 
+/* Vertices and triangles: constant data. Wide arrays, or compact ones in their place. */
 typedef struct qtri_mesh {
     const qtri_vec3 *positions;     /* vertex_count, object space */
     const qtri_normal *normals;     /* vertex_count, or NULL: lit per face */

@@ -32,7 +32,7 @@ extern "C" {
 
 #define QTRI_PX(n)                 ((int32_t)((n)*256)) /* pixels in 1/256: QTRI_PX(10), QTRI_PX(1.5) */
 #define QTRI_PAINT_MAX_24P8        ((int32_t)1 << 22) /* 16384 pixels */
-#define QTRI_PAINT_RADIUS_MAX_24P8 ((int32_t)1 << 21)
+#define QTRI_PAINT_RADIUS_MAX_24P8 ((int32_t)1 << 21) /* 8192 pixels */
 
 /* In 1/256 pixel. */
 typedef struct qtri_point {
@@ -48,6 +48,7 @@ typedef struct qtri_area {
 typedef struct qtri_ink qtri_ink;
 extern const qtri_ink qtri_ink_blend, qtri_ink_smooth;
 
+/* What flat shapes and text are painted with. */
 typedef struct qtri_brush {
     qtri_rgb color;
     uint8_t alpha;       /* 255: opaque, 0: nothing is painted; without an ink it counts as 255 */
@@ -127,6 +128,7 @@ void qtri_paint_stroke(const qtri_surface *surface, const qtri_point *from, cons
  * in bands has the pixels of the whole frame. Depth is neither tested nor written.
  */
 
+/* A picture in memory, flash or RAM, in any format that surfaces have. */
 typedef struct qtri_image {
     const void *pixels;        /* of row 0, aligned for the format; NULL: nothing is painted */
     ptrdiff_t pitch;           /* bytes from a row to the next; negative for bottom-up memory */
@@ -206,6 +208,7 @@ typedef struct qtri_glyph_range {
     uint16_t count, glyph;
 } qtri_glyph_range;
 
+/* A font: constant data, which `qtri font` makes of a BDF file. */
 typedef struct qtri_font {
     const uint8_t *rows;
     const qtri_glyph *glyphs;

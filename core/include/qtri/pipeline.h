@@ -65,6 +65,7 @@ struct qtri_fragment {
     uint32_t color;    /* 0x00RRGGBB: what would be drawn; out: what is */
 };
 
+/* What a pipeline draws: the options of surface, material and mesh that it is made for. */
 typedef struct qtri_options {
     uint8_t format;    /* of format.h */
     uint8_t depth;     /* of format.h */

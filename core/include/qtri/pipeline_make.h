@@ -11,6 +11,8 @@
 #include "body/pixel.h"
 #include "body/small_samples.h"
 
+/* The pipeline `name` with these options, fields of qtri_options: QTRI_PIPELINE(mine, .format =
+ * QTRI_RGB565). */
 #define QTRI_PIPELINE(name, ...)                                                                   \
     static void name##_large(const struct qtri_large_input *triangle)                              \
     {                                                                                              \
@@ -49,6 +51,7 @@
         &name##_texture,       &name##_texture_tint, &name##_texture_lit,                          \
         &name##_texture_white, &qtri_pipeline_any,   NULL};
 
+/* Declares a pipeline that another file makes. */
 #define QTRI_PIPELINE_DECLARE(name) extern const qtri_pipeline name
 
 #endif

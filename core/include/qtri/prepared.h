@@ -32,6 +32,7 @@
 extern "C" {
 #endif
 
+/* A mesh that is transformed and sorted into the bands of a frame. */
 typedef struct qtri_prepared {
     void *memory; /* the caller's, divided anew for each mesh; NULL: divided by hand, below */
     size_t bytes;

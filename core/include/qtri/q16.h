@@ -30,8 +30,10 @@
 extern "C" {
 #endif
 
+/* A Q16.16 number: counts 1/65536. */
 typedef int32_t q16;
 
+/* 1, and the ends of the range. */
 #define Q16_ONE ((q16)65536)
 #define Q16_MAX ((q16)INT32_MAX)
 #define Q16_MIN ((q16)INT32_MIN)
@@ -189,6 +191,7 @@ q16 q16_hypot(q16 a, q16 b);
 /* Choosing and rounding
  * ---------------------------------------------------------------------------*/
 
+/* The smaller, and the larger one of a and b. */
 static inline q16 q16_min(q16 a, q16 b)
 {
     return a < b ? a : b;

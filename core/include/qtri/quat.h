@@ -18,10 +18,12 @@
 extern "C" {
 #endif
 
+/* A quaternion w + x i + y j + z k; a rotation where its length is 1. */
 typedef struct qtri_quat {
     q16 w, x, y, z;
 } qtri_quat;
 
+/* 1, which turns nothing. */
 qtri_quat qtri_quat_identity(void);
 
 /* A turn about an axis of any length, counter-clockwise seen against it. Axis 0: identity. */
@@ -37,6 +39,7 @@ qtri_quat qtri_quat_from_euler_deg(qtri_vec3 degrees, qtri_euler order);
 qtri_quat qtri_quat_from_mat3(const qtri_mat3 *m);
 qtri_quat qtri_quat_from_mat4(const qtri_mat4 *m); /* of its linear part */
 
+/* The rotation of a unit quaternion as a matrix. */
 qtri_mat3 qtri_quat_to_mat3(qtri_quat a);
 qtri_mat4 qtri_quat_to_mat4(qtri_quat a);
 
@@ -44,7 +47,7 @@ qtri_mat4 qtri_quat_to_mat4(qtri_quat a);
 qtri_quat qtri_quat_mul(qtri_quat a, qtri_quat b);
 
 q16 qtri_quat_dot(qtri_quat a, qtri_quat b); /* correctly rounded */
-qtri_quat qtri_quat_conjugate(qtri_quat a);
+qtri_quat qtri_quat_conjugate(qtri_quat a);  /* w, -x, -y, -z */
 
 /* conjugate / |a|^2, within .501 ULP, saturated; zero gives the identity. */
 qtri_quat qtri_quat_inverse(qtri_quat a);
@@ -73,10 +76,12 @@ qtri_quat qtri_quat_slerp(qtri_quat a, qtri_quat b, q16 t);
  */
 qtri_quat qtri_quat_integrate_deg(qtri_quat a, qtri_vec3 rate, q16 dt);
 
+/* An orientation that is integrated: qtri_quat_integrate_deg with 30 bits. */
 typedef struct qtri_attitude {
     int32_t q_q30[4]; /* w, x, y, z of a unit quaternion */
 } qtri_attitude;
 
+/* From a quaternion of any length, back to one, and on by dt seconds. */
 qtri_attitude qtri_attitude_from_quat(qtri_quat a);
 qtri_quat qtri_attitude_quat(const qtri_attitude *attitude);
 void qtri_attitude_integrate_deg(qtri_attitude *attitude, qtri_vec3 rate, q16 dt);

@@ -27,6 +27,7 @@
 extern "C" {
 #endif
 
+/* Arrays of the caller that a shape is written to. */
 typedef struct qtri_shape_memory {
     qtri_vec3 *positions;
     qtri_normal *normals; /* NULL: none are wanted */

@@ -48,6 +48,7 @@ typedef enum qtri_cap {
 typedef struct qtri_stroke_edges qtri_stroke_edges;
 extern const qtri_stroke_edges qtri_stroke_smooth;
 
+/* How lines and points are drawn. */
 typedef struct qtri_stroke {
     q16 width; /* pixels, the diameter of a point; rounded to 1/128. Below 1/256: nothing is drawn;
                   more than QTRI_STROKE_WIDTH_MAX is taken as that */

@@ -28,6 +28,7 @@ typedef struct qtri_rect {
     int32_t x0, y0, x1, y1;
 } qtri_rect;
 
+/* Colour and depth of some rows of a frame, in memory of the caller. */
 typedef struct qtri_surface {
     uint8_t *pixels;       /* first byte of row `first_row`, aligned for the format */
     ptrdiff_t pitch;       /* bytes from a row to the next; negative for bottom-up memory */

@@ -34,6 +34,7 @@ enum {
     QTRI_OTHER_TEXEL
 };
 
+/* What a stored texel is, and how it is read. */
 typedef struct qtri_texel_format {
     const qtri_colors *colors; /* what decode gives: &qtri_colors_565 or &qtri_colors_888 */
     uint32_t key_mask;         /* the bits of a stored texel that are compared with the key */

@@ -32,10 +32,12 @@ typedef struct qtri_row {
     int32_t exponent;
 } qtri_row;
 
+/* A homogeneous transform, at more precision than a matrix of Q16.16. */
 typedef struct qtri_transform {
     qtri_row row[4];
 } qtri_transform;
 
+/* The transform that moves nothing. */
 void qtri_transform_identity(qtri_transform *out);
 
 /* The user's own matrix; loses nothing below 2^14 and at most 2^-30 of a row's largest element. */

@@ -17,14 +17,17 @@
 extern "C" {
 #endif
 
+/* A point or vector of the plane. */
 typedef struct qtri_vec2 {
     q16 x, y;
 } qtri_vec2;
 
+/* A point or vector of space. */
 typedef struct qtri_vec3 {
     q16 x, y, z;
 } qtri_vec3;
 
+/* A homogeneous point, or any four numbers. */
 typedef struct qtri_vec4 {
     q16 x, y, z, w;
 } qtri_vec4;

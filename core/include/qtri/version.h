@@ -8,6 +8,7 @@
 #ifndef QTRI_VERSION_H
 #define QTRI_VERSION_H
 
+/* The parts of the version. */
 #define QTRI_VERSION_MAJOR 0
 #define QTRI_VERSION_MINOR 1
 #define QTRI_VERSION_PATCH 0

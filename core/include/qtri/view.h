@@ -14,12 +14,13 @@
 extern "C" {
 #endif
 
+/* The largest position and size of a viewport, pixels. */
+#define QTRI_VIEWPORT_MAX 8192
+
 /*
  * Where clip space -1..1 lands. Pixels of the frame, y of the top edge; any position within
  * +-QTRI_VIEWPORT_MAX. Depth: window z of the near and far plane, 0..1, either order.
  */
-#define QTRI_VIEWPORT_MAX 8192
-
 typedef struct qtri_viewport {
     int32_t x, y, width, height;
     q16 depth_near, depth_far;
@@ -76,6 +77,7 @@ typedef struct qtri_vertex {
     uint16_t intensity_q15; /* of the light, 0..2^15; more: not lit yet */
 } qtri_vertex;
 
+/* What a camera sees, in which light, and where on the frame it lands. */
 typedef struct qtri_view {
     qtri_transform camera;     /* world to eye */
     qtri_transform projection; /* eye to clip space */

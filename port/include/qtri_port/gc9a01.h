@@ -12,6 +12,7 @@
 extern "C" {
 #endif
 
+/* The round panel of 240x240. */
 extern const qtri_panel_description qtri_gc9a01;
 
 #ifdef __cplusplus

@@ -16,6 +16,7 @@ extern "C" {
 /* The least: a control byte, a command and its parameters. More makes fewer transfers. */
 #define QTRI_I2C_BYTES 17
 
+/* An I2C bus: functions of the application, and memory for one transfer. */
 typedef struct qtri_i2c {
     void *context; /* of the functions below */
 

@@ -12,6 +12,7 @@
 extern "C" {
 #endif
 
+/* The panel of 240x320. */
 extern const qtri_panel_description qtri_ili9341;
 
 #ifdef __cplusplus

@@ -72,6 +72,7 @@ typedef enum qtri_byte_order {
                           where the order is the other: see qtri_panel_finish */
 } qtri_byte_order;
 
+/* The most parameters that a step of a sequence has. */
 #define QTRI_STEP_PARAMETERS 15
 
 /* wait_ms: until the controller is ready, at most the description's busy_ms. */
@@ -181,6 +182,7 @@ typedef struct qtri_panel_description {
     const qtri_panel_partial *partial; /* such a panel needs an image. NULL: none of these */
 } qtri_panel_description;
 
+/* A display in use, in memory of the caller. */
 struct qtri_panel {
     const qtri_panel_description *description;
     const qtri_bus *bus;

@@ -30,6 +30,7 @@
 extern "C" {
 #endif
 
+/* A panel and the frame that it shows, in bands. */
 typedef struct qtri_screen {
     qtri_panel panel;
     qtri_frame frame;

@@ -13,6 +13,7 @@
 extern "C" {
 #endif
 
+/* The panel of 128x64. */
 extern const qtri_panel_description qtri_sh1106;
 
 /* Memory for bands and rectangles of any shape: 1024 bytes. */

@@ -12,6 +12,7 @@
 extern "C" {
 #endif
 
+/* The panel of 128x64, 16 grays. */
 extern const qtri_panel_description qtri_ssd0323;
 
 /* Memory for bands and rectangles of any shape: 4096 bytes. Unrotated or turned by 180 degrees, a

@@ -12,9 +12,9 @@
 extern "C" {
 #endif
 
-extern const qtri_panel_description qtri_ssd1306; /* 128x64 */
-extern const qtri_panel_description qtri_ssd1306_128x32;
-extern const qtri_panel_description qtri_ssd1306_72x40; /* 0.42 inch, from column 28 */
+extern const qtri_panel_description qtri_ssd1306;        /* 128x64 */
+extern const qtri_panel_description qtri_ssd1306_128x32; /* 128x32 */
+extern const qtri_panel_description qtri_ssd1306_72x40;  /* 0.42 inch, from column 28 */
 
 /* Memory for bands and rectangles of any shape: 1024 bytes. */
 #define QTRI_SSD1306_BYTES QTRI_PANEL_IMAGE_BYTES(128, 64, QTRI_PANEL_GRAY1_PAGE)

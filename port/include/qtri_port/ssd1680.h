@@ -21,6 +21,7 @@
 extern "C" {
 #endif
 
+/* The panel of 122x250, refreshed as a whole, and with partial refresh. */
 extern const qtri_panel_description qtri_ssd1680, qtri_ssd1680_partial;
 
 /* Memory for bands and rectangles of any shape: 4000 bytes. Unrotated or turned by 180 degrees, a
