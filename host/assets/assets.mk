@@ -43,7 +43,7 @@ $(BUILD)/obj/host/assets/%.o: INCLUDES += $(HOST_DEFINES)
 host-libs:
 	@echo '$(HOST_LIBS)'
 
-# gear.h of the README, and the README's sample, word for word, for tests/test_readme.c -----------------------------------
+# gear.h of the README, and its sample and those of core/HOWTO.md, word for word, for tests/test_readme.c ------------------
 
 README_DIR := $(BUILD)/readme
 
@@ -59,6 +59,11 @@ $(README_DIR)/sample.c: README.md
 $(README_DIR)/sample.o: $(README_DIR)/sample.c $(README_DIR)/gear.h $(BUILD)/flags
 	$(call run,compile $<)$(CC) -std=c99 $(CFLAGS) -Wall -Wextra $(INCLUDES) -I$(README_DIR) -c -o $@ $<
 
-$(BUILD)/tests/test_readme: $(BUILD)/obj/tests/test_readme.o $(README_DIR)/sample.o $(HELPERS) $(HOST) $(LIBRARY)
+$(README_DIR)/howto.o: core/HOWTO.md $(BUILD)/flags
+	@mkdir -p $(@D)
+	@{ echo '#include "qtri.h"'; awk '/^```c$$/ { on = 1; next } /^```$$/ { on = 0 } on' core/HOWTO.md; } >$(@:.o=.c)
+	$(call run,compile $(@:.o=.c))$(CC) -std=c99 $(CFLAGS) -Wall -Wextra $(INCLUDES) -c -o $@ $(@:.o=.c)
+
+$(BUILD)/tests/test_readme: $(BUILD)/obj/tests/test_readme.o $(README_DIR)/sample.o $(README_DIR)/howto.o $(HELPERS) $(HOST) $(LIBRARY)
 	@mkdir -p $(@D)
 	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)

@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The size of the house: files and lines of each folder of core, and the routes of what is drawn (routes.sh), printed
-# beside their budgets in house.tsv. A figure above its budget is a finding. `house.sh write` writes the budgets anew.
+# beside their budgets in house.tsv. A figure above its budget is a finding, and so is a public function that no tool,
+# example or page shows. `house.sh write` writes the budgets anew.
 gate=house
 . tests/check/files.sh
 need awk gcc
@@ -19,6 +20,20 @@ figures()
     JOBS=$jobs sh tests/check/routes.sh | awk -v OFS='\t' '{ gsub(/[()]/, ""); print "route " $1, $3, $9 }'
 }
 
+# Functions of the headers, but for those of the mathematics, which core/math/README.md lists by families.
+unshown()
+{
+    work=$(mktemp -d) || exit 1
+    ls core/include/qtri/*.h | grep -vE '/(q16|vec|mat|quat|pipeline_make|error)\.h$' |
+        xargs grep -hoE '\bqtri_[a-z0-9_]+\(' | tr -d '(' | LC_ALL=C sort -u >"$work/declared"
+    { c_files host/tools host/assets host/io port
+      find . -name '*.md' ! -name CHANGELOG.md ! -path './build/*'; find port/packages -name '*.ino'
+      echo core/include/qtri/pipeline_make.h
+    } | xargs cat | grep -oE '\bqtri_[a-z0-9_]+' | LC_ALL=C sort -u >"$work/shown"
+    LC_ALL=C comm -23 "$work/declared" "$work/shown"
+    rm -r "$work"
+}
+
 [ "${1:-}" != write ] || { figures >"$budgets"; exit; }
 
 figures | awk -F '\t' '
@@ -31,4 +46,9 @@ figures | awk -F '\t' '
         bad = bad || over
     }
     END { exit bad || FNR < 12 }' "$budgets" -
-finish $?
+status=$?
+for name in $(unshown); do
+    echo "$name: shown by no tool, example or page (core/HOWTO.md)"
+    status=1
+done
+finish $status
