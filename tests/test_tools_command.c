@@ -510,6 +510,28 @@ static void demo_page(void **state)
 }
 
 /* A program in a folder below its sources finds their scenes wherever it is called. */
+/* Two pictures, the line between them and a histogram of all 3,072 pixels, in sections alone. */
+static void demo_report(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("mkdir -p report"), 0);
+    write_file("report/one.scene", triangle);
+    assert_int_equal(
+        shell("$qtri demo --scenes report -o report --only one. --report report/parts"), 0);
+    assert_int_equal(shell("cd report && test $(grep -c '<section id=\"one\"' parts) = 1 && "
+                           "! grep -q '<html' parts && grep -q 'type=\"range\"' parts && "
+                           "test $(grep -o 'src=\"data:image/png;base64,' parts | wc -l) = 2"),
+                     0);
+    assert_int_equal(
+        shell("cd report && grep -o 'error of colour:[^\"]*' parts | "
+              "awk '{ for (i = 5; i <= NF; i += 2) sum += $i } END { exit sum != 64 * 48 }'"),
+        0);
+    assert_int_equal(run("demo --scenes report -o report --only one. --report report/none/parts"),
+                     1);
+    assert_true(messages_contain("report/none/parts"));
+    assert_int_equal(shell("rm -r report"), 0);
+}
+
 static void demo_from_any_folder(void **state)
 {
     (void)state;
@@ -601,6 +623,7 @@ int main(void)
         cmocka_unit_test(files_below),
         cmocka_unit_test(memory_of_references),
         cmocka_unit_test(demo_page),
+        cmocka_unit_test(demo_report),
         cmocka_unit_test(demo_from_any_folder),
         cmocka_unit_test(demo_makes_its_meshes_anew),
         cmocka_unit_test(work_without_end),

@@ -17,10 +17,12 @@
 #include "compare.h"
 #include "demo_scenes.h"
 #include "gallery.h"
+#include "report_scene.h"
 #include "scene_draw.h"
 
 static const char usage[] =
     "usage: qtri demo [-o DIR] [--scenes DIR] [--models DIR] [--only WORD]\n"
+    "                 [--report FILE]\n"
     "\n"
     "Renders every *.scene file of the scenes folder, generated meshes and, with --models, every\n"
     "OBJ file there, into the output folder. Both are, where nothing is said, those of the "
@@ -28,7 +30,9 @@ static const char usage[] =
     "that this program was built in, wherever it is called: host/scenes and build/demo. Each is\n"
     "NAME.ppm beside NAME-reference.ppm and NAME-difference.ppm; index.html shows all of them.\n"
     "Prints one row a scene.\n"
-    "--only draws those whose names contain WORD.\n"
+    "--only draws those whose names contain WORD. --report writes each scene with a slider\n"
+    "between core and double precision, and a histogram of errors: sections of a page, for `make "
+    "report`.\n"
     "\n"
     "The reference has infinite sub-pixel precision; `snapped` counts coverage mismatches against\n"
     "the reference with vertices snapped to 8 bits, as the core does. Errors are over the pixels\n"
@@ -41,8 +45,9 @@ enum { PATH_SIZE = 1024 };
 
 struct demo {
     const char *out, *scenes, *models;
-    const char *only; /* a part of the names of what is drawn; NULL: all */
-    struct gallery gallery;
+    const char *only;   /* a part of the names of what is drawn; NULL: all */
+    const char *report; /* where the sections of the accuracy report go; NULL: nowhere */
+    struct html gallery, sections;
 };
 
 static const char header[] =
@@ -84,6 +89,9 @@ static bool run_scene(struct demo *demo, const char *name, const struct file_con
                                             file->length, {&picture, &expected, &difference},
                                             &to_exact,    &to_snapped};
         gallery_add(&demo->gallery, &shown);
+        if (demo->report != NULL) {
+            report_scene_add(&demo->sections, &shown);
+        }
     }
     reference_free(&exact);
     reference_free(&snapped);
@@ -263,6 +271,7 @@ int demo_main(int argc, char **argv)
                              : strcmp(argv[i], "--scenes") == 0 ? &demo.scenes
                              : strcmp(argv[i], "--models") == 0 ? &demo.models
                              : strcmp(argv[i], "--only") == 0   ? &demo.only
+                             : strcmp(argv[i], "--report") == 0 ? &demo.report
                                                                 : NULL;
         if (value == NULL || i + 1 == argc) {
             fprintf(stderr, "qtri demo: '%s' is not understood\n%s", argv[i], usage);
@@ -284,6 +293,10 @@ int demo_main(int argc, char **argv)
     struct text_error error;
     (void)snprintf(page, sizeof page, "%s/index.html", demo.out);
     if (!gallery_write(&demo.gallery, page, &error)) {
+        fprintf(stderr, "qtri demo: %s\n", error.message);
+        ok = false;
+    }
+    if (demo.report != NULL && !html_write(&demo.sections, demo.report, &error)) {
         fprintf(stderr, "qtri demo: %s\n", error.message);
         ok = false;
     }

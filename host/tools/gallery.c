@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "gallery.h"
 
-#include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-
-#include "../io/file.h"
 
 static const char head[] =
     "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
@@ -47,68 +43,12 @@ static const char head[] =
     "the largest difference, in steps of 1/65535. Edges that are smoothed after drawing differ "
     "from the reference's one sample a pixel.</p>\n";
 
-static void add(struct gallery *gallery, const void *bytes, size_t count)
-{
-    gallery->is_short = gallery->is_short || !byte_list_add(&gallery->page, bytes, count);
-}
-
-static void put(struct gallery *gallery, const char *text)
-{
-    add(gallery, text, strlen(text));
-}
-
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-static void
-print(struct gallery *gallery, const char *format, ...)
-{
-    char text[600];
-    va_list arguments;
-    va_start(arguments, format);
-    (void)vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    put(gallery, text);
-}
-
-/* Text as HTML has it. */
-static void put_escaped(struct gallery *gallery, const char *text, size_t length)
-{
-    for (size_t i = 0; i < length; i++) {
-        switch (text[i]) {
-        case '<':
-            put(gallery, "&lt;");
-            break;
-        case '&':
-            put(gallery, "&amp;");
-            break;
-        default:
-            add(gallery, &text[i], 1);
-        }
-    }
-}
-
-static void put_base64(struct gallery *gallery, const struct byte_list *list)
-{
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (size_t i = 0; i < list->count; i += 3) {
-        const size_t rest = list->count - i;
-        const uint32_t word = (uint32_t)list->bytes[i] << 16 |
-                              (rest > 1 ? (uint32_t)list->bytes[i + 1] << 8 : 0) |
-                              (rest > 2 ? list->bytes[i + 2] : 0);
-        const char four[4] = {digits[word >> 18], digits[word >> 12 & 63],
-                              rest > 1 ? digits[word >> 6 & 63] : '=',
-                              rest > 2 ? digits[word & 63] : '='};
-        add(gallery, four, sizeof four);
-    }
-}
-
 /* What the scene shows: the comments that it begins with. `# crop X Y` names the upper left corner
    of what is shown enlarged, `# qtri` a command. */
-static void put_description(struct gallery *gallery, const struct gallery_scene *scene, int crop[2])
+void gallery_describe(struct html *page, const struct gallery_scene *scene, int crop[2])
 {
     const char *at = scene->text, *end = scene->text + scene->length;
-    put(gallery, "<p>");
+    html_put(page, "<p>");
     while (at < end && *at == '#') {
         const char *stop = memchr(at, '\n', (size_t)(end - at));
         const size_t length = (size_t)((stop != NULL ? stop : end) - at);
@@ -116,81 +56,70 @@ static void put_description(struct gallery *gallery, const struct gallery_scene 
         (void)snprintf(line, sizeof line, "%.*s", (int)(length < 199 ? length : 199), at);
         if (sscanf(line, "# crop %d %d", &crop[0], &crop[1]) != 2 &&
             strncmp(line, "# qtri", 6) != 0) {
-            put_escaped(gallery, at + 1, length - 1);
+            html_put_text(page, at + 1, length - 1);
         }
         at += length + (stop != NULL);
     }
-    put(gallery, "</p>\n");
+    html_put(page, "</p>\n");
 }
 
 enum { ENLARGED = 6 };
 
-static void put_pictures(struct gallery *gallery, const struct gallery_scene *scene,
-                         const int crop[2])
+static void put_pictures(struct html *page, const struct gallery_scene *scene, const int crop[2])
 {
     static const char *const captions[3] = {"core", "double precision", "difference"};
-    put(gallery, "<div class=\"row\">\n");
+    html_put(page, "<div class=\"row\">\n");
     for (int i = 0; i < 3; i++) {
-        struct byte_list png = {.bytes = NULL};
-        gallery->is_short = gallery->is_short || !png_append(&png, scene->pictures[i]);
-        print(gallery, scene->pictures[i]->width <= 320 ? "<figure class=\"small\">" : "<figure>");
+        html_print(page,
+                   scene->pictures[i]->width <= 320 ? "<figure class=\"small\">" : "<figure>");
         if (crop[0] >= 0) {
-            print(gallery, "<div class=\"crop\">");
+            html_print(page, "<div class=\"crop\">");
         }
-        print(gallery, "<img alt=\"%s: %s\" src=\"data:image/png;base64,", scene->name,
-              captions[i]);
-        put_base64(gallery, &png);
+        html_print(page, "<img alt=\"%s: %s\" src=\"", scene->name, captions[i]);
+        html_put_png(page, scene->pictures[i]);
         if (crop[0] >= 0) {
-            print(gallery, "\" style=\"width:%dpx;left:%dpx;top:%dpx\"></div>",
-                  ENLARGED * scene->pictures[i]->width, -ENLARGED * crop[0], -ENLARGED * crop[1]);
-            print(gallery, "<figcaption>%s, %d x enlarged</figcaption></figure>\n", captions[i],
-                  ENLARGED);
+            html_print(page, "\" style=\"width:%dpx;left:%dpx;top:%dpx\"></div>",
+                       ENLARGED * scene->pictures[i]->width, -ENLARGED * crop[0],
+                       -ENLARGED * crop[1]);
+            html_print(page, "<figcaption>%s, %d x enlarged</figcaption></figure>\n", captions[i],
+                       ENLARGED);
         } else {
-            print(gallery, "\"><figcaption>%s</figcaption></figure>\n", captions[i]);
+            html_print(page, "\"><figcaption>%s</figcaption></figure>\n", captions[i]);
         }
-        free(png.bytes);
     }
-    put(gallery, "</div>\n");
+    html_put(page, "</div>\n");
 }
 
-static void put_figures(struct gallery *gallery, const struct gallery_scene *scene)
+void gallery_put_figures(struct html *page, const struct gallery_scene *scene)
 {
-    put(gallery,
-        "<table><tr><th>pixels<th>mismatch<th>snapped<th>colour<th>off by &gt; 1<th>depth\n");
-    print(gallery, "<tr><td>%llu<td>%llu<td>%llu<td>%d<td>%llu<td>%.2f</table>\n",
-          (unsigned long long)scene->exact->covered, (unsigned long long)scene->exact->coverage,
-          (unsigned long long)scene->snapped->coverage, scene->exact->max_color,
-          (unsigned long long)scene->exact->color_above_1, scene->exact->max_depth);
+    html_put(page,
+             "<table><tr><th>pixels<th>mismatch<th>snapped<th>colour<th>off by &gt; 1<th>depth\n");
+    html_print(page, "<tr><td>%llu<td>%llu<td>%llu<td>%d<td>%llu<td>%.2f</table>\n",
+               (unsigned long long)scene->exact->covered,
+               (unsigned long long)scene->exact->coverage,
+               (unsigned long long)scene->snapped->coverage, scene->exact->max_color,
+               (unsigned long long)scene->exact->color_above_1, scene->exact->max_depth);
 }
 
-void gallery_add(struct gallery *gallery, const struct gallery_scene *scene)
+void gallery_add(struct html *page, const struct gallery_scene *scene)
 {
     static const int whole[2] = {-1, -1};
     int crop[2] = {-1, -1};
-    if (gallery->page.count == 0) {
-        put(gallery, head);
+    if (page->page.count == 0) {
+        html_put(page, head);
     }
-    print(gallery, "<section id=\"%s\"><h2>%s</h2>\n", scene->name, scene->name);
-    put_description(gallery, scene, crop);
-    put_pictures(gallery, scene, whole);
+    html_print(page, "<section id=\"%s\"><h2>%s</h2>\n", scene->name, scene->name);
+    gallery_describe(page, scene, crop);
+    put_pictures(page, scene, whole);
     if (crop[0] >= 0) {
-        put_pictures(gallery, scene, crop);
+        put_pictures(page, scene, crop);
     }
-    put_figures(gallery, scene);
-    put(gallery, "</section>\n");
+    gallery_put_figures(page, scene);
+    html_put(page, "</section>\n");
 }
 
-bool gallery_write(struct gallery *gallery, const char *path, struct text_error *error)
+bool gallery_write(struct html *page, const char *path, struct text_error *error)
 {
-    struct file_output output;
-    put(gallery, "</html>\n");
-    bool ok = !gallery->is_short;
-    if (!ok) {
-        text_error_set(error, path, 0, "out of memory");
-    } else if ((ok = file_output_open(&output, path, error))) {
-        file_output_write(&output, gallery->page.bytes, gallery->page.count);
-        ok = file_output_commit(&output, error);
-    }
-    free(gallery->page.bytes);
-    return ok;
+    html_put(page, "</html>\n");
+    return html_write(page, path, error);
 }

@@ -6,15 +6,8 @@
 #ifndef QTRI_HOST_TOOLS_GALLERY_H
 #define QTRI_HOST_TOOLS_GALLERY_H
 
-#include "../assets/png_write.h"
-#include "../io/picture.h"
-#include "../io/text_error.h"
 #include "accuracy.h"
-
-struct gallery { /* begins with zeros */
-    struct byte_list page;
-    bool is_short; /* of memory */
-};
+#include "html.h"
 
 /* A scene, its pictures: core, double precision, difference; and errors against the reference, as
    it is and with vertices snapped as the core does. */
@@ -26,9 +19,16 @@ struct gallery_scene {
     const struct accuracy *exact, *snapped;
 };
 
-void gallery_add(struct gallery *gallery, const struct gallery_scene *scene);
+void gallery_add(struct html *page, const struct gallery_scene *scene);
+
+/* What the scene shows: the comments that it begins with. `# crop X Y` sets crop, the upper left
+   corner of what is shown enlarged, and `# qtri` is a command. */
+void gallery_describe(struct html *page, const struct gallery_scene *scene, int crop[2]);
+
+/* The table of its figures. */
+void gallery_put_figures(struct html *page, const struct gallery_scene *scene);
 
 /* Writes the page and frees it. False with *error set, also where memory ran out before. */
-bool gallery_write(struct gallery *gallery, const char *path, struct text_error *error);
+bool gallery_write(struct html *page, const char *path, struct text_error *error);
 
 #endif

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+# Compares README's figures with their sources: one line a figure, row, column, README's, the source's, status, source.
+# Status: ok, differs, absent (no such source here), test (not compared), unknown (figures.tsv does not name the row).
+# Reads figures.tsv, budgets.tsv, what `qtri demo` printed, README.md, in that order.
+
+BEGIN { OFS = "\t" }
+FILENAME != file { file = FILENAME; files++ }
+
+files == 1 && !/^#/ { split($0, part, "\t"); source[part[1], part[2]] = $0; next }
+files == 2 && !/^#/ { split($0, part, "\t"); budget[part[1], part[2]] = part[3]; next }
+files == 3 && NF == 7 { for (i = 2; i <= 7; i++) demo[$1, i - 1] = $i; next }
+files < 4 { next }
+
+/^\|/ {
+    count = split($0, cell, / *\| */)
+    if (!in_table) {
+        in_table = 1
+        table = cell[2]
+        for (i = 3; i < count; i++) title[i] = cell[i]
+    } else if (cell[2] !~ /^-+$/ && table != "") {
+        row(count)
+    }
+    next
+}
+{ in_table = 0 }
+
+function row(count,    part, i, s) {
+    if (!((table, cell[2]) in source)) {
+        if (cell[3] ~ /^[0-9.,]+$/) {
+            print cell[2], "-", cell[3], "-", "unknown", "host/report/figures.tsv"
+        }
+        return
+    }
+    named[table, cell[2]] = 1
+    split(source[table, cell[2]], part, "\t")
+    for (i = 3; i < count; i++) {
+        s = lookup(part, i - 2)
+        print cell[2], title[i], cell[i], s, part[3] == "test" ? "test" : s == "-" ? "absent" : near(cell[i], s) ? "ok" : "differs", command(part)
+    }
+}
+
+function lookup(part, i,    cores, key) {
+    if (part[3] == "budget") {
+        split("cortex-m0plus cortex-m3 cortex-m4", cores, " ")
+        key = part[4] SUBSEP cores[i]
+        return key in budget ? sprintf("%.10g", budget[key] / part[5]) : "-"
+    }
+    if (part[3] == "size") {
+        key = part[4] (i % 2 ? "-Os code" : "-Os stack") SUBSEP (i < 3 ? "cortex-m0plus" : "cortex-m3")
+        return key in budget ? budget[key] : "-"
+    }
+    key = part[4] SUBSEP i
+    return part[3] == "demo" && key in demo ? demo[key] : "-"
+}
+
+function command(part) {
+    return part[3] == "budget" ? "make bench BENCH_SCENES=" part[4] : part[3] == "size" ? "make size SIZE_APP=" part[4] \
+        : part[3] == "demo" ? "qtri demo --only " part[4] : "make test-plain TESTS=" part[4]
+}
+
+# Whether a figure is what is printed of a number: within half a step of its last digit; what has more digits, to its own.
+function near(figure, number,    digits, half, own) {
+    gsub(/,/, "", figure)
+    digits = index(figure, ".") ? length(figure) - index(figure, ".") : 0
+    half = .5 / 10 ^ digits
+    own = number ~ /\.[0-9][0-9]$/ && digits < 2 ? .005 : 0
+    return figure - number <= half + own + 1e-9 && number - figure <= half + own + 1e-9
+}
+
+END {
+    for (key in source) {
+        if (!(key in named)) {
+            split(key, part, SUBSEP)
+            print part[2], "-", "-", "-", "unknown", "README.md"
+        }
+    }
+}
