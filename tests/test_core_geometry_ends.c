@@ -135,7 +135,7 @@ static void constant_weights_are_kept(void **state)
 static void rests_without_w(void **state)
 {
     (void)state;
-    const qtri_screen_point at = {0, 0};
+    const qtri_point at = {0, 0};
     int16_t rest[2][2];
     for (int64_t w = -3; w <= 0; w++) {
         for (int64_t x = -2; x <= 2; x++) {

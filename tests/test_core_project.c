@@ -217,8 +217,8 @@ static void rests_of_snapping(void **state)
         const int32_t zeros = __builtin_clzll((uint64_t)v.w);
         const int32_t inv_w = qtri_reciprocal_below((uint32_t)((uint64_t)v.w << zeros >> 32));
         const int128 w = n % 16 == 1 ? 1 : v.w;
-        const qtri_screen_point at = {random_in(&seed, -4000000, 4000000),
-                                      random_in(&seed, -4000000, 4000000)};
+        const qtri_point at = {random_in(&seed, -4000000, 4000000),
+                               random_in(&seed, -4000000, 4000000)};
         int128 rest[2];
         int64_t x[2];
         for (int i = 0; i < 2; i++) {

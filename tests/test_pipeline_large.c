@@ -38,7 +38,7 @@ enum { INSTANCES = sizeof instances / sizeof instances[0] };
 enum { QUAD, NEEDLE, LEVEL, HUGE_ONE, SMALL, PLAIN, SHAPES };
 
 typedef struct triangle {
-    qtri_screen_point at[3];
+    qtri_point at[3];
     qtri_large_vertex v[3];
 } triangle;
 
@@ -147,7 +147,7 @@ static void draw(const qtri_pipeline *pipeline, const qtri_options *o, const qtr
     qtri_draw_state_init(&state, s, list, &m, o->shade == QTRI_WHITE_LIGHT ? QTRI_LIGHT : o->shade);
     state.table = table;
     assert_true(state.pipeline == pipeline);
-    const qtri_screen_point *const p[3] = {&t->at[0], &t->at[1], &t->at[2]};
+    const qtri_point *const p[3] = {&t->at[0], &t->at[1], &t->at[2]};
     qtri_large_triangle(&state, p, qtri_triangle_area(p[0], p[1], p[2]), 0xFFB45A, t->v);
 }
 
@@ -195,10 +195,10 @@ static void instances_have_the_bits_of_the_generic_one_and_of_tiles(void **state
 static bool weights_at(const triangle *t, int x, int y, double b[3])
 {
     const int64_t cx = 256 * x + 128, cy = 256 * y + 128;
-    const qtri_screen_point *p = t->at;
+    const qtri_point *p = t->at;
     const int64_t area = qtri_triangle_area(&p[0], &p[1], &p[2]);
     for (int i = 0; i < 3; i++) {
-        const qtri_screen_point *j = &p[(i + 1) % 3], *k = &p[(i + 2) % 3];
+        const qtri_point *j = &p[(i + 1) % 3], *k = &p[(i + 2) % 3];
         int64_t edge = (j->x_24p8 - cx) * (k->y_24p8 - cy) - (k->x_24p8 - cx) * (j->y_24p8 - cy);
         int64_t dx = k->x_24p8 - j->x_24p8, dy = k->y_24p8 - j->y_24p8;
         b[i] = (double)edge / (double)area;

@@ -315,8 +315,8 @@ static void instances_draw_the_same_bits(void **unused)
 static bool covers(const qtri_vertex *const v[3], int32_t x, int32_t y)
 {
     for (int i = 0; i < 3; i++) {
-        const qtri_screen_point *a = &v[i]->at;
-        const qtri_screen_point *b = &v[(i + 1) % 3]->at;
+        const qtri_point *a = &v[i]->at;
+        const qtri_point *b = &v[(i + 1) % 3]->at;
         const int64_t dx = b->x_24p8 - a->x_24p8, dy = b->y_24p8 - a->y_24p8;
         const int64_t e =
             (int64_t)(x * 256 + 128 - a->x_24p8) * dy - (int64_t)(y * 256 + 128 - a->y_24p8) * dx;

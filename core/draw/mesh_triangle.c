@@ -92,7 +92,7 @@ QTRI_NOINLINE static void place_late(const qtri_mesh_job *draw)
 }
 
 QTRI_NOINLINE static void set_rests(qtri_large_vertex v[3], const qtri_mesh_job *draw,
-                                    const uint32_t index[3], const qtri_screen_point *const p[3])
+                                    const uint32_t index[3], const qtri_point *const p[3])
 {
     if (draw->late != NULL && !draw->late->is_set) {
         place_late(draw);
@@ -105,8 +105,7 @@ QTRI_NOINLINE static void set_rests(qtri_large_vertex v[3], const qtri_mesh_job 
 }
 
 static void find_true_places(qtri_large_vertex v[3], const qtri_mesh_job *draw,
-                             const uint32_t index[3], const qtri_screen_point *const p[3],
-                             int64_t area)
+                             const uint32_t index[3], const qtri_point *const p[3], int64_t area)
 {
     const uint32_t depth_16p16[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
     if (qtri_rests_matter(&draw->primitive.to.solid.state, p, depth_16p16, area)) {
@@ -153,9 +152,8 @@ static void set_place(qtri_large_vertex *out, const qtri_vertex *vertex)
 }
 
 QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const uint32_t index[3],
-                                   qtri_vertex *const vertex[3],
-                                   const qtri_screen_point *const p[3], int64_t area,
-                                   uint32_t face_q15)
+                                   qtri_vertex *const vertex[3], const qtri_point *const p[3],
+                                   int64_t area, uint32_t face_q15)
 {
     qtri_draw_state *state = draw->primitive.to.solid.small.state;
     const uint8_t *alphas = state->material->alphas;
@@ -181,7 +179,7 @@ QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const uint32_t ind
 QTRI_NOINLINE void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices,
                                         qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
 {
-    const qtri_screen_point *const p[3] = {&a->at, &b->at, &c->at};
+    const qtri_point *const p[3] = {&a->at, &b->at, &c->at};
     qtri_vertex *const vertex[3] = {a, b, c};
     const int64_t area = qtri_triangle_area(p[0], p[1], p[2]);
     uint32_t index[3];

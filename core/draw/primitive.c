@@ -237,7 +237,7 @@ void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_ver
 /* ---- Large triangles ---- */
 
 /* What is left of half a step of 1/256 pixel: texels show it, depths where they are steep. */
-bool qtri_rests_matter(const qtri_draw_state *state, const qtri_screen_point *const p[3],
+bool qtri_rests_matter(const qtri_draw_state *state, const qtri_point *const p[3],
                        const uint32_t depth_16p16[3], int64_t area)
 {
     uint32_t low, high;
@@ -246,7 +246,7 @@ bool qtri_rests_matter(const qtri_draw_state *state, const qtri_screen_point *co
         return true;
     }
     for (int i = 0; i < 3; i++) {
-        const qtri_screen_point *next = p[i == 2 ? 0 : i + 1];
+        const qtri_point *next = p[i == 2 ? 0 : i + 1];
         extent += (int32_t)(qtri_magnitude32(p[i]->x_24p8 - next->x_24p8) +
                             qtri_magnitude32(p[i]->y_24p8 - next->y_24p8));
     }
@@ -255,7 +255,7 @@ bool qtri_rests_matter(const qtri_draw_state *state, const qtri_screen_point *co
     return qtri_mul_u32((high - low) >> 14, (uint32_t)extent) > 2 * qtri_magnitude64(area);
 }
 
-bool qtri_is_beside(const qtri_draw_state *state, const qtri_screen_point *const p[3])
+bool qtri_is_beside(const qtri_draw_state *state, const qtri_point *const p[3])
 {
     const qtri_rect *b = &state->bounds;
     const int32_t x0 = b->x0 * 256, x1 = b->x1 * 256, y0 = b->y0 * 256, y1 = b->y1 * 256;
@@ -359,7 +359,7 @@ QTRI_NOINLINE static void draw_piece(const qtri_primitive *primitive,
                                      qtri_attribute_source source, const void *from)
 {
     qtri_draw_state *state = primitive->to.solid.small.state;
-    const qtri_screen_point *const p[3] = {&vertex[0]->at, &vertex[1]->at, &vertex[2]->at};
+    const qtri_point *const p[3] = {&vertex[0]->at, &vertex[1]->at, &vertex[2]->at};
     qtri_large_vertex v[3];
     if (!qtri_is_beside(state, p)) {
         const uint32_t color = set_piece(v, primitive, vertex, source, from);

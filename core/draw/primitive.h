@@ -36,7 +36,7 @@ typedef struct qtri_primitive {
 
 /* A vertex of what clipping left of a triangle, on the screen. */
 typedef struct qtri_fan_vertex {
-    qtri_screen_point at;
+    qtri_point at;
     uint32_t depth_16p8; /* times 256, and in the low byte the exponent of inv_w */
     uint32_t inv_w_q31;
     int32_t b1_q30, b2_q30;
@@ -83,11 +83,11 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
 /* ---- Large triangles ---- */
 
 /* Whether it matters where vertices truly are, which are snapped to 1/256 pixel. */
-bool qtri_rests_matter(const qtri_draw_state *state, const qtri_screen_point *const p[3],
+bool qtri_rests_matter(const qtri_draw_state *state, const qtri_point *const p[3],
                        const uint32_t depth_16p16[3], int64_t area);
 
 /* Whether the triangle lies wholly on one side of what may be drawn. */
-bool qtri_is_beside(const qtri_draw_state *state, const qtri_screen_point *const p[3]);
+bool qtri_is_beside(const qtri_draw_state *state, const qtri_point *const p[3]);
 
 /* 0..255.0 each, rounded: 0x00RRGGBB. */
 uint32_t qtri_color_word(const int32_t color_8p16[3]);

@@ -88,7 +88,7 @@ static bool is_inside(const qtri_vertex *v)
 }
 
 /* The corners' parts, one after the other. */
-static bool job_place(const void *from, uint32_t part, qtri_screen_point end[2])
+static bool job_place(const void *from, uint32_t part, qtri_point end[2])
 {
     const stroke_job *job = from;
     uint32_t corner[2];
@@ -253,7 +253,7 @@ static qtri_vec3 half_width_up(const qtri_view *view, const qtri_transform *pose
 
 /* What a splat's half is on the screen: at least a 256th, at most QTRI_STROKE_WIDTH_MAX / 2. */
 static int32_t radius_in_space(const stroke_job *job, const qtri_vec4 *center,
-                               const qtri_vec3 *half, const qtri_screen_point *at)
+                               const qtri_vec3 *half, const qtri_point *at)
 {
     const int32_t most = QTRI_STROKE_WIDTH_MAX * 128;
     qtri_vec4 rim = *center;

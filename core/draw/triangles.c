@@ -364,9 +364,9 @@ void qtri_raster_triangle(const qtri_surface *surface, const qtri_pipeline *cons
     QTRI_CHECK(qtri_check_material(material));
     QTRI_ASSERT(v != NULL);
     qtri_draw_state state;
-    qtri_screen_point at[3];
+    qtri_point at[3];
     qtri_large_vertex vertex[3];
-    const qtri_screen_point *const p[3] = {&at[0], &at[1], &at[2]};
+    const qtri_point *const p[3] = {&at[0], &at[1], &at[2]};
     for (int i = 0; i < 3; i++) {
         at[i].x_24p8 = qtri_hold32(v[i].x_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);
         at[i].y_24p8 = qtri_hold32(v[i].y_24p8, -QTRI_SCREEN_MAX_24P8, QTRI_SCREEN_MAX_24P8);

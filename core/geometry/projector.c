@@ -189,7 +189,7 @@ static int16_t rest_of(int64_t x, int64_t w, int32_t at, int32_t reciprocal)
     return (int16_t)qtri_hold32((int32_t)(qtri_mul_s32(size, reciprocal) >> 46), -32768, 32767);
 }
 
-void qtri_project_rest(int16_t rest[2], const qtri_clip_vertex *v, const qtri_screen_point *at,
+void qtri_project_rest(int16_t rest[2], const qtri_clip_vertex *v, const qtri_point *at,
                        uint32_t inv_w_q31)
 {
     const int64_t w = v->w > 0 ? v->w : 1;

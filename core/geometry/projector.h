@@ -67,7 +67,7 @@ void qtri_project(const qtri_projector *projector, const qtri_clip_vertex *v,
  * x and y of where that vertex truly is, less where it was snapped to, in 2^-16 of 1/256 pixel;
  * 0 for what was held. `inv_w_q31`: what qtri_project() found.
  */
-void qtri_project_rest(int16_t rest[2], const qtri_clip_vertex *v, const qtri_screen_point *at,
+void qtri_project_rest(int16_t rest[2], const qtri_clip_vertex *v, const qtri_point *at,
                        uint32_t inv_w_q31);
 
 /* What the low byte of qtri_vertex.depth_16p8 and an intensity may say. */

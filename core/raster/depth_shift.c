@@ -13,7 +13,7 @@ static uint64_t determinant(int64_t f1, int64_t f2, int32_t d1, int32_t d2)
 }
 
 /* What depth changes by a pixel to the right or down, whichever is more: 16.16, held to 2^47. */
-static uint64_t slope_of(const qtri_screen_point *const p[3], int64_t area, const uint32_t depth[3])
+static uint64_t slope_of(const qtri_point *const p[3], int64_t area, const uint32_t depth[3])
 {
     const int64_t f1 = (int64_t)depth[1] - depth[0];
     const int64_t f2 = (int64_t)depth[2] - depth[0];
@@ -29,8 +29,8 @@ static uint64_t slope_of(const qtri_screen_point *const p[3], int64_t area, cons
 }
 
 /* What is added to the depths of all three vertices, modulo 2^32. */
-static uint32_t shift_of(const qtri_material *material, const qtri_screen_point *const p[3],
-                         int64_t area, const uint32_t depth[3])
+static uint32_t shift_of(const qtri_material *material, const qtri_point *const p[3], int64_t area,
+                         const uint32_t depth[3])
 {
     const uint32_t farthest = (uint32_t)65535 << 16;
     uint32_t least = farthest;
@@ -55,7 +55,7 @@ static uint32_t shift_of(const qtri_material *material, const qtri_screen_point 
 static bool draw_small(qtri_small *t)
 {
     qtri_vertex *const vertex[3] = {t->v[0], t->v[1], t->v[2]};
-    const qtri_screen_point *const p[3] = {&vertex[0]->at, &vertex[1]->at, &vertex[2]->at};
+    const qtri_point *const p[3] = {&vertex[0]->at, &vertex[1]->at, &vertex[2]->at};
     const int64_t area = qtri_triangle_area(p[0], p[1], p[2]);
     qtri_vertex moved[3];
     uint32_t depth[3];

@@ -42,8 +42,8 @@ struct qtri_depth_shift {
     /* A small triangle, which its state's pipeline draws then. */
     bool (*small)(struct qtri_small *triangle);
     /* What is added to the depths of a triangle's vertices, modulo 2^32. */
-    uint32_t (*find)(const qtri_material *material, const qtri_screen_point *const p[3],
-                     int64_t area, const uint32_t depth[3]);
+    uint32_t (*find)(const qtri_material *material, const qtri_point *const p[3], int64_t area,
+                     const uint32_t depth[3]);
 };
 
 extern const qtri_pipeline *const qtri_pipelines_fog[];

@@ -11,8 +11,7 @@ static int32_t first_center(int32_t at_24p8)
     return (at_24p8 + 127) >> 8;
 }
 
-static void edge_init(qtri_dda *dda, const qtri_screen_point *a, const qtri_screen_point *b,
-                      int32_t row)
+static void edge_init(qtri_dda *dda, const qtri_point *a, const qtri_point *b, int32_t row)
 {
     const int32_t length = b->y_24p8 - a->y_24p8;
     qtri_dda_init(dda, a->x_24p8, b->x_24p8 - a->x_24p8, length, row * 256 + 128 - a->y_24p8,
@@ -20,13 +19,13 @@ static void edge_init(qtri_dda *dda, const qtri_screen_point *a, const qtri_scre
 }
 
 bool qtri_large_edges_init(qtri_large_edges *e, const qtri_rect *bounds,
-                           const qtri_screen_point *const vertex[3], bool clockwise)
+                           const qtri_point *const vertex[3], bool clockwise)
 {
-    const qtri_screen_point *p[3] = {vertex[0], vertex[1], vertex[2]};
+    const qtri_point *p[3] = {vertex[0], vertex[1], vertex[2]};
     for (int i = 0; i < 3; i++) { /* 0 1, 1 2, 0 1 */
         const int k = i & 1;
         if (p[k + 1]->y_24p8 < p[k]->y_24p8) {
-            const qtri_screen_point *other = p[k];
+            const qtri_point *other = p[k];
             p[k] = p[k + 1];
             p[k + 1] = other;
             clockwise = !clockwise;
@@ -54,7 +53,7 @@ bool qtri_large_edges_init(qtri_large_edges *e, const qtri_rect *bounds,
     return true;
 }
 
-void qtri_large_set_box(qtri_large *t, const qtri_screen_point *const p[3], int64_t area)
+void qtri_large_set_box(qtri_large *t, const qtri_point *const p[3], int64_t area)
 {
     int32_t x[2] = {p[0]->x_24p8, p[0]->x_24p8};
     int32_t y[2] = {p[0]->y_24p8, p[0]->y_24p8};
@@ -283,7 +282,7 @@ bool qtri_large_begin_rows(qtri_large *t)
     return true;
 }
 
-void qtri_large_triangle(qtri_draw_state *state, const qtri_screen_point *const p[3], int64_t area,
+void qtri_large_triangle(qtri_draw_state *state, const qtri_point *const p[3], int64_t area,
                          uint32_t color_rgb, const qtri_large_vertex v[3])
 {
     const qtri_depth_shift *shift = state->material->depth_shift;

@@ -25,7 +25,7 @@ typedef struct qtri_large_vertex {
  * `area`: qtri_triangle_area() of the points; 0 draws nothing. color_rgb: 0x00RRGGBB, with
  * QTRI_FLAT and QTRI_TINT. state->pipeline is not NULL.
  */
-void qtri_large_triangle(qtri_draw_state *state, const qtri_screen_point *const p[3], int64_t area,
+void qtri_large_triangle(qtri_draw_state *state, const qtri_point *const p[3], int64_t area,
                          uint32_t color_rgb, const qtri_large_vertex v[3]);
 
 /* The least and the greatest of the three vertices' values. */

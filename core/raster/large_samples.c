@@ -15,9 +15,9 @@ static int32_t moved_by(int32_t at_24p8, int32_t by)
 }
 
 /* The triangle so that a place lies where centres do; returns its area, which may be 0. */
-static int64_t move(const qtri_screen_point *p[3], const qtri_large *t, int32_t place)
+static int64_t move(const qtri_point *p[3], const qtri_large *t, int32_t place)
 {
-    qtri_screen_point *moved = t->samples->moved;
+    qtri_point *moved = t->samples->moved;
     for (int i = 0; i < 3; i++) {
         moved[i].x_24p8 = moved_by(t->in->p[i]->x_24p8, offset[place][0]);
         moved[i].y_24p8 = moved_by(t->in->p[i]->y_24p8, offset[place][1]);
@@ -31,7 +31,7 @@ static bool set_edges(qtri_large *t)
 {
     qtri_large_samples *s = t->samples;
     const qtri_rect *bounds = &t->state->bounds;
-    const qtri_screen_point *p[3];
+    const qtri_point *p[3];
     s->first_row = bounds->y1;
     s->end = bounds->y0;
     for (int32_t k = 0; k < QTRI_PLACES; k++) {
@@ -51,7 +51,7 @@ static bool set_edges(qtri_large *t)
 /* The triangle at a place; false: it has no area there. */
 static bool set_up(qtri_large *t, int32_t place)
 {
-    const qtri_screen_point *p[3];
+    const qtri_point *p[3];
     const int64_t area = move(p, t, place);
     if (area == 0) {
         return false;

@@ -28,9 +28,9 @@ enum { QTRI_PACK_NONE, QTRI_PACK_ONE, QTRI_PACK_565, QTRI_PACK_888, QTRI_PACK_WE
 
 /* In large.c: edges of a triangle, from the first row on that is drawn; false: there is none. */
 bool qtri_large_edges_init(qtri_large_edges *edges, const qtri_rect *bounds,
-                           const qtri_screen_point *const vertex[3], bool clockwise);
+                           const qtri_point *const vertex[3], bool clockwise);
 /* What a triangle that is drawn from row t.y + 1 on has but its edges. */
-void qtri_large_set_box(qtri_large *t, const qtri_screen_point *const p[3], int64_t area);
+void qtri_large_set_box(qtri_large *t, const qtri_point *const p[3], int64_t area);
 void qtri_large_set_up(qtri_large *t);
 
 /* Columns `left` to `right` of row t.y are what is drawn next; false: nothing of

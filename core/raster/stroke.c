@@ -256,7 +256,7 @@ void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *plac
 static bool find_look(qtri_stroker *stroker)
 {
     const qtri_stroke_source *source = stroker->source;
-    qtri_screen_point place[2];
+    qtri_point place[2];
     qtri_stroke_look first;
     bool is_first = true;
     for (uint32_t part = 0; part < source->count; part++) {
@@ -324,11 +324,10 @@ typedef struct polyline {
     uint32_t count;
 } polyline;
 
-static qtri_screen_point point_of(const qtri_screen_vertex *v)
+static qtri_point point_of(const qtri_screen_vertex *v)
 {
     const int32_t max = QTRI_SCREEN_MAX_24P8;
-    const qtri_screen_point point = {qtri_hold32(v->x_24p8, -max, max),
-                                     qtri_hold32(v->y_24p8, -max, max)};
+    const qtri_point point = {qtri_hold32(v->x_24p8, -max, max), qtri_hold32(v->y_24p8, -max, max)};
     return point;
 }
 
@@ -337,7 +336,7 @@ static uint32_t next_of(const polyline *line, uint32_t part)
     return part + 1 < line->count ? part + 1 : 0;
 }
 
-static bool place(const void *from, uint32_t part, qtri_screen_point end[2])
+static bool place(const void *from, uint32_t part, qtri_point end[2])
 {
     const polyline *line = from;
     end[0] = point_of(&line->v[part]);

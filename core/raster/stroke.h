@@ -29,7 +29,7 @@ typedef struct qtri_stroke_source {
     const void *from;
     uint32_t count;
     bool closed;
-    bool (*place)(const void *from, uint32_t part, qtri_screen_point end[2]);
+    bool (*place)(const void *from, uint32_t part, qtri_point end[2]);
     void (*ends)(const void *from, uint32_t part, qtri_stroke_end end[2]);
 } qtri_stroke_source;
 

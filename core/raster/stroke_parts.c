@@ -82,8 +82,8 @@ qtri_stroke_box qtri_stroke_box_of(const qtri_stroke_place *place)
     const bool has_corners = place->caps[0] == QTRI_CAP_SQUARE || place->caps[1] == QTRI_CAP_SQUARE;
     const int32_t radius = place->radius_24p8;
     const int32_t reach = radius + (radius >> (has_corners ? 1 : 4)) + 2;
-    const qtri_screen_point *a = &place->end[0];
-    const qtri_screen_point *b = &place->end[1];
+    const qtri_point *a = &place->end[0];
+    const qtri_point *b = &place->end[1];
     const qtri_stroke_box box = {
         (int16_t)((qtri_least32(a->x_24p8, b->x_24p8) - reach) >> 8),
         (int16_t)((qtri_least32(a->y_24p8, b->y_24p8) - reach) >> 8),

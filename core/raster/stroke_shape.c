@@ -168,7 +168,7 @@ static void set_outline(qtri_stroke_shape *s, int32_t out_x, int32_t out_y)
 void qtri_stroke_shape_init(qtri_stroke_shape *s, const qtri_stroke_place *place,
                             const qtri_stroke_ring *ring)
 {
-    qtri_screen_point end[2] = {place->end[0], place->end[1]};
+    qtri_point end[2] = {place->end[0], place->end[1]};
     set_direction(s, end[1].x_24p8 - end[0].x_24p8, end[1].y_24p8 - end[0].y_24p8);
     s->origin = end[0];
     s->radius = place->radius_24p8;
@@ -218,8 +218,8 @@ static void set_side(qtri_stroke_piece *p, int32_t x, int32_t top, int32_t botto
 }
 
 /* The piece of a disc's bound at y; sign: -1 for the left one. */
-static void set_arc(qtri_stroke_piece *p, const qtri_stroke_ring *ring,
-                    const qtri_screen_point *center, int32_t sign, int32_t y)
+static void set_arc(qtri_stroke_piece *p, const qtri_stroke_ring *ring, const qtri_point *center,
+                    int32_t sign, int32_t y)
 {
     const int32_t down = y - center->y_24p8;
     const int32_t level = down < 0 ? -down : down + 1;
@@ -267,7 +267,7 @@ static void set_end(qtri_stroke_shape *s, int side, bool is_upper, int32_t top, 
                     int32_t y)
 {
     qtri_stroke_piece *p = &s->piece[side];
-    const qtri_screen_point *center = is_upper ? &s->a : &s->b;
+    const qtri_point *center = is_upper ? &s->a : &s->b;
     const int32_t sign = side == 0 ? -1 : 1;
     if (!(is_upper ? s->round_a : s->round_b)) {
         const int64_t slope_q32 = slope_of(s->offset_x, s->offset_y); /* below a corner: not 0 */

@@ -16,9 +16,9 @@
 
 /* A part's position. */
 typedef struct qtri_stroke_place {
-    qtri_screen_point end[2]; /* within +-QTRI_SCREEN_MAX_24P8 */
-    int32_t radius_24p8;      /* 1..2^16 */
-    uint8_t caps[2];          /* qtri_cap of the ends; joints are round */
+    qtri_point end[2];   /* within +-QTRI_SCREEN_MAX_24P8 */
+    int32_t radius_24p8; /* 1..2^16 */
+    uint8_t caps[2];     /* qtri_cap of the ends; joints are round */
 } qtri_stroke_place;
 
 /*
@@ -54,7 +54,7 @@ typedef struct qtri_stroke_piece {
 typedef struct qtri_stroke_shape {
     uint32_t part;                /* UINT32_MAX: none */
     const qtri_stroke_ring *ring; /* of its radius; NULL: arcs are exact, level by level */
-    qtri_screen_point a, b;
+    qtri_point a, b;
     int32_t radius;
     int32_t offset_x, offset_y; /* offset_y >= 0 */
     int32_t top, bottom;
@@ -66,7 +66,7 @@ typedef struct qtri_stroke_shape {
     qtri_stroke_piece piece[2]; /* of the left bound and of the right one, found last */
     int32_t min_x, max_x;       /* of what it covers of the row */
     uint8_t share_shift;        /* 6..31 */
-    qtri_screen_point origin;   /* the first end without a cap; along the part: */
+    qtri_point origin;          /* the first end without a cap; along the part: */
     int32_t along_x_q30, along_y_q30; /* direction */
     int32_t length_24p8;              /* rounded */
     int32_t share_x, share_y;         /* of its length a unit, times 2^(share_shift - 24) */

@@ -19,13 +19,12 @@ static inline bool qtri_differences_are_short(int32_t a, int32_t b, int32_t c, i
 }
 
 /* qtri_triangle_area where products are long, which is rare: in one place. */
-int64_t qtri_triangle_area_far(const qtri_screen_point *a, const qtri_screen_point *b,
-                               const qtri_screen_point *c);
+int64_t qtri_triangle_area_far(const qtri_point *a, const qtri_point *b, const qtri_point *c);
 #endif
 
 /* Twice the area in 1/256 pixel squared; y points down: negative is front. |x|, |y| <= 2^22. */
-static inline int64_t qtri_triangle_area(const qtri_screen_point *a, const qtri_screen_point *b,
-                                         const qtri_screen_point *c)
+static inline int64_t qtri_triangle_area(const qtri_point *a, const qtri_point *b,
+                                         const qtri_point *c)
 {
     int32_t dx1 = b->x_24p8 - a->x_24p8;
     int32_t dy1 = b->y_24p8 - a->y_24p8;
@@ -42,8 +41,8 @@ static inline int64_t qtri_triangle_area(const qtri_screen_point *a, const qtri_
 }
 
 /* qtri_triangle_area(a, b, c) >= 0, most of a mesh's triangles: without 64 bits where it can be. */
-static inline bool qtri_triangle_is_back(const qtri_screen_point *a, const qtri_screen_point *b,
-                                         const qtri_screen_point *c)
+static inline bool qtri_triangle_is_back(const qtri_point *a, const qtri_point *b,
+                                         const qtri_point *c)
 {
 #if !QTRI_LONG_MULTIPLY
     const uint32_t half = (uint32_t)1 << 14;

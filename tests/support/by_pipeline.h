@@ -25,9 +25,9 @@ static inline uint32_t by_pipeline_color(const qtri_screen_vertex *v)
 static inline void draw_large_by_pipeline(qtri_draw_state *state, const qtri_screen_vertex v[3],
                                           int64_t area)
 {
-    const qtri_screen_point at[3] = {
+    const qtri_point at[3] = {
         {v[0].x_24p8, v[0].y_24p8}, {v[1].x_24p8, v[1].y_24p8}, {v[2].x_24p8, v[2].y_24p8}};
-    const qtri_screen_point *const p[3] = {&at[0], &at[1], &at[2]};
+    const qtri_point *const p[3] = {&at[0], &at[1], &at[2]};
     qtri_large_vertex large[3];
     memset(large, 0, sizeof large);
     for (int i = 0; i < 3; i++) {
@@ -84,7 +84,7 @@ static inline void draw_by_pipeline(const qtri_surface *surface, const qtri_mate
         t.v[i] = &vertex[i];
         t.index[i] = (uint32_t)i;
     }
-    const qtri_screen_point at[3] = {vertex[0].at, vertex[1].at, vertex[2].at};
+    const qtri_point at[3] = {vertex[0].at, vertex[1].at, vertex[2].at};
     const int64_t area = qtri_triangle_area(&at[0], &at[1], &at[2]);
     if (area != 0 && !state.small(&t)) {
         draw_large_by_pipeline(&state, v, area);

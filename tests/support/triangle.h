@@ -23,7 +23,7 @@ static inline int draw_triangle(const qtri_surface *surface, const qtri_material
     qtri_vec2 uvs[3];
     qtri_vertex vertex[3];
     qtri_large_vertex large[3];
-    qtri_screen_point at[3];
+    qtri_point at[3];
     const bool is_smooth = material->shading == QTRI_SMOOTH;
     const int provoking = material->shading == QTRI_FLAT_FIRST ? 0 : 2;
     memset(vertex, 0, sizeof vertex);
@@ -67,7 +67,7 @@ static inline int draw_triangle(const qtri_surface *surface, const qtri_material
     if (may_be_small && state.pipeline->small(&small)) {
         return TRIANGLE_SMALL;
     }
-    const qtri_screen_point *const p[3] = {&at[0], &at[1], &at[2]};
+    const qtri_point *const p[3] = {&at[0], &at[1], &at[2]};
     const qtri_rgb c = colors[provoking];
     qtri_large_triangle(&state, p, area, (uint32_t)c.r << 16 | (uint32_t)c.g << 8 | c.b, large);
     return TRIANGLE_LARGE;

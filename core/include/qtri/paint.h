@@ -34,11 +34,6 @@ extern "C" {
 #define QTRI_PAINT_MAX_24P8        ((int32_t)1 << 22) /* 16384 pixels */
 #define QTRI_PAINT_RADIUS_MAX_24P8 ((int32_t)1 << 21) /* 8192 pixels */
 
-/* In 1/256 pixel. */
-typedef struct qtri_point {
-    int32_t x_24p8, y_24p8;
-} qtri_point;
-
 /* From x0, y0 to x1, y1 in 1/256 pixel; without an inside when x1 <= x0 or y1 <= y0. */
 typedef struct qtri_area {
     int32_t x0_24p8, y0_24p8, x1_24p8, y1_24p8;

@@ -23,6 +23,11 @@ extern "C" {
 
 #define QTRI_SURFACE_MAX 8192 /* largest width and height of a frame, pixels */
 
+/* In 1/256 pixel of the frame. */
+typedef struct qtri_point {
+    int32_t x_24p8, y_24p8;
+} qtri_point;
+
 /* Half-open: columns x0..x1-1, rows y0..y1-1. Empty when x1 <= x0 or y1 <= y0. */
 typedef struct qtri_rect {
     int32_t x0, y0, x1, y1;

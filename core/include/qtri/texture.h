@@ -17,7 +17,58 @@
 extern "C" {
 #endif
 
-typedef struct qtri_texture qtri_texture;
+/* What lies outside of 0..1. Anything else is QTRI_REPEAT. */
+typedef enum qtri_wrap {
+    QTRI_REPEAT, /* the texture again */
+    QTRI_CLAMP   /* its first or last column or row */
+} qtri_wrap;
+
+typedef struct qtri_texel_format qtri_texel_format; /* what a texel is: below */
+typedef struct qtri_filter qtri_filter;             /* how texels are mixed: below */
+
+/*
+ * u = v = 0 is the first texel's first corner, u = 1 and v = 1 one past the last column and row;
+ * the first texel's centre is half a texel on. What an initialiser leaves out is zero: repeated,
+ * nearest, without a key.
+ *
+ * Sides are powers of two: others would take 15 to 25 % more of a pixel's instructions, of every
+ * texture. `qtri texture` resamples pictures to such sides, the nearest or those that --size names,
+ * and says so; u and v go from 0 to 1 all the same. Pictures that are painted may have any size:
+ * see paint.h.
+ *
+ * Coordinates are interpolated as they are and clamped at each pixel, so that a clamped texture may
+ * lie anywhere on a large triangle. 30 bits hold a triangle's range of coordinates, from the whole
+ * repeat below the least: below 16 repeats of 1024 texels in steps of 2^-16 of a texel, below 32768
+ * in steps of 1/32.
+ *
+ * A texel that equals the key is not drawn, neither its colour nor its depth. Compared is what is
+ * stored: 16 bits, the low 24 bits of xrgb8888, the number of a palette entry, a gray level, 0 or 1
+ * for checker's colours. So a palette may hold the key's colour once more, opaque. What bilinear
+ * filtering draws is decided by the nearest texel: the same pixels as without the filter. There
+ * the nearest texel also stands in for those of the four that equal the key, whose colour is seen
+ * nowhere.
+ */
+typedef struct qtri_texture {
+    const void *texels; /* row by row without gaps; NULL for checker, elsewhere: no texture */
+    const qtri_texel_format *format; /* NULL: no texture */
+    uint8_t width_log2, height_log2; /* 0..10: sides 1..1024; more is taken as 10 */
+    /* checker: fields x fields fields over the texture, colour[(column + row) & 1]. */
+    uint16_t fields;
+    qtri_rgb color[2];
+    qtri_wrap wrap_u, wrap_v;  /* anything but CLAMP repeats */
+    const qtri_filter *filter; /* NULL: nearest, the texel that the coordinates lie in */
+    /* palette8: 256 entries; NULL: no texture. 8 bits a channel as all colours, on gray8 and
+       xrgb8888 surfaces too; 256 bytes more than RGB565, and nothing to widen for a pixel. */
+    const qtri_rgb *palette;
+    bool has_key;
+    uint32_t key; /* the stored texel that is not drawn, if has_key */
+    /* For filters by levels; NULL, or a null pointer in it: there are none from there on. */
+    const void *const *levels;
+    uint8_t level_count; /* besides level 0: up to 9 count */
+} qtri_texture;
+
+/* Formats of texels
+ * ---------------------------------------------------------------------------------------------- */
 
 /* The library's own formats, as pipelines know them (pipeline.h). */
 enum {
@@ -35,7 +86,7 @@ enum {
 };
 
 /* What a stored texel is, and how it is read. */
-typedef struct qtri_texel_format {
+struct qtri_texel_format {
     const qtri_colors *colors; /* what decode gives: &qtri_colors_565 or &qtri_colors_888 */
     uint32_t key_mask;         /* the bits of a stored texel that are compared with the key */
     /* Whether the texture has what reading needs. Without, it is no texture. */
@@ -48,7 +99,7 @@ typedef struct qtri_texel_format {
     /* Stored texels become colours, in place, and up to three more; NULL: they are. */
     void (*decode)(uint32_t *texel, const qtri_texture *texture, int32_t count);
     uint8_t kind; /* of the library's own; 0: another */
-} qtri_texel_format;
+};
 
 extern const qtri_texel_format qtri_texel_rgb565;   /* texels: const uint16_t * */
 extern const qtri_texel_format qtri_texel_xrgb8888; /* texels: const uint32_t * */
@@ -64,14 +115,9 @@ extern const qtri_texel_format qtri_texel_argb1555; /* texels: const uint16_t *,
 extern const qtri_texel_format qtri_texel_argb8888; /* texels: const uint32_t * */
 extern const qtri_texel_format qtri_texel_alpha8;   /* texels: const uint8_t *: white with alpha */
 
-/* What lies outside of 0..1. Anything else is QTRI_REPEAT. */
-typedef enum qtri_wrap {
-    QTRI_REPEAT, /* the texture again */
-    QTRI_CLAMP   /* its first or last column or row */
-} qtri_wrap;
+/* Filters
+ * ---------------------------------------------------------------------------------------------- */
 
-/* NULL: nearest, the texel that the coordinates lie in. */
-typedef struct qtri_filter qtri_filter;
 extern const qtri_filter qtri_bilinear; /* the four whose centres lie around them, weighted */
 /* Of the texture's levels the one whose texels are as large as pixels: there nearest, or bilinear.
  */
@@ -79,27 +125,13 @@ extern const qtri_filter qtri_mipmapped;
 extern const qtri_filter qtri_mipmapped_bilinear;
 
 /*
- * u = v = 0 is the first texel's first corner, u = 1 and v = 1 one past the last column and row;
- * the first texel's centre is half a texel on. What an initialiser leaves out is zero: repeated,
- * nearest, without a key.
- *
- * Sides are powers of two: others would take 15 to 25 % more of a pixel's instructions, of every
- * texture. `qtri texture` resamples pictures to such sides, the nearest or those that --size names,
- * and says so; u and v go from 0 to 1 all the same. Pictures that are painted may have any size:
- * see paint.h.
- *
  * Bilinear weights have 8 bits, rounded to nearest, and their sum of colours is rounded once, with
  * the pixel. A weight is off by 1/512 at most, and by what the coordinate is off: the colour by the
  * difference of neighbouring texels times that, in either direction, so by 1 of 255 where black
  * meets white.
- *
- * A texel that equals the key is not drawn, neither its colour nor its depth. Compared is what is
- * stored: 16 bits, the low 24 bits of xrgb8888, the number of a palette entry, a gray level, 0 or 1
- * for checker's colours. So a palette may hold the key's colour once more, opaque. What bilinear
- * filtering draws is decided by the nearest texel: the same pixels as without the filter. There
- * the nearest texel also stands in for those of the four that equal the key, whose colour is seen
- * nowhere.
- *
+ */
+
+/*
  * Levels are the same picture in texels of twice the side each, so that a texture that is far away
  * neither crawls nor sparkles: `qtri texture --mipmaps` makes them. Level 0 is `texels`, level i
  * levels[i - 1], of width_log2 - i and height_log2 - i, or 0. Widths end at two texels: what is
@@ -119,30 +151,7 @@ extern const qtri_filter qtri_mipmapped_bilinear;
  * is r rows away, for pixels h from the middle, by h / r of the step right in the step down;
  * rounding adds .01. On slivers of less than a pixel's height it may be any. All is counted from
  * the whole triangle and its rows, so no band or scissor changes a level.
- *
- * Coordinates are interpolated as they are and clamped at each pixel, so that a clamped texture may
- * lie anywhere on a large triangle. 30 bits hold a triangle's range of coordinates, from the whole
- * repeat below the least: below 16 repeats of 1024 texels in steps of 2^-16 of a texel, below 32768
- * in steps of 1/32.
  */
-struct qtri_texture {
-    const void *texels; /* row by row without gaps; NULL for checker, elsewhere: no texture */
-    const qtri_texel_format *format; /* NULL: no texture */
-    uint8_t width_log2, height_log2; /* 0..10: sides 1..1024; more is taken as 10 */
-    /* checker: fields x fields fields over the texture, colour[(column + row) & 1]. */
-    uint16_t fields;
-    qtri_rgb color[2];
-    qtri_wrap wrap_u, wrap_v; /* anything but CLAMP repeats */
-    const qtri_filter *filter;
-    /* palette8: 256 entries; NULL: no texture. 8 bits a channel as all colours, on gray8 and
-       xrgb8888 surfaces too; 256 bytes more than RGB565, and nothing to widen for a pixel. */
-    const qtri_rgb *palette;
-    bool has_key;
-    uint32_t key; /* the stored texel that is not drawn, if has_key */
-    /* For the filters above; NULL, or a null pointer in it: there are none from there on. */
-    const void *const *levels;
-    uint8_t level_count; /* besides level 0: up to 9 count */
-};
 
 #ifdef __cplusplus
 }

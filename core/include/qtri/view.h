@@ -8,6 +8,7 @@
 
 #include <stdint.h>
 
+#include "surface.h"
 #include "transform.h"
 
 #ifdef __cplusplus
@@ -60,17 +61,12 @@ typedef struct qtri_light {
 /* What draws the pixels: see pipeline.h. */
 typedef struct qtri_pipeline qtri_pipeline;
 
-/* On the screen, in 1/256 pixel of the frame. */
-typedef struct qtri_screen_point {
-    int32_t x_24p8, y_24p8;
-} qtri_screen_point;
-
 /*
  * A vertex after the vertex stage. Draw calls keep them in the caller's memory, so that a vertex
  * that many triangles share is transformed and lit once. Fields are internal.
  */
 typedef struct qtri_vertex {
-    qtri_screen_point at;
+    qtri_point at;
     uint32_t depth_16p8;    /* times 256, and in the low byte the planes the vertex is outside of */
     uint32_t inv_w;         /* mantissa of 1/w; of wireframes: edges, see mesh_lines.c */
     uint16_t index;         /* of the mesh's vertex in this slot; of wireframes: notes */

@@ -30,7 +30,7 @@ typedef struct qtri_large_piece {
 /* What a draw call has of a triangle. */
 typedef struct qtri_large_input {
     qtri_draw_state *state;
-    const qtri_screen_point *const *p;
+    const qtri_point *const *p;
     int64_t area;   /* qtri_triangle_area() of these, not 0 */
     uint32_t color; /* 0x00RRGGBB */
     const struct qtri_large_vertex *v;
@@ -70,7 +70,7 @@ typedef struct qtri_large_samples {
     uint32_t z_p, z_q;         /* what depth has more: see antialias.h */
     int32_t first_row, end;    /* of all places */
     int32_t next, left, right; /* of the row at the pass's place: what is not drawn yet */
-    qtri_screen_point moved[3];
+    qtri_point moved[3];
     qtri_large_edges first[QTRI_PLACES], edges[QTRI_PLACES]; /* as they begin; as they are */
 } qtri_large_samples;
 

@@ -86,7 +86,7 @@ QTRI_BODY bool qtri_small_is_far(int32_t dx1, int32_t dy1, int32_t dx2, int32_t 
 QTRI_BODY bool qtri_small_is_lit_by_vertex(const qtri_small *t)
 {
     const uint32_t half = 6 * 256;
-    const qtri_screen_point *a = &t->v[0]->at, *b = &t->v[1]->at, *c = &t->v[2]->at;
+    const qtri_point *a = &t->v[0]->at, *b = &t->v[1]->at, *c = &t->v[2]->at;
     return (((uint32_t)(b->x_24p8 - a->x_24p8) + half) |
             ((uint32_t)(b->y_24p8 - a->y_24p8) + half) |
             ((uint32_t)(c->x_24p8 - a->x_24p8) + half) |
