@@ -7,13 +7,21 @@
 #include <qtri_port/gc9a01.h>
 #include <qtri_port/i2c.h>
 #include <qtri_port/ili9341.h>
+#include <qtri_port/ili9488.h>
 #include <qtri_port/panel.h>
+#include <qtri_port/pcd8544.h>
 #include <qtri_port/sh1106.h>
+#include <qtri_port/sharp.h>
 #include <qtri_port/ssd0323.h>
 #include <qtri_port/ssd1306.h>
+#include <qtri_port/ssd1322.h>
+#include <qtri_port/ssd1327.h>
+#include <qtri_port/ssd1351.h>
 #include <qtri_port/ssd1680.h>
+#include <qtri_port/ssd1681.h>
 #include <qtri_port/st7735.h>
 #include <qtri_port/st7789.h>
+#include <qtri_port/uc8151.h>
 
 #include <qtri.h>
 
@@ -21,10 +29,12 @@
 #include <string.h>
 
 static const qtri_panel_description *const descriptions[] = {
-    &qtri_ssd1306,        &qtri_ssd1306_128x32, &qtri_ssd1306_72x40, &qtri_sh1106,
-    &qtri_ssd0323,        &qtri_ssd1680,        &qtri_ili9341,       &qtri_st7789,
-    &qtri_st7789_135x240, &qtri_st7789_170x320, &qtri_st7735,        &qtri_st7735_green,
-    &qtri_st7735_80x160,  &qtri_gc9a01,         &qtri_st7789_240x240};
+    &qtri_ssd1306,        &qtri_ssd1306_128x32, &qtri_ssd1306_72x40,  &qtri_sh1106,
+    &qtri_ssd0323,        &qtri_ssd1680,        &qtri_ili9341,        &qtri_st7789,
+    &qtri_st7789_135x240, &qtri_st7789_170x320, &qtri_st7735,         &qtri_st7735_green,
+    &qtri_st7735_80x160,  &qtri_gc9a01,         &qtri_st7789_240x240, &qtri_ili9488,
+    &qtri_ssd1351,        &qtri_ssd1327,        &qtri_ssd1322,        &qtri_ssd1681,
+    &qtri_uc8151,         &qtri_sharp_96x96,    &qtri_sharp_400x240,  &qtri_pcd8544};
 
 typedef struct reader {
     const uint8_t *data;
@@ -78,7 +88,7 @@ static bool call(wire *w)
 static bool command(void *context, const uint8_t *bytes, size_t count)
 {
     wire *w = context;
-    require(count >= 1 && count <= 16);
+    require(count >= 1 && count <= 17);
     w->sum += sum_of(bytes, count);
     return call(w);
 }
@@ -161,7 +171,7 @@ static void init_bus(qtri_bus *bus, qtri_i2c *i2c, uint8_t *buffer, wire *w, uin
         i2c->write = i2c_write;
         i2c->wait_ms = wait_ms;
         i2c->buffer = buffer;
-        i2c->bytes = 17 + (choices >> 4) % 16;
+        i2c->bytes = 18 + (choices >> 4) % 16;
         if (qtri_i2c_bus(bus, i2c) != QTRI_OK) {
             abort();
         }

@@ -62,7 +62,7 @@ static void normals_are_smooth_below_the_angle(void **state)
         size_t vertices;
     } cases[] = {{MODEL_NORMALS_SMOOTH, 89.0, 24}, {MODEL_NORMALS_SMOOTH, 91.0, 8},
                  {MODEL_NORMALS_SMOOTH, 0.0, 24},  {MODEL_NORMALS_FLAT, 0.0, 24},
-                 {MODEL_NORMALS_NONE, 0.0, 8},     {MODEL_NORMALS_KEEP, 0.0, 8}};
+                 {MODEL_NORMALS_NONE, 0.0, 8},     {MODEL_NORMALS_KEEP, 0.0, 24}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct model model = parse(cube);
         assert_true(model_make_normals(&model, cases[i].normals, cases[i].degrees));

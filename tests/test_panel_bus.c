@@ -119,7 +119,10 @@ static void lcd_sequence(void **state)
     setup_init(&s, 8);
     assert_int_equal(setup_start(&s, QTRI_ROTATE_90, true), QTRI_OK);
     assert_log_ends(&s.wire,
-                    "r1 w1 r0 w120 c01 w120 c3A d55 c26 d01 c11 w120 c36 d28 c20 "
+                    "r1 w1 r0 w120 c01 w120 cCB d392C003402 cCF d00C130 cE8 d850078 cEA d0000 "
+                    "cED d64031281 cF7 d20 cC0 d23 cC1 d10 cC5 d3E28 cC7 d86 c3A d55 cB1 d0018 "
+                    "cF2 d00 c26 d01 cE0 d0F312B0C0E084EF1370710030E0900 "
+                    "cE1 d000E1403110731C148080F0C31360F c11 w120 c36 d28 c20 "
                     "c2A d0000013F c2B d000000EF c2C s",
                     "..(960) f960 c29");
     assert_int_equal(setup_start(&s, QTRI_ROTATE_90, false), QTRI_OK);
@@ -161,6 +164,30 @@ static void lcd_sequence(void **state)
         assert_log(&s.wire, windows[rotation]);
         setup_end(&s);
     }
+}
+
+/* A frame of the bus is one of the display's: the line's number, its pixels, the last clocks. */
+static void memory_lcd_sequence(void **state)
+{
+    (void)state;
+    static setup s;
+    setup_init(&s, 35);
+    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_log(&s.wire, "r1 w1 r0 w1 c00 d2000 c00");
+    for (int n = 0; n < 3; n++) { /* rows 5 and 6 are lines 6 and 7; VCOM each second time */
+        send_white(&s, small_rect(), 0, 16);
+        assert_log(&s.wire, n % 2 == 0 ? "c00 dC060 d1E0000000000000000000000 dC0E0 "
+                                         "d1E0000000000000000000000 d0000 c00"
+                                       : "c00 d8060 d1E0000000000000000000000 d80E0 "
+                                         "d1E0000000000000000000000 d0000 c00");
+    }
+    assert_int_equal(s.sim.sharp.vcom_changes, 3);
+    s.wire.fail_at = s.wire.calls + 3; /* within a line: the next transfer begins anew */
+    canvas band = canvas_band(&qtri_rgb565, 96, 96, 0, 16);
+    assert_int_equal(qtri_panel_write(&s.panel, &band.surface), QTRI_ERROR_BUS);
+    canvas_free(&band);
+    assert_chip_content(&s.sim.chip);
+    setup_end(&s);
 }
 
 static void paper_sequence(void **state)
@@ -383,6 +410,7 @@ int main(void)
         cmocka_unit_test(i2c_sequence),
         cmocka_unit_test(ssd0323_sequence),
         cmocka_unit_test(lcd_sequence),
+        cmocka_unit_test(memory_lcd_sequence),
         cmocka_unit_test(paper_sequence),
         cmocka_unit_test(failures),
         cmocka_unit_test(failed_starts_have_no_finish),

@@ -63,7 +63,9 @@ static qtri_panel_description plain(int w, int h, qtri_panel_format format, qtri
                                       .order = order,
                                       .memory_width = (uint16_t)w,
                                       .memory_height = (uint16_t)h,
-                                      .window = any_window};
+                                      .window = any_window,
+                                      .write = format == QTRI_PANEL_RGB565 ? qtri_panel_write_565
+                                                                           : qtri_panel_write_gray};
     return d;
 }
 
@@ -319,7 +321,7 @@ static void numbers_that_are_no_format_or_order(void **state)
 {
     (void)state;
     enum { W = 12, H = 8 };
-    static const uint32_t numbers[4] = {5, 66, 255, 0x80000001u};
+    static const uint32_t numbers[4] = {6, 66, 255, 0x80000001u};
     static const qtri_panel_step steps[] = {QTRI_STEP_ALONE(0x29, 0)};
     static const qtri_panel_partial partial = {steps, 1, NULL};
     static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_rgb565_swapped,

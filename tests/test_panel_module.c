@@ -107,7 +107,7 @@ static void mounted_otherwise(void **state)
             module.invert = is_lcd && how == 2;
             assert_int_equal(start_module(&s, &module, (qtri_rotation)(n % 4), true), QTRI_OK);
             if (is_lcd) {
-                lcd_glass *g = &s.sim.lcd.glass;
+                lcd_glass *g = setup_glass(&s);
                 g->blue_first ^= module.swap_red_blue;
                 g->normally_black ^= module.invert;
                 g->columns_from_right ^= module.mirror_columns;

@@ -171,6 +171,36 @@ static void paper_streams(void **state)
     assert_streams(6, streams, LENGTH_OF(streams));
 }
 
+static void memory_lcd_streams(void **state)
+{
+    (void)state;
+    static const stream streams[] = {
+        {"r c00 d2000 c00 d8080 d112233445566778899AABBCC d0000 c00", NULL},
+        {"r c00 d8080 d112233445566778899AABBCC d8040 d112233445566778899AABBCC d0000 c00", NULL},
+        {"r d80", "has 0 parameters, not more"},
+        {"r c00 d8080 d112233445566778899AABBCC c00", "line 1 ends without clocks"},
+        {"r c00 d8040 d112233445566778899AABBCC d00 c00", "line 2 ends without clocks"},
+        {"r c00 d8080 d1122 c00", "SCS falls in the middle of line 1"},
+        {"r c00 d8000", "line 0 of 1..96"},
+        {"r c00 d8086", "line 97 of 1..96"},
+        {"r c00 d81", "mode 0x81"},
+    };
+    assert_streams(35, streams, LENGTH_OF(streams));
+}
+
+static void uc8151_streams(void **state)
+{
+    (void)state;
+    static const stream streams[] = {
+        {"r w10 c91 c90 d08170000000001 c13 d1234", NULL},
+        {"r w10 c91 c90 d080E0000000001 c13", "window 8..14, 0..0"},
+        {"r w10 c12", "a refresh without power"},
+        {"r w10 c04 w40 c91 c12", "a refresh of a part"},
+        {"r w10 c04 c12", "40 ms too early"},
+    };
+    assert_streams(34, streams, LENGTH_OF(streams));
+}
+
 /* One step of a sequence, or a field, goes wrong: the simulated chip complains, or the picture is.
  */
 typedef struct fault {
@@ -225,19 +255,38 @@ static void broken_sequences(void **state)
         {4, 3, {0xA0, 1, {0x12}, 0}, NULL}, /* rows not split */
         {4, 5, {0xA2, 1, {0}, 0}, NULL},    /* shifted */
         {4, 13, {0xB8, 7, {0}, 0}, "unknown command 0x03"},
-        {7, 1, {0, 0, {0}, 0}, "data in pixel format 0x66"},
-        {7, 1, {0x3A, 2, {0x55, 0}, 0}, "command 0x3A has 1 parameters, not more"},
-        {7, 1, {0x3A, 0, {0}, 0}, "command 0x3A has 1 parameters, not 0"},
+        {7, 11, {0, 0, {0}, 0}, "data in pixel format 0x66"},
+        {7, 11, {0x3A, 2, {0x55, 0}, 0}, "command 0x3A has 1 parameters, not more"},
+        {7, 11, {0x3A, 0, {0}, 0}, "command 0x3A has 1 parameters, not 0"},
         {7, 0, {0x01, 0, {0}, 10}, "woken 110 ms too early"},
-        {7, 3, {0x11, 0, {0}, 0}, "5 ms too early"},
-        {7, 3, {0, 0, {0}, 0}, NULL},                 /* asleep */
-        {7, 4, {0, 0, {0}, 0}, NULL},                 /* off */
+        {7, 17, {0x11, 0, {0}, 0}, "5 ms too early"},
+        {7, 17, {0, 0, {0}, 0}, NULL},                /* asleep */
+        {7, 18, {0, 0, {0}, 0}, NULL},                /* off */
         {6, 0, {0x12, 0, {0}, 0}, "10 ms too early"}, /* does not wait */
         {6, 1, {0x01, 2, {249, 0}, 0}, "command 0x01 has 3 parameters, not 2"},
         {6, 1, {0x01, 3, {199, 0, 0}, 0}, NULL}, /* 200 rows */
         {6, 2, {0x11, 1, {0x01}, 0}, "y addresses 0..249 in entry mode 1"},
         {6, 2, {0x11, 1, {0x07}, 0}, NULL}, /* downwards */
         {6, 5, {0, 0, {0}, 0}, "the memory of the second colour"},
+        {25, 2, {0, 0, {0}, 0}, "command 0xB4 is locked"},
+        {26, 6, {0x3A, 1, {0x55}, 0}, "data in pixel format 0x55, only 18 bits"},
+        {27, 1, {0, 0, {0}, 0}, "command 0xC0 is locked"},
+        {28, 1, {0, 0, {0}, 0}, "command 0xB3 is locked"},
+        {29, 4, {0x8D, 1, {0x14}, 0}, "there is no charge pump"},
+        {30, 3, {0xA0, 1, {0x41}, 0}, NULL},       /* upside down */
+        {30, 3, {0xA0, 1, {0x50}, 0}, NULL},       /* mirrored */
+        {30, 3, {0xA0, 1, {0x53}, 0}, NULL},       /* halves of bytes swapped */
+        {32, 6, {0xA0, 2, {0x10, 0x11}, 0}, NULL}, /* four pixels the other way round */
+        {32, 6, {0xA0, 2, {0x04, 0x11}, 0}, NULL}, /* upside down */
+        {32, 6, {0xA0, 2, {0x14, 0x01}, 0}, NULL}, /* one COM a row */
+        {33, 1, {0x01, 3, {249, 0, 0}, 0}, "250 gates"},
+        {34, 0, {0x00, 1, {0x1F}, QTRI_STEP_UNTIL_READY}, NULL}, /* 96 columns */
+        {34, 2, {0x50, 1, {0x87}, 0}, NULL},                     /* negative */
+        {36, 0, {0x01, 2, {0x21, 0}, 0}, "mode 0x21"},
+        {39, 1, {0x80, 0, {0}, 0}, NULL}, /* no contrast */
+        {39, 3, {0x12, 0, {0}, 0}, NULL}, /* another bias */
+        {39, 4, {0x25, 0, {0}, 0}, "extended command 0x0D"},
+        {39, 5, {0x24, 0, {0}, 0}, NULL}, /* asleep */
     };
     static setup s;
     for (size_t i = 0; i < LENGTH_OF(faults); i++) {
@@ -271,7 +320,7 @@ static void broken_fields(void **state)
     static setup s;
     for (int n = 0; n < 9; n++) {
         static const int setups[9] = {7, 7, 7, 7, 0, 4, 11, 6, 9};
-        static const char *const errors[9] = {"command 0x3A has 1 parameters, not 0",
+        static const char *const errors[9] = {"command 0xCB has 5 parameters, not 0",
                                               NULL,
                                               NULL,
                                               "columns",
@@ -323,9 +372,10 @@ static void broken_fields(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ssd1306_streams),  cmocka_unit_test(ssd0323_streams),
-        cmocka_unit_test(lcd_streams),      cmocka_unit_test(paper_streams),
-        cmocka_unit_test(broken_sequences), cmocka_unit_test(broken_fields),
+        cmocka_unit_test(ssd1306_streams),    cmocka_unit_test(ssd0323_streams),
+        cmocka_unit_test(lcd_streams),        cmocka_unit_test(paper_streams),
+        cmocka_unit_test(memory_lcd_streams), cmocka_unit_test(uc8151_streams),
+        cmocka_unit_test(broken_sequences),   cmocka_unit_test(broken_fields),
     };
     return cmocka_run_group_tests_name("panel reject", tests, NULL, NULL);
 }

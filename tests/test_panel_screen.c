@@ -7,7 +7,7 @@
 
 #include <qtri_port/screen.h>
 
-enum { ROWS_MAX = 24, SIDE_MAX = 320 };
+enum { ROWS_MAX = 24, SIDE_MAX = 480 };
 
 static uint8_t memory[QTRI_SCREEN_BYTES(SIDE_MAX, ROWS_MAX, QTRI_XRGB8888_BYTES)];
 

@@ -5,130 +5,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include <dirent.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cmocka.h>
-
-static char folder[512], root[512];
-
-/* Runs a command line in the test's folder. */
-static int shell(const char *command)
-{
-    char line[4096];
-    snprintf(line, sizeof line, "cd '%s' && %s", folder, command);
-    int status = system(line); /* NOLINT(cert-env33-c): a test of the command line */
-    assert_true(WIFEXITED(status));
-    return WEXITSTATUS(status);
-}
-
-static int run(const char *arguments)
-{
-    char line[2048];
-    snprintf(line, sizeof line, "'%s' %s >output 2>messages </dev/null", getenv("QTRI_COMMAND"),
-             arguments);
-    return shell(line);
-}
-
-static void write_bytes(const char *name, const void *bytes, size_t length)
-{
-    char path[1024];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_int_equal(fwrite(bytes, 1, length, file), length);
-    assert_int_equal(fclose(file), 0);
-}
-
-static void write_text(const char *name, const char *text)
-{
-    write_bytes(name, text, strlen(text));
-}
-
-static size_t read_text(const char *name, char *text, size_t size)
-{
-    char path[1024];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    size_t length = fread(text, 1, size - 1, file);
-    text[length] = '\0';
-    fclose(file);
-    return length;
-}
-
-static bool contains(const char *name, const char *needle)
-{
-    static char text[65536];
-    read_text(name, text, sizeof text);
-    return strstr(text, needle) != NULL;
-}
-
-static bool exists(const char *name)
-{
-    char path[1024];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    return access(path, F_OK) == 0;
-}
-
-/* Files that writing leaves where it fails half-way. */
-static bool has_parts(void)
-{
-    bool found = false;
-    DIR *directory = opendir(folder);
-    assert_non_null(directory);
-    for (struct dirent *entry = readdir(directory); entry != NULL; entry = readdir(directory)) {
-        found = found || strncmp(entry->d_name, ".qtri", 5) == 0;
-    }
-    closedir(directory);
-    return found;
-}
-
-/* Exit 1, one line that begins as it should, no output. */
-static void assert_refused(const char *arguments, const char *message)
-{
-    char text[4096];
-    shell("rm -f bad.h bad.c");
-    assert_int_equal(run(arguments), 1);
-    read_text("messages", text, sizeof text);
-    if (strncmp(text, message, strlen(message)) != 0) {
-        fail_msg("%s: says '%s', not '%s'", arguments, text, message);
-    }
-    assert_ptr_equal(strchr(text, '\n'), text + strlen(text) - 1);
-    assert_false(exists("bad.h"));
-    assert_false(exists("bad.c"));
-    assert_false(has_parts());
-}
-
-/* Compiles a header that defines `object`, as C99 and as C++11, without a warning. */
-static void assert_compiles(const char *header, const char *object)
-{
-    static const char *const compilers[] = {"gcc -std=c99 -x c -Wmissing-prototypes",
-                                            "g++ -std=c++11 -x c++", "clang -std=c99 -x c",
-                                            "clang++ -std=c++11 -x c++"};
-    char text[256], line[2048];
-    snprintf(text, sizeof text,
-             "#include \"%s\"\n#include \"%s\"\nextern const void *object;\n"
-             "const void *object = &%s;\n",
-             header, header, object);
-    write_text("user.c", text);
-    for (size_t i = 0; i < sizeof compilers / sizeof compilers[0]; i++) {
-        snprintf(line, sizeof line,
-                 "! command -v %.*s >/dev/null || %s -Wall -Wextra -Wpedantic -Wconversion "
-                 "-Wshadow -Wundef -Werror -I'%s/core/include' -fsyntax-only user.c",
-                 (int)strcspn(compilers[i], " "), compilers[i], compilers[i], root);
-        assert_int_equal(shell(line), 0);
-    }
-}
+#include "support/command.h"
 
 static void usage_errors(void **state)
 {
@@ -384,7 +261,7 @@ static void other_formats(void **state)
 {
     (void)state;
     need_library();
-    assert_true(contains("output", "t: 4 vertices, 4 triangles\n"));
+    assert_true(contains("output", "t: 12 vertices, 4 triangles\n"));
     assert_true(contains("t.h", "{131072, 0, 0}")); /* the node's scale */
     assert_true(contains("t.h", "{255, 137, 0}"));  /* linear .25 is 137 in sRGB */
     assert_compiles("t.h", "t");
@@ -595,14 +472,6 @@ static void bad_pictures(void **state)
     assert_refused("texture p.pgm -o no/such/bad.h", "qtri texture: no/such/bad.h");
 }
 
-static int make_folder(void **state)
-{
-    (void)state;
-    const char *base = getenv("QTRI_TMP");
-    snprintf(folder, sizeof folder, "%s/qtri-assets-XXXXXX", base != NULL ? base : "/tmp");
-    return mkdtemp(folder) == NULL || getcwd(root, sizeof root) == NULL;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -623,9 +492,5 @@ int main(void)
         cmocka_unit_test(textures),
         cmocka_unit_test(bad_pictures),
     };
-    if (getenv("QTRI_COMMAND") == NULL) {
-        puts("QTRI_COMMAND is not set: run `make test-plain TESTS=test_assets_command`");
-        return 1;
-    }
-    return cmocka_run_group_tests(tests, make_folder, NULL);
+    return command_is_known() ? cmocka_run_group_tests(tests, make_folder, NULL) : 1;
 }

@@ -15,7 +15,7 @@
 /* How the numbers of a vertex are stored; the same for all parts, so that they join. */
 struct packing {
     const struct asset_options *options;
-    bool uvs, compact_uvs;
+    bool colors, uvs, compact_uvs;
     double origin[3], extent; /* in units of Q16.16; of compact positions */
 };
 
@@ -58,6 +58,13 @@ void asset_free(struct asset *asset)
         part_free(&asset->parts[i]);
     }
     free(asset->parts);
+    for (size_t i = 0; i < asset->texture_count; i++) {
+        texture_free(&asset->textures[i]);
+    }
+    free(asset->textures);
+    free(asset->keys);
+    free(asset->first_keys);
+    free(asset->parents);
     memset(asset, 0, sizeof *asset);
 }
 
@@ -103,7 +110,7 @@ static void pack(const struct packing *packing, const struct model *model,
             double scale = packing->options->compact ? 127.0 : 16384.0;
             out->number[PACKED_NORMAL + i] = (int32_t)lround(vertex->normal[i] * scale);
         }
-        if (packing->options->colors) {
+        if (packing->colors) {
             out->number[PACKED_COLOR + i] = (vertex->color[i] * color[i] + 127) / 255;
         }
     }
@@ -371,7 +378,7 @@ static bool make_uvs(struct asset_part *part, const struct draft *draft,
 static bool make_colors(struct asset_part *part, const struct draft *draft,
                         const struct packing *packing)
 {
-    if (!packing->options->colors) {
+    if (!packing->colors) {
         return true;
     }
     part->colors = calloc(draft->vertex_count, sizeof *part->colors);
@@ -382,6 +389,23 @@ static bool make_colors(struct asset_part *part, const struct draft *draft,
     }
     part->mesh.colors = part->colors;
     return part->colors != NULL;
+}
+
+/* One colour of all vertices is the material's. */
+static void share_color(struct asset_part *part)
+{
+    bool is_one = part->colors != NULL;
+    for (uint32_t i = 1; is_one && i < part->mesh.vertex_count; i++) {
+        is_one = memcmp(&part->colors[i], &part->colors[0], sizeof *part->colors) == 0;
+    }
+    if (is_one) {
+        part->material.color[0] = part->colors[0].r;
+        part->material.color[1] = part->colors[0].g;
+        part->material.color[2] = part->colors[0].b;
+        free(part->colors);
+        part->colors = NULL;
+        part->mesh.colors = NULL;
+    }
 }
 
 static bool make_triangles(struct asset_part *part, const struct draft *draft,
@@ -460,8 +484,9 @@ static bool fail(struct text_error *error, const char *path, const char *problem
 static bool set_packing(struct packing *packing, const char *path, const struct model *model,
                         struct text_error *error)
 {
-    struct model_box box = model_bounds(model);
+    struct model_box box = model_vertex_bounds(model);
     packing->uvs = model->has_uvs;
+    packing->colors = packing->options->colors || packing->options->merged;
     packing->compact_uvs = packing->options->compact;
     packing->extent = 1.0;
     for (int i = 0; i < 3; i++) {
@@ -488,11 +513,16 @@ static bool set_packing(struct packing *packing, const char *path, const struct 
     return true;
 }
 
-static bool add_part(struct asset *asset, const char *path, const struct packing *packing,
+static bool add_part(struct asset *asset, const char *path, const struct packing *shared,
                      const struct model *model, int material, struct text_error *error)
 {
+    struct packing own = *shared;
+    const struct packing *packing = &own;
     struct draft draft = {NULL, NULL, 0, 0};
     struct asset_part *part = &asset->parts[asset->count];
+    if (shared->options->merged) {
+        own.uvs = own.uvs && model->materials[material].texture[0] != '\0';
+    }
     bool ok = make_draft(&draft, packing, model, material, &asset->error) ||
               fail(error, path, "out of memory");
     if (ok && draft.vertex_count > MOST_VERTICES) {
@@ -503,10 +533,14 @@ static bool add_part(struct asset *asset, const char *path, const struct packing
     if (ok && draft.triangle_count > 0) {
         asset->count++;
         part->material = model->materials[material < 0 ? 0 : material];
-        if (packing->options->colors) {
+        part->texture = -1;
+        if (packing->colors) {
             memset(part->material.color, 255, sizeof part->material.color);
         }
         ok = make_part(part, &draft, packing) || fail(error, path, "out of memory");
+        if (ok && packing->options->merged) {
+            share_color(part);
+        }
     }
     free(draft.vertices);
     free(draft.triangles);
@@ -526,7 +560,10 @@ static bool add_parts(struct asset *asset, const char *path, const struct packin
         *flag = true;
     }
     if (ok && count > 64) {
-        ok = fail(error, path, "more than 64 materials; --colors makes one mesh of them");
+        ok = fail(error, path,
+                  packing->options->merged
+                      ? "more than 64 parts that look or move differently; --plain makes it one"
+                      : "more than 64 materials; --colors makes one mesh of them");
     }
     for (size_t i = 0; ok && i < model->material_count; i++) {
         if (used[i]) {

@@ -14,6 +14,7 @@
 #include "../io/picture.h"
 #include "../io/text_error.h"
 #include "model.h"
+#include "texture.h"
 
 struct asset_options {
     bool compact; /* 16-bit positions and uvs, 8-bit normals and indices, where they fit */
@@ -21,12 +22,17 @@ struct asset_options {
     bool normals; /* normals are wanted */
     /* Gives a mesh planes of its faces where they pay: mesh_faces_make, or NULL for none. */
     bool (*make_faces)(qtri_mesh *mesh, qtri_face8 *planes);
+    /* The model's materials are merged: one mesh each. Where its vertices have one colour, that is
+       the material's, else the mesh has colours; without a picture it has no texture coordinates.
+     */
+    bool merged;
 };
 
 /* A mesh with the memory of its arrays. */
 struct asset_part {
     qtri_mesh mesh;
     struct model_material material; /* what draws it; white where vertices have colours */
+    int texture;                    /* of the asset's; -1: none */
     qtri_vec3 *positions;
     qtri_normal *normals;
     qtri_vec2 *uvs;
@@ -51,6 +57,17 @@ struct asset {
     struct asset_part *parts; /* one a material that triangles have, or one */
     size_t count;
     struct asset_error error;
+
+    /* Of `qtri model` alone: see asset_model.h. */
+    struct texture *textures;
+    size_t texture_count;
+    qtri_key *keys;     /* of all nodes, one node after the other; NULL: nothing moves */
+    size_t *first_keys; /* of each node; one more at the end */
+    int16_t *parents;   /* of each node; node 0 is the model as a whole and has no keys */
+    size_t node_count;  /* with node 0; 0: nothing moves */
+    q16 seconds;        /* until the last key */
+    qtri_vec3 center;   /* the middle of its box at time 0 */
+    q16 radius;         /* no vertex is farther from there, at any key */
 };
 
 /*

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "asset.h"
+#include "asset_model.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,12 +12,18 @@ static q16 q16_of(double value)
     return (q16)lround(fmin(fmax(value * ONE, -2147483647.0), 2147483647.0));
 }
 
-/* The box of all parts, in units of Q16.16: its middle, and half its diagonal. */
+/* A model's sphere, or that around the box of all parts, in units of Q16.16. */
 static double find_sphere(const struct asset *asset, double middle[3])
 {
     double low[3] = {INFINITY, INFINITY, INFINITY};
     double high[3] = {-INFINITY, -INFINITY, -INFINITY};
     double sum = 0.0;
+    if (asset->radius > 0) {
+        middle[0] = asset->center.x;
+        middle[1] = asset->center.y;
+        middle[2] = asset->center.z;
+        return asset->radius;
+    }
     for (size_t i = 0; i < asset->count; i++) {
         const qtri_box *box = &asset->parts[i].mesh.bounds;
         const double center[3] = {box->center.x, box->center.y, box->center.z};
@@ -48,7 +54,7 @@ static void scale(qtri_transform *transform, double factor)
 static void set_pose(const struct asset *asset, qtri_transform *pose)
 {
     double middle[3];
-    double radius = fmax(find_sphere(asset, middle), 1.0);
+    const double radius = fmax(find_sphere(asset, middle), 1.0);
     const qtri_vec3 back = {(q16)-middle[0], (q16)-middle[1], (q16)-middle[2]};
     qtri_transform_identity(pose);
     qtri_transform_rotate_x(pose, Q16(25));
@@ -57,19 +63,88 @@ static void set_pose(const struct asset *asset, qtri_transform *pose)
     qtri_transform_translate(pose, back);
 }
 
-static void draw(const struct asset *asset, const qtri_surface *surface, qtri_view *view)
+/* ---- Textures ---- */
+
+/* Texels as the core reads them; those of the key are not drawn. */
+struct skins {
+    qtri_texture *textures;
+    uint32_t **texels;
+};
+
+static void free_skins(const struct asset *asset, struct skins *skins)
+{
+    for (size_t i = 0; skins->texels != NULL && i < asset->texture_count; i++) {
+        free(skins->texels[i]);
+    }
+    free(skins->texels);
+    free(skins->textures);
+}
+
+static uint8_t log2_of(int side)
+{
+    uint8_t log2 = 0;
+    while (side >> log2 > 1) {
+        log2++;
+    }
+    return log2;
+}
+
+static bool make_skin(const struct texture *texture, qtri_texture *skin, uint32_t **texels)
+{
+    struct picture picture;
+    const size_t count = (size_t)texture->width * (size_t)texture->height;
+    *texels = malloc(count * sizeof **texels);
+    if (*texels == NULL || !texture_picture(texture, &picture)) {
+        return false;
+    }
+    memset(skin, 0, sizeof *skin);
+    for (size_t i = 0; i < count; i++) {
+        const uint8_t *c = &picture.rgb[3 * i];
+        (*texels)[i] = (uint32_t)c[0] << 16 | (uint32_t)c[1] << 8 | c[2];
+        if (texture->has_key && texture->texels[i] == texture->key) {
+            skin->has_key = true;
+            skin->key = (*texels)[i];
+        }
+    }
+    picture_free(&picture);
+    skin->texels = *texels;
+    skin->format = &qtri_texel_xrgb8888;
+    skin->width_log2 = log2_of(texture->width);
+    skin->height_log2 = log2_of(texture->height);
+    skin->wrap_u = texture->clamp_u ? QTRI_CLAMP : QTRI_REPEAT;
+    skin->wrap_v = texture->clamp_v ? QTRI_CLAMP : QTRI_REPEAT;
+    return true;
+}
+
+static bool make_skins(const struct asset *asset, struct skins *skins)
+{
+    skins->textures = calloc(asset->texture_count + 1, sizeof *skins->textures);
+    skins->texels = calloc(asset->texture_count + 1, sizeof *skins->texels);
+    bool ok = skins->textures != NULL && skins->texels != NULL;
+    for (size_t i = 0; ok && i < asset->texture_count; i++) {
+        ok = make_skin(&asset->textures[i], &skins->textures[i], &skins->texels[i]);
+    }
+    return ok;
+}
+
+/* ---- The picture ---- */
+
+static void draw(const struct asset *asset, const struct skins *skins, qtri_transform *poses,
+                 const qtri_surface *surface, const qtri_view *view)
 {
     qtri_transform pose;
     const qtri_rgb sky = {24, 32, 48};
     set_pose(asset, &pose);
+    asset_pose(asset, &pose, 0, poses);
     qtri_surface_clear(surface, sky);
     for (size_t i = 0; i < asset->count; i++) {
         const struct asset_part *part = &asset->parts[i];
-        qtri_material material = qtri_material_default();
-        material.color.r = part->material.color[0];
-        material.color.g = part->material.color[1];
-        material.color.b = part->material.color[2];
-        qtri_draw_mesh(surface, view, &pose, &part->mesh, &material);
+        qtri_material material = asset_material(part);
+        if (asset->texture_count > 0 && part->texture >= 0) {
+            material.texture = &skins->textures[part->texture];
+        }
+        const size_t node = asset->node_count > 0 ? part->material.node : 0;
+        qtri_draw_mesh(surface, view, &poses[node], &part->mesh, &material);
     }
 }
 
@@ -102,8 +177,10 @@ bool asset_preview(const struct asset *asset, int width, int height, struct pict
     }
     void *memory = malloc(bytes);
     qtri_vertex *vertices = malloc((most + (size_t)1) * sizeof *vertices);
+    qtri_transform *poses = malloc((asset->node_count + 1) * sizeof *poses);
+    struct skins skins;
     qtri_surface surface;
-    bool ok = memory != NULL && vertices != NULL &&
+    bool ok = make_skins(asset, &skins) && memory != NULL && vertices != NULL && poses != NULL &&
               qtri_surface_init(&surface, &qtri_xrgb8888, width, height, 0, height, memory,
                                 bytes) == QTRI_OK &&
               picture_create(picture, width, height, false);
@@ -116,9 +193,11 @@ bool asset_preview(const struct asset *asset, int width, int height, struct pict
         view.light = &light;
         view.vertices = vertices;
         view.vertex_count = most;
-        draw(asset, &surface, &view);
+        draw(asset, &skins, poses, &surface, &view);
         copy_pixels(&surface, picture, drawn);
     }
+    free_skins(asset, &skins);
+    free(poses);
     free(memory);
     free(vertices);
     return ok;

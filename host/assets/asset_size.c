@@ -8,6 +8,11 @@
    pointers and 8 bytes, bounds. */
 #define MESH_BYTES (10 * 4 + 2 * 4 + 16 + 16 + 24)
 
+/* qtri_material there: 9 pointers, 4 enums, depth_bias and depth_slope, color, bool and 3 bytes; a
+   part's node with what aligns it. */
+#define MATERIAL_BYTES (9 * 4 + 4 * 4 + 2 * 4 + 4 + 4 + 4)
+#define NODE_BYTES     4
+
 uint32_t asset_vertex_count(const struct asset *asset)
 {
     uint32_t count = 0;
@@ -48,6 +53,16 @@ size_t asset_flash_bytes(const struct asset *asset)
                           if_there(mesh->faces.planes, sizeof *mesh->faces.planes);
         bytes += MESH_BYTES + mesh->vertex_count * vertex + mesh->triangle_count * triangle;
     }
+    if (asset->radius > 0) { /* a model's parts, and what they name */
+        bytes += asset->count * (MATERIAL_BYTES + NODE_BYTES);
+        for (size_t i = 0; i < asset->texture_count; i++) {
+            bytes += texture_flash_bytes(&asset->textures[i]);
+        }
+    }
+    if (asset->node_count > 0) {
+        bytes += asset->first_keys[asset->node_count] * sizeof(qtri_key) + 4 +
+                 asset->node_count * (sizeof(int32_t) + sizeof(int16_t));
+    }
     return bytes;
 }
 
@@ -59,6 +74,9 @@ struct asset_memory asset_ram(const struct asset *asset, int32_t width, int32_t 
         .bands = QTRI_FRAME_BYTES(width, rows, QTRI_RGB565_BYTES),
         .line = QTRI_PANEL_LINE_BYTES(width),
     };
+    if (asset->radius > 0) { /* a screen has two buffers, of which pixels are not shared */
+        memory.bands = QTRI_FRAME_BYTES_DOUBLE(width, rows, QTRI_RGB565_BYTES);
+    }
     for (size_t i = 0; i < asset->count; i++) {
         const qtri_mesh *mesh = &asset->parts[i].mesh;
         memory.vertices += mesh->vertex_count * sizeof(qtri_vertex);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "asset.h"
+#include "asset_write.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -55,8 +55,7 @@ static void name_of(char out[160], const char *name, size_t part, size_t count, 
     }
 }
 
-/* What a comment may hold. */
-static void write_comment_text(FILE *out, const char *text)
+void asset_write_comment(FILE *out, const char *text)
 {
     for (; *text != '\0'; text++) {
         bool plain = *text >= ' ' && *text <= '~' && strchr("*\\?", *text) == NULL;
@@ -66,14 +65,8 @@ static void write_comment_text(FILE *out, const char *text)
 
 /* ---- The arrays of a mesh ---- */
 
-struct writer {
-    FILE *out;
-    const char *name;
-    size_t part, count;
-};
-
-static void write_vertices(const struct writer *writer, const qtri_mesh *mesh, const char *type,
-                           const char *what, int numbers,
+static void write_vertices(const struct asset_writer *writer, const qtri_mesh *mesh,
+                           const char *type, const char *what, int numbers,
                            void (*element)(const qtri_mesh *mesh, uint32_t i, int32_t *numbers))
 {
     struct array array;
@@ -130,7 +123,7 @@ static void element_color(const qtri_mesh *mesh, uint32_t i, int32_t *out)
     set3(out, mesh->colors[i].r, mesh->colors[i].g, mesh->colors[i].b);
 }
 
-static void write_triangles(const struct writer *writer, const qtri_mesh *mesh)
+static void write_triangles(const struct asset_writer *writer, const qtri_mesh *mesh)
 {
     struct array array;
     char name[160];
@@ -147,7 +140,7 @@ static void write_triangles(const struct writer *writer, const qtri_mesh *mesh)
     end_array(&array);
 }
 
-static void write_planes(const struct writer *writer, const qtri_mesh *mesh)
+static void write_planes(const struct asset_writer *writer, const qtri_mesh *mesh)
 {
     struct array array;
     char name[160];
@@ -164,7 +157,7 @@ static void write_planes(const struct writer *writer, const qtri_mesh *mesh)
     end_array(&array);
 }
 
-static void write_arrays(const struct writer *writer, const qtri_mesh *mesh)
+void asset_write_arrays(const struct asset_writer *writer, const qtri_mesh *mesh)
 {
     if (mesh->positions != NULL) {
         write_vertices(writer, mesh, "qtri_vec3", "positions", 3, element_position);
@@ -194,7 +187,7 @@ static void write_arrays(const struct writer *writer, const qtri_mesh *mesh)
 /* ---- The mesh itself ---- */
 
 /* An array's name, or NULL where the mesh has it not. */
-static void write_pointer(const struct writer *writer, const void *array, const char *what,
+static void write_pointer(const struct asset_writer *writer, const void *array, const char *what,
                           const char *field)
 {
     char name[160] = "NULL";
@@ -204,8 +197,7 @@ static void write_pointer(const struct writer *writer, const void *array, const 
     fprintf(writer->out, "    %s, /* %s */\n", name, field);
 }
 
-/* Every member by its place: C++11 has no names in initialisers. */
-static void write_mesh(const struct writer *writer, const qtri_mesh *mesh)
+void asset_write_mesh(const struct asset_writer *writer, const qtri_mesh *mesh)
 {
     FILE *out = writer->out;
     const qtri_box *box = &mesh->bounds;
@@ -237,7 +229,7 @@ static void write_mesh(const struct writer *writer, const qtri_mesh *mesh)
     fputs("    NULL, /* neighbours: `qtri neighbours` makes them */\n", out);
 }
 
-static void upper(const char *name, char *out, size_t size)
+void asset_capitals(const char *name, char *out, size_t size)
 {
     size_t i = 0;
     for (; name[i] != '\0' && i + 1 < size; i++) {
@@ -259,11 +251,11 @@ static void write_summary(const struct asset *asset, const char *name, FILE *out
             continue;
         }
         fprintf(out, " * Material %zu, ", i);
-        write_comment_text(out, part->material.name[0] != '\0' ? part->material.name : "unnamed");
+        asset_write_comment(out, part->material.name[0] != '\0' ? part->material.name : "unnamed");
         fprintf(out, ": colour %d %d %d", c[0], c[1], c[2]);
         if (part->material.texture[0] != '\0') {
             fputs(", texture ", out);
-            write_comment_text(out, part->material.texture);
+            asset_write_comment(out, part->material.texture);
         }
         fputs("\n", out);
     }
@@ -273,15 +265,15 @@ static void write_summary(const struct asset *asset, const char *name, FILE *out
 static void write_data(const struct asset *asset, const char *name, const char *linkage, FILE *out)
 {
     char capitals[100];
-    upper(name, capitals, sizeof capitals);
+    asset_capitals(name, capitals, sizeof capitals);
     for (size_t i = 0; i < asset->count; i++) {
-        const struct writer writer = {out, name, i, asset->count};
-        write_arrays(&writer, &asset->parts[i].mesh);
+        const struct asset_writer writer = {out, name, i, asset->count};
+        asset_write_arrays(&writer, &asset->parts[i].mesh);
     }
     if (asset->count == 1) {
-        const struct writer writer = {out, name, 0, 1};
+        const struct asset_writer writer = {out, name, 0, 1};
         fprintf(out, "%sconst qtri_mesh %s = {\n", linkage, name);
-        write_mesh(&writer, &asset->parts[0].mesh);
+        asset_write_mesh(&writer, &asset->parts[0].mesh);
         fputs("};\n", out);
         return;
     }
@@ -292,9 +284,9 @@ static void write_data(const struct asset *asset, const char *name, const char *
     }
     fprintf(out, "};\n\n%sconst qtri_mesh %s[%s_MESHES] = {\n", linkage, name, capitals);
     for (size_t i = 0; i < asset->count; i++) {
-        const struct writer writer = {out, name, i, asset->count};
+        const struct asset_writer writer = {out, name, i, asset->count};
         fputs("    {\n", out);
-        write_mesh(&writer, &asset->parts[i].mesh);
+        asset_write_mesh(&writer, &asset->parts[i].mesh);
         fputs("    },\n", out);
     }
     fputs("};\n", out);
@@ -338,7 +330,7 @@ void asset_write_c(const struct asset *asset, const char *name, const char *head
                    FILE *header, FILE *source)
 {
     char capitals[100];
-    upper(name, capitals, sizeof capitals);
+    asset_capitals(name, capitals, sizeof capitals);
     write_summary(asset, name, header);
     fprintf(header, "#ifndef %s_MESH_H\n#define %s_MESH_H\n\n", capitals, capitals);
     fputs("#include <qtri.h>\n#include <stddef.h>\n\n", header);

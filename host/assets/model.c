@@ -21,6 +21,7 @@ bool model_create(struct model *model, size_t vertices, size_t triangles, size_t
     model->material_count = materials;
     for (size_t i = 0; i < materials; i++) {
         memset(model->materials[i].color, 255, sizeof model->materials[i].color);
+        model->materials[i].opacity = 255;
     }
     return true;
 }
@@ -30,6 +31,12 @@ void model_free(struct model *model)
     free(model->vertices);
     free(model->triangles);
     free(model->materials);
+    for (size_t i = 0; model->pictures != NULL && i < model->picture_count; i++) {
+        free(model->pictures[i].bytes);
+    }
+    free(model->pictures);
+    free(model->nodes);
+    free(model->keys);
     memset(model, 0, sizeof *model);
 }
 
@@ -68,11 +75,31 @@ static bool check_vertex(struct model_vertex *vertex)
     return true;
 }
 
+static bool check_key(struct model_key *key)
+{
+    double length = 0.0;
+    for (int i = 0; i < 4; i++) {
+        length += key->orientation[i] * key->orientation[i];
+    }
+    for (int i = 0; i < 4; i++) {
+        key->orientation[i] = length > 0.0 ? key->orientation[i] / sqrt(length) : i == 0;
+    }
+    return is_in_range(&key->time, 1) && is_in_range(key->position, 3) &&
+           is_in_range(key->scale, 3) && is_in_range(key->orientation, 4);
+}
+
 bool model_check(const char *path, struct model *model, struct text_error *error)
 {
+    for (size_t i = 0; i < model->key_count; i++) {
+        if (!check_key(&model->keys[i])) {
+            text_error_set(error, path, 0, "a key of its animation is not a number, or beyond 1e9");
+            return false;
+        }
+    }
     for (size_t i = 0; i < model->vertex_count; i++) {
         if (!check_vertex(&model->vertices[i]) ||
-            model->vertices[i].material >= model->material_count) {
+            model->vertices[i].material >= model->material_count ||
+            model->vertices[i].node > model->node_count) {
             text_error_set(error, path, 0, "vertex %zu is not a number, or beyond 1e9", i + 1);
             return false;
         }
@@ -194,16 +221,47 @@ bool model_weld(struct model *model)
 
 /* ---- Where it stands ---- */
 
-struct model_box model_bounds(const struct model *model)
+static void extend(struct model_box *box, const double at[3], bool is_first)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        box->low[axis] = is_first || at[axis] < box->low[axis] ? at[axis] : box->low[axis];
+        box->high[axis] = is_first || at[axis] > box->high[axis] ? at[axis] : box->high[axis];
+    }
+}
+
+struct model_box model_vertex_bounds(const struct model *model)
 {
     struct model_box box = {{0, 0, 0}, {0, 0, 0}};
     for (size_t i = 0; i < model->vertex_count; i++) {
-        for (int axis = 0; axis < 3; axis++) {
-            double at = model->vertices[i].position[axis];
-            box.low[axis] = i == 0 || at < box.low[axis] ? at : box.low[axis];
-            box.high[axis] = i == 0 || at > box.high[axis] ? at : box.high[axis];
-        }
+        extend(&box, model->vertices[i].position, i == 0);
     }
+    return box;
+}
+
+void model_vertex_at(const double m[3][4], const struct model_vertex *vertex, double at[3])
+{
+    const double *p = vertex->position;
+    for (int i = 0; i < 3; i++) {
+        at[i] = m[i][0] * p[0] + m[i][1] * p[1] + m[i][2] * p[2] + m[i][3];
+    }
+}
+
+struct model_box model_bounds(const struct model *model)
+{
+    struct model_box box = {{0, 0, 0}, {0, 0, 0}};
+    double(*world)[3][4] =
+        model->node_count > 0 ? malloc((model->node_count + 1) * sizeof *world) : NULL;
+    if (world == NULL) {
+        return model_vertex_bounds(model);
+    }
+    model_pose(model, 0.0, world);
+    for (size_t i = 0; i < model->vertex_count; i++) {
+        double at[3];
+        model_vertex_at((const double(*)[4])world[model->vertices[i].node], &model->vertices[i],
+                        at);
+        extend(&box, at, i == 0);
+    }
+    free(world);
     return box;
 }
 
@@ -214,29 +272,67 @@ static void turn(double vector[3])
     vector[2] = 0.0 - y; /* never -0 */
 }
 
+/* A quarter about x, before what it is: (1, -1, 0, 0) / sqrt(2) times q. */
+static void turn_quaternion(double q[4])
+{
+    const double w = q[0], x = q[1], y = q[2], z = q[3], half = sqrt(0.5);
+    q[0] = half * (w + x);
+    q[1] = half * (x - w);
+    q[2] = half * (y + z);
+    q[3] = half * (z - y);
+}
+
+/* Whether a key moves its node in the space of the model. */
+static bool is_topmost(const struct model_node *node)
+{
+    return node->parent == 0;
+}
+
 void model_turn_up(struct model *model, char up)
 {
-    for (size_t i = 0; up == 'z' && i < model->vertex_count; i++) {
-        turn(model->vertices[i].position);
-        turn(model->vertices[i].normal);
+    if (up != 'z') {
+        return;
+    }
+    for (size_t i = 0; i < model->vertex_count; i++) {
+        if (model->vertices[i].node == 0) {
+            turn(model->vertices[i].position);
+            turn(model->vertices[i].normal);
+        }
+    }
+    for (size_t i = 0; i < model->node_count; i++) {
+        const struct model_node *node = &model->nodes[i];
+        for (size_t j = 0; is_topmost(node) && j < node->key_count; j++) {
+            turn(model->keys[node->first_key + j].position);
+            turn_quaternion(model->keys[node->first_key + j].orientation);
+        }
     }
 }
 
 void model_center(struct model *model)
 {
     struct model_box box = model_bounds(model);
-    for (size_t i = 0; i < model->vertex_count; i++) {
-        for (int axis = 0; axis < 3; axis++) {
-            model->vertices[i].position[axis] -= (box.low[axis] + box.high[axis]) / 2.0;
+    for (int axis = 0; axis < 3; axis++) {
+        const double middle = (box.low[axis] + box.high[axis]) / 2.0;
+        for (size_t i = 0; i < model->vertex_count; i++) {
+            model->vertices[i].position[axis] -= model->vertices[i].node == 0 ? middle : 0.0;
+        }
+        for (size_t i = 0; i < model->node_count; i++) {
+            const struct model_node *node = &model->nodes[i];
+            for (size_t j = 0; is_topmost(node) && j < node->key_count; j++) {
+                model->keys[node->first_key + j].position[axis] -= middle;
+            }
         }
     }
 }
 
 void model_scale(struct model *model, double factor)
 {
-    for (size_t i = 0; i < model->vertex_count; i++) {
-        for (int axis = 0; axis < 3; axis++) {
+    for (int axis = 0; axis < 3; axis++) {
+        for (size_t i = 0; i < model->vertex_count; i++) {
             model->vertices[i].position[axis] *= factor;
+        }
+        for (size_t i = 0; i < model->key_count; i++) {
+            model->keys[i].position[axis] *= factor;
         }
     }
 }

@@ -17,9 +17,14 @@
 #define MODEL_MAX_VALUE     1e9 /* of a coordinate, so that areas and their sums stay finite */
 
 struct model_material {
-    char name[64];     /* cut where it is longer */
-    uint8_t color[3];  /* sRGB */
-    char texture[512]; /* path of its picture; "": none */
+    char name[64];         /* cut where it is longer */
+    uint8_t color[3];      /* sRGB */
+    uint8_t opacity;       /* 255: all of what is behind it is hidden */
+    char texture[512];     /* path of its picture; "*0", "*1": inside the file; "": none */
+    bool clamp_u, clamp_v; /* the picture does not repeat */
+    bool has_holes;        /* where its picture is less than half opaque, nothing is drawn */
+    bool two_sided;
+    uint16_t node; /* of its vertices, once model_merge_materials has set it */
 };
 
 /* Without bytes between members: vertices are compared as bytes. */
@@ -30,28 +35,68 @@ struct model_vertex {
     uint8_t color[3]; /* sRGB, to be multiplied with the material's */
     uint8_t zero;
     uint16_t material;
-    uint16_t zeros;
+    uint16_t node; /* which of the model's nodes moves it */
+};
+
+/* A picture that is stored inside the model's file, as PNG or JPEG. */
+struct model_picture {
+    char *bytes;
+    size_t length;
+};
+
+/* A pose at a time in seconds: scale, then rotation by a unit quaternion w x y z, then position. */
+struct model_key {
+    double time, position[3], orientation[4], scale[3];
+};
+
+/* What moves by itself. Node 0 is the model as a whole and has no keys; `parent` is before it. */
+struct model_node {
+    uint16_t parent;
+    size_t first_key, key_count; /* 1: at rest */
 };
 
 struct model {
     struct model_vertex *vertices;
-    uint32_t (*triangles)[3]; /* all three of one material */
+    uint32_t (*triangles)[3]; /* all three of one material and one node */
     struct model_material *materials;
     size_t vertex_count, triangle_count, material_count; /* 1 or more materials */
+    struct model_picture *pictures;
+    struct model_node *nodes; /* besides node 0: nodes[0] is node 1 */
+    struct model_key *keys;
+    size_t picture_count, node_count, key_count;
     bool has_uvs, has_colors;
+    char left_out[200]; /* what the file has and the model has not: a list in words, or "" */
 };
 
 /* Zeroed memory for so many of each; false when it runs out: then the model is empty. */
 bool model_create(struct model *model, size_t vertices, size_t triangles, size_t materials);
 void model_free(struct model *model);
 
+/* How much of a file is wanted. */
+enum model_content {
+    MODEL_SHAPE,     /* one white material, at rest */
+    MODEL_MATERIALS, /* colours and textures, which must be there */
+    MODEL_ALL        /* the pictures inside and the first animation as well */
+};
+
+/*
+ * One material for all that look alike and move together: colours of materials become those of
+ * vertices, and of each material is what the picture, its holes and sides, the opacity and the node
+ * say. Those that are seen through come last. False when memory runs out, or where materials times
+ * nodes are more than 65535.
+ */
+bool model_merge_materials(struct model *model);
+
+/* Where nodes are at a time, in the space of the model: 3 rows of a matrix each. `world` has
+   node_count + 1 elements. */
+void model_pose(const struct model *model, double time, double (*world)[3][4]);
+
 /*
  * Reads a model: OBJ with its MTL, and where the library was there when this was built glTF, GLB,
  * STL and PLY; the end of the name decides. "-" is standard input, whose first bytes decide.
- * `with_materials`: colours and textures are looked for, and must be there; without, the model has
- * one white material. Every number is finite, every index in range. False with *error set.
+ * Every number is finite, every index in range. False with *error set.
  */
-bool model_read(const char *path, bool with_materials, struct model *model,
+bool model_read(const char *path, enum model_content content, struct model *model,
                 struct text_error *error);
 
 /* The end of the name is one that model_read knows, if not can read. */
@@ -61,7 +106,7 @@ bool model_is_file_name(const char *path);
 bool model_parse_obj(const char *path, const char *text, size_t length, bool with_materials,
                      struct model *model, struct text_error *error);
 bool model_read_library(const char *path, const char *text, size_t length, const char *format,
-                        bool with_materials, struct model *model, struct text_error *error);
+                        enum model_content content, struct model *model, struct text_error *error);
 
 /* Whether these are the bytes of glTF or GLB, as far as one can see. */
 bool model_can_hold_pictures(const char *text, size_t length);
@@ -97,7 +142,13 @@ bool model_weld(struct model *model);
 struct model_box {
     double low[3], high[3];
 };
-struct model_box model_bounds(const struct model *model);
+struct model_box model_bounds(const struct model *model); /* at time 0 */
+
+/* Vertices as they are stored, each in the space of its node. */
+struct model_box model_vertex_bounds(const struct model *model);
+
+/* Where a vertex is, of a node that model_pose has placed. */
+void model_vertex_at(const double world[3][4], const struct model_vertex *vertex, double at[3]);
 
 /* 'y': as it is; 'z': the file's z points up. qtri's cameras have y up. */
 void model_turn_up(struct model *model, char up);
@@ -111,8 +162,10 @@ void model_scale(struct model *model, double factor);
 /* Scales about the origin: the largest side of the box becomes `size`. */
 void model_fit(struct model *model, double size);
 
+#define MODEL_CREASE_DEGREES 45.0 /* faces that meet at more have an edge between them */
+
 enum model_normals {
-    MODEL_NORMALS_KEEP,   /* the file's; where it has none, smooth over all faces */
+    MODEL_NORMALS_KEEP,   /* the file's; where it has none, smooth up to MODEL_CREASE_DEGREES */
     MODEL_NORMALS_SMOOTH, /* over faces that meet at less than an angle */
     MODEL_NORMALS_FLAT,   /* each face's own */
     MODEL_NORMALS_NONE    /* none: the core lights faces */

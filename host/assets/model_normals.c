@@ -218,7 +218,8 @@ bool model_make_normals(struct model *model, enum model_normals normals, double 
     }
     if (ok && (normals == MODEL_NORMALS_KEEP || normals == MODEL_NORMALS_SMOOTH)) {
         bool keep = normals == MODEL_NORMALS_KEEP;
-        fill(model, &corners, keep ? -2.0 : cos(degrees * PI / 180.0) - 1e-9, keep, split);
+        const double most = keep ? MODEL_CREASE_DEGREES : degrees;
+        fill(model, &corners, cos(most * PI / 180.0) - 1e-9, keep, split);
     }
     if (ok) {
         for (uint32_t i = 0; i < count; i++) {

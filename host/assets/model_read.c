@@ -119,7 +119,7 @@ static bool check_complete(const char *path, const char *text, size_t length, co
     return strcmp(format, "stl") != 0 || check_stl(path, text, length, error);
 }
 
-static bool read_as(const char *path, const char *text, size_t length, bool with_materials,
+static bool read_as(const char *path, const char *text, size_t length, enum model_content content,
                     struct model *model, struct text_error *error)
 {
     const char *seen = sniff(text, length);
@@ -129,7 +129,7 @@ static bool read_as(const char *path, const char *text, size_t length, bool with
         return false;
     }
     if (strcmp(format, "obj") == 0) {
-        return model_parse_obj(path, text, length, with_materials, model, error);
+        return model_parse_obj(path, text, length, content != MODEL_SHAPE, model, error);
     }
     if (strcmp(format, seen) != 0) {
         const char *problem = strcmp(format, "stl") == 0
@@ -140,7 +140,7 @@ static bool read_as(const char *path, const char *text, size_t length, bool with
         return false;
     }
     if (!check_complete(path, text, length, format, error) ||
-        !model_read_library(path, text, length, format, with_materials, model, error)) {
+        !model_read_library(path, text, length, format, content, model, error)) {
         return false;
     }
     if (strcmp(format, "stl") == 0 &&
@@ -151,7 +151,7 @@ static bool read_as(const char *path, const char *text, size_t length, bool with
     return true;
 }
 
-bool model_read(const char *path, bool with_materials, struct model *model,
+bool model_read(const char *path, enum model_content content, struct model *model,
                 struct text_error *error)
 {
     struct file_content file;
@@ -159,7 +159,7 @@ bool model_read(const char *path, bool with_materials, struct model *model,
     if (!file_read(path, &file, error)) {
         return false;
     }
-    bool ok = read_as(path, file.bytes, file.length, with_materials, model, error);
+    bool ok = read_as(path, file.bytes, file.length, content, model, error);
     free(file.bytes);
     if (!ok || !model_check(path, model, error)) {
         model_free(model);

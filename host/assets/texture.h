@@ -40,7 +40,8 @@ struct texture {
     uint8_t palette[256][3];
     int palette_count;
     bool has_key;
-    uint32_t key; /* the stored texel */
+    uint32_t key;          /* the stored texel */
+    bool clamp_u, clamp_v; /* beyond its edges they go on; else it repeats */
     struct {
         int greatest; /* difference of a channel, of 255, over texels that are not the key's */
         double rms;   /* of all channels */
@@ -76,6 +77,10 @@ size_t texture_flash_bytes(const struct texture *texture);
 /* C source, as C99 and C++11: the texels and `const qtri_texture NAME`; as asset_write_c. */
 void texture_write_c(const struct texture *texture, const char *name, const char *header_name,
                      FILE *header, FILE *source);
+
+/* The texels and the qtri_texture alone, without a header around them. */
+void texture_write_data(const struct texture *texture, const char *name, const char *linkage,
+                        FILE *out);
 
 /* What the core will show of it. False when memory runs out. */
 bool texture_picture(const struct texture *texture, struct picture *picture);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "texture.h"
+#include "asset_write.h"
 
 #include <inttypes.h>
 
@@ -57,8 +57,8 @@ static void write_palette(const struct texture *texture, const char *name, FILE 
 }
 
 /* Every member by its place: C++11 has no names in initialisers. */
-static void write_data(const struct texture *texture, const char *name, const char *linkage,
-                       FILE *out)
+void texture_write_data(const struct texture *texture, const char *name, const char *linkage,
+                        FILE *out)
 {
     bool palette = texture->format == TEXTURE_PALETTE;
     write_texels(texture, name, out);
@@ -73,7 +73,9 @@ static void write_data(const struct texture *texture, const char *name, const ch
     fprintf(out, "    %d, %d, /* width_log2, height_log2: %d x %d */\n", log2_of(texture->width),
             log2_of(texture->height), texture->width, texture->height);
     fputs("    0, {{0, 0, 0}, {0, 0, 0}}, /* fields, color: of checkers */\n", out);
-    fprintf(out, "    QTRI_REPEAT, QTRI_REPEAT, %s, /* wrap_u, wrap_v, filter */\n",
+    fprintf(out, "    %s, %s, %s, /* wrap_u, wrap_v, filter */\n",
+            texture->clamp_u ? "QTRI_CLAMP" : "QTRI_REPEAT",
+            texture->clamp_v ? "QTRI_CLAMP" : "QTRI_REPEAT",
             texture->level_count > 0 ? "&qtri_mipmapped" : "NULL");
     fprintf(out, "    %s%s, /* palette */\n", palette ? name : "NULL", palette ? "_palette" : "");
     fprintf(out, "    %s, 0x%" PRIX32 "u, /* has_key, key */\n",
@@ -83,20 +85,11 @@ static void write_data(const struct texture *texture, const char *name, const ch
             texture->level_count);
 }
 
-static void upper(const char *name, char *out, size_t size)
-{
-    size_t i = 0;
-    for (; name[i] != '\0' && i + 1 < size; i++) {
-        out[i] = (char)(name[i] >= 'a' && name[i] <= 'z' ? name[i] - 'a' + 'A' : name[i]);
-    }
-    out[i] = '\0';
-}
-
 void texture_write_c(const struct texture *texture, const char *name, const char *header_name,
                      FILE *header, FILE *source)
 {
     char capitals[100];
-    upper(name, capitals, sizeof capitals);
+    asset_capitals(name, capitals, sizeof capitals);
     fprintf(header,
             "/*\n * %s: %d x %d texels, %s, %zu bytes of flash. Made by `qtri texture`.\n */\n",
             name, texture->width, texture->height, texture_format_names[texture->format],
@@ -104,13 +97,13 @@ void texture_write_c(const struct texture *texture, const char *name, const char
     fprintf(header, "#ifndef %s_TEXTURE_H\n#define %s_TEXTURE_H\n\n", capitals, capitals);
     fputs("#include <qtri.h>\n#include <stddef.h>\n\n", header);
     if (source == NULL) {
-        write_data(texture, name, "static ", header);
+        texture_write_data(texture, name, "static ", header);
     } else {
         fputs("#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n", header);
         fprintf(header, "extern const qtri_texture %s;\n", name);
         fputs("\n#ifdef __cplusplus\n}\n#endif\n", header);
         fprintf(source, "#include \"%s\"\n\n", header_name);
-        write_data(texture, name, "", source);
+        texture_write_data(texture, name, "", source);
     }
     fputs("\n#endif\n", header);
 }

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* What both controllers know: MIPI's display command set. Reading commands are left out. */
+/* What all of them know: MIPI's display command set. Reading commands are left out. */
 #define MIPI_COMMANDS                                                                              \
     {0x00, 0x01, 0}, {0x10, 0x13, 0}, {0x20, 0x21, 0}, {0x26, 0x26, 1}, {0x28, 0x29, 0},           \
         {0x2A, 0x2B, 4}, {0x2C, 0x2C, CHIP_STREAM}, {0x30, 0x30, 4}, {0x33, 0x33, 6},              \
@@ -43,6 +43,24 @@ static const chip_command gc9a01_commands[] = {
     {0xFE, 0xFE, 0}, {0xFF, 0xFF, 3},
 };
 
+static const chip_command ili9342_commands[] = {
+    MIPI_COMMANDS,   {0xB0, 0xB0, 1}, {0xB1, 0xB3, 2},  {0xB4, 0xB4, 1},
+    {0xB5, 0xB6, 4}, {0xB7, 0xB7, 1}, {0xC0, 0xC0, 2},  {0xC1, 0xC1, 1},
+    {0xC5, 0xC5, 1}, {0xC8, 0xC8, 3}, {0xE0, 0xE1, 15}, {0xF6, 0xF6, 3},
+};
+
+static const chip_command ili9488_commands[] = {
+    MIPI_COMMANDS,    {0xB0, 0xB0, 1}, {0xB1, 0xB3, 1}, {0xB4, 0xB4, 1}, {0xB5, 0xB5, 4},
+    {0xB6, 0xB6, 3},  {0xB7, 0xB7, 1}, {0xC0, 0xC0, 2}, {0xC1, 0xC1, 1}, {0xC5, 0xC5, 3},
+    {0xE0, 0xE1, 15}, {0xE9, 0xE9, 1}, {0xF7, 0xF7, 4},
+};
+
+static const chip_command st7796_commands[] = {
+    MIPI_COMMANDS,    {0xB0, 0xB0, 1}, {0xB1, 0xB3, 2}, {0xB4, 0xB4, 1}, {0xB5, 0xB5, 4},
+    {0xB6, 0xB6, 3},  {0xB7, 0xB7, 1}, {0xC0, 0xC0, 2}, {0xC1, 0xC2, 1}, {0xC5, 0xC5, 1},
+    {0xE0, 0xE1, 14}, {0xE8, 0xE8, 8}, {0xF0, 0xF0, 1},
+};
+
 enum { ROWS_REVERSED = 0x80, COLUMNS_REVERSED = 0x40, EXCHANGED = 0x20, BLUE_FIRST = 0x08 };
 
 static lcd *self(chip *it)
@@ -59,7 +77,8 @@ static void reset(chip *it)
     s->columns[0] = s->pages[0] = 0;
     s->columns[1] = s->width - 1;
     s->pages[1] = s->height - 1;
-    s->on = s->awake = s->inverted = s->half = false;
+    s->on = s->awake = s->inverted = s->extended = false;
+    s->have = s->opened = 0;
     it->ready_ms = it->now_ms + 5;
     s->wake_ms = it->now_ms + 120;
 }
@@ -77,13 +96,16 @@ static void begin_write(chip *it)
     if (s->pages[0] > s->pages[1] || s->pages[1] > last_page) {
         chip_reject(it, "pages %d..%d of 0..%d", s->pages[0], s->pages[1], last_page);
     }
-    if (s->pixel_format != 0x55 && s->pixel_format != 0x05) { /* the bits for the bus */
-        chip_reject(it, "data in pixel format 0x%02X, only 16 bits are simulated", s->pixel_format);
+    const bool is_18 = s->pixel_format == 0x66 && s->bytes == 3; /* the bits for the bus */
+    const bool is_16 = (s->pixel_format == 0x55 || s->pixel_format == 0x05) && s->bytes == 2;
+    if (!is_18 && !is_16) {
+        chip_reject(it, "data in pixel format 0x%02X, only %d bits are simulated", s->pixel_format,
+                    s->bytes == 3 ? 18 : 16);
     }
     chip_window window = {s->columns[0], s->columns[1], s->pages[0], s->pages[1],
                           s->columns[0], s->pages[0],   true,        false};
     it->window = window;
-    s->half = false;
+    s->have = 0;
 }
 
 static void set_range(chip *it, int range[2])
@@ -100,8 +122,12 @@ static void set_range(chip *it, int range[2])
 static void execute(chip *it)
 {
     lcd *s = self(it);
-    if (s->half) {
+    if (s->have != 0) {
         chip_reject(it, "command 0x%02X in the middle of a pixel", it->command);
+    }
+    if (s->locked && !s->extended && it->command >= 0xB0 && it->command != 0xF0 &&
+        it->command != 0xC8) {
+        chip_reject(it, "command 0x%02X is locked", it->command);
     }
     switch (it->command) {
     case 0x01:
@@ -151,6 +177,14 @@ static void execute(chip *it)
     case 0x3A:
         s->pixel_format = it->parameters[0];
         break;
+    case 0xF0: /* ST7796: two numbers open the manufacturer's commands */
+        s->extended = it->parameters[0] == 0x96 && s->opened == 0xC3;
+        s->opened = it->parameters[0];
+        break;
+    case 0xC8: /* ILI9342: three do */
+        s->extended =
+            it->parameters[0] == 0xFF && it->parameters[1] == 0x93 && it->parameters[2] == 0x42;
+        break;
     default:
         break;
     }
@@ -159,18 +193,17 @@ static void execute(chip *it)
 static void store(chip *it, uint8_t byte)
 {
     lcd *s = self(it);
-    if (!s->half) {
-        s->high = byte;
-        s->half = true;
+    s->part = s->part << 8 | byte;
+    if (++s->have < s->bytes) {
         return;
     }
-    s->half = false;
+    s->have = 0;
     bool exchanged = (s->address_mode & EXCHANGED) != 0;
     int column = exchanged ? it->window.y : it->window.x;
     int row = exchanged ? it->window.x : it->window.y;
     column = (s->address_mode & COLUMNS_REVERSED) != 0 ? s->width - 1 - column : column;
     row = (s->address_mode & ROWS_REVERSED) != 0 ? s->height - 1 - row : row;
-    s->memory[row][column] = (uint16_t)(s->high << 8 | byte);
+    s->memory[row][column] = s->part & (s->bytes == 3 ? 0xFFFFFF : 0xFFFF);
     chip_advance(it, false);
 }
 
@@ -189,9 +222,9 @@ static uint32_t pixel(const chip *it, int x, int y)
     int across = g->columns_from_right ? g->width - 1 - x : x;
     int down = g->rows_from_bottom ? g->height - 1 - y : y;
     uint32_t c = s->memory[g->first_row + down][g->first_column + across];
-    uint32_t first = widened(c >> 11, 31);
-    uint32_t green = widened(c >> 5 & 63, 63);
-    uint32_t last = widened(c & 31, 31);
+    uint32_t first = s->bytes == 3 ? widened(c >> 18, 63) : widened(c >> 11, 31);
+    uint32_t green = widened(s->bytes == 3 ? c >> 10 & 63 : c >> 5 & 63, 63);
+    uint32_t last = s->bytes == 3 ? widened(c >> 2 & 63, 63) : widened(c & 31, 31);
     bool swapped = ((s->address_mode & BLUE_FIRST) != 0) != g->blue_first;
     uint32_t seen = swapped ? last << 16 | green << 8 | first : first << 16 | green << 8 | last;
     return s->inverted != g->normally_black ? ~seen & 0xFFFFFF : seen;
@@ -202,6 +235,8 @@ static void init(lcd *s, const chip_model *model, const lcd_glass *glass, int wi
     s->glass = *glass;
     s->width = width;
     s->height = height;
+    s->bytes = 2;
+    s->locked = false;
     s->chip.busy_pin = false;
     memset(s->memory, 0x5A, sizeof s->memory);
     chip_init(&s->chip, model);
@@ -258,4 +293,46 @@ void gc9a01_init(lcd *s, const lcd_glass *glass)
                                      store,
                                      pixel};
     init(s, &model, glass, 240, 240);
+}
+
+void ili9342_init(lcd *s, const lcd_glass *glass)
+{
+    static const chip_model model = {"ILI9342",
+                                     ili9342_commands,
+                                     sizeof ili9342_commands / sizeof ili9342_commands[0],
+                                     true,
+                                     reset,
+                                     execute,
+                                     store,
+                                     pixel};
+    init(s, &model, glass, 320, 240);
+    s->locked = true;
+}
+
+void ili9488_init(lcd *s, const lcd_glass *glass)
+{
+    static const chip_model model = {"ILI9488",
+                                     ili9488_commands,
+                                     sizeof ili9488_commands / sizeof ili9488_commands[0],
+                                     true,
+                                     reset,
+                                     execute,
+                                     store,
+                                     pixel};
+    init(s, &model, glass, 320, 480);
+    s->bytes = 3; /* its SPI takes no others */
+}
+
+void st7796_init(lcd *s, const lcd_glass *glass)
+{
+    static const chip_model model = {"ST7796",
+                                     st7796_commands,
+                                     sizeof st7796_commands / sizeof st7796_commands[0],
+                                     true,
+                                     reset,
+                                     execute,
+                                     store,
+                                     pixel};
+    init(s, &model, glass, 320, 480);
+    s->locked = true;
 }

@@ -4,19 +4,46 @@
 #include <string.h>
 
 /* The command table, without the graphic acceleration commands 0x23..0x2F. */
-static const chip_command commands[] = {
+static const chip_command ssd0323_commands[] = {
     {0x15, 0x15, 2}, {0x75, 0x75, 2}, {0x81, 0x81, 1}, {0x84, 0x86, 0}, {0xA0, 0xA2, 1},
     {0xA4, 0xA7, 0}, {0xA8, 0xA8, 1}, {0xAD, 0xAD, 1}, {0xAE, 0xAF, 0}, {0xB0, 0xB4, 1},
     {0xB8, 0xB8, 8}, {0xBC, 0xBC, 1}, {0xBE, 0xBF, 1}, {0xE3, 0xE3, 0},
 };
 
-enum {
-    COLUMNS_REVERSED = 0x01,
-    NIBBLES_SWAPPED = 0x02,
-    VERTICAL = 0x04,
-    COMS_REVERSED = 0x10,
-    COMS_SPLIT = 0x40
+static const chip_command ssd1327_commands[] = {
+    {0x15, 0x15, 2}, {0x75, 0x75, 2},  {0x81, 0x81, 1}, {0xA0, 0xA2, 1}, {0xA4, 0xA7, 0},
+    {0xA8, 0xA8, 1}, {0xAB, 0xAB, 1},  {0xAE, 0xAF, 0}, {0xB1, 0xB1, 1}, {0xB3, 0xB3, 1},
+    {0xB5, 0xB6, 1}, {0xB8, 0xB8, 15}, {0xB9, 0xB9, 0}, {0xBC, 0xBC, 1}, {0xBE, 0xBE, 1},
+    {0xD5, 0xD5, 1}, {0xFD, 0xFD, 1},
 };
+
+static const chip_command ssd1322_commands[] = {
+    {0x00, 0x00, 0},  {0x15, 0x15, 2}, {0x5C, 0x5C, CHIP_STREAM}, {0x75, 0x75, 2}, {0xA0, 0xA0, 2},
+    {0xA1, 0xA2, 1},  {0xA4, 0xA7, 0}, {0xA8, 0xA8, 2},           {0xA9, 0xA9, 0}, {0xAB, 0xAB, 1},
+    {0xAE, 0xAF, 0},  {0xB1, 0xB1, 1}, {0xB3, 0xB3, 1},           {0xB4, 0xB4, 2}, {0xB5, 0xB6, 1},
+    {0xB8, 0xB8, 15}, {0xB9, 0xB9, 0}, {0xBB, 0xBB, 1},           {0xBE, 0xBE, 1}, {0xC1, 0xC1, 1},
+    {0xC7, 0xC7, 1},  {0xCA, 0xCA, 1}, {0xD1, 0xD1, 2},           {0xFD, 0xFD, 1},
+};
+
+/* What differs between them and the glass they are on. */
+struct gray_kind {
+    int last_column, last_row, column_bytes; /* of the memory; a column is 1 or 2 bytes */
+    int width, height, first_byte;           /* of the glass, and where it begins in a row */
+    int remap_bits, columns_bit, halves_bit, down_bit, rows_bit;
+    int split_bit, is_split, second; /* of the remap: how the glass's rows are wired */
+    int offset;                      /* that brings its first row to the top */
+    bool from_last;                  /* the last segment is left */
+    int normal, off;                 /* modes of the display */
+    bool by_command;                 /* 0x5C begins the data */
+};
+typedef struct gray_kind gray_kind;
+
+static const gray_kind ssd0323_kind = {63,   79,   1,    128, 64, 0,     0x57, 1,    2,    4,
+                                       0x10, 0x40, 0x40, 0,   76, false, 0xA4, 0xA6, false};
+static const gray_kind ssd1327_kind = {63,   127,  1,    128, 128, 0,    0x57, 1,    2,    4,
+                                       0x10, 0x40, 0x40, 0,   0,   true, 0xA4, 0xA6, false};
+static const gray_kind ssd1322_kind = {119,  127,  2, 256,  64, 56,    0x37, 2,    4,   1,
+                                       0x10, 0x20, 0, 0x11, 0,  false, 0xA6, 0xA4, true};
 
 static ssd0323 *self(chip *it)
 {
@@ -27,12 +54,12 @@ static void reset(chip *it)
 {
     ssd0323 *s = self(it);
     memset(s->memory, 0x5A, sizeof s->memory);
-    s->remap = s->offset = s->start_line = 0;
-    s->multiplex = 79;
-    s->mode = 0xA4;
+    s->remap = s->offset = s->start_line = s->second = 0;
+    s->multiplex = s->kind->last_row;
+    s->mode = s->kind->normal;
     s->on = false;
-    it->window.x1 = 63;
-    it->window.y1 = 79;
+    it->window.x1 = (s->kind->last_column + 1) * s->kind->column_bytes - 1;
+    it->window.y1 = s->kind->last_row;
 }
 
 static void allow(chip *it, bool allowed)
@@ -50,39 +77,55 @@ static void range(chip *it, int most)
     }
 }
 
+/* The window's ends; where a command begins the data they are not taken before. */
+static void set_window(chip *it)
+{
+    const gray_kind *kind = self(it)->kind;
+    chip_window *w = &it->window;
+    const uint8_t *p = it->parameters;
+    if (it->command == 0x15) {
+        range(it, kind->last_column);
+        w->x = w->x0 = p[0] * kind->column_bytes;
+        w->x1 = (p[1] + 1) * kind->column_bytes - 1;
+    } else if (it->command == 0x75) {
+        range(it, kind->last_row);
+        w->y = w->y0 = p[0];
+        w->y1 = p[1];
+    }
+    w->set = !kind->by_command || it->command == 0x5C;
+    w->full = false;
+}
+
+static void set_remap(chip *it)
+{
+    ssd0323 *s = self(it);
+    allow(it, (it->parameters[0] & ~s->kind->remap_bits) == 0);
+    s->remap = it->parameters[0];
+    s->second = s->kind->second != 0 ? it->parameters[1] : 0;
+}
+
 static void execute(chip *it)
 {
     ssd0323 *s = self(it);
-    chip_window *w = &it->window;
     const uint8_t *p = it->parameters;
     switch (it->command) {
     case 0x15:
-        range(it, 63);
-        w->x = w->x0 = p[0];
-        w->x1 = p[1];
-        w->set = true;
-        w->full = false;
-        break;
+    case 0x5C:
     case 0x75:
-        range(it, 79);
-        w->y = w->y0 = p[0];
-        w->y1 = p[1];
-        w->set = true;
-        w->full = false;
+        set_window(it);
         break;
     case 0x81:
-        allow(it, p[0] <= 127);
+        allow(it, p[0] <= 127 || s->kind != &ssd0323_kind);
         break;
     case 0xA0:
-        allow(it, (p[0] & ~0x57) == 0);
-        s->remap = p[0];
+        set_remap(it);
         break;
     case 0xA1:
-        allow(it, p[0] <= 79);
+        allow(it, p[0] <= s->kind->last_row);
         s->start_line = p[0];
         break;
     case 0xA2:
-        allow(it, p[0] <= 79);
+        allow(it, p[0] <= s->kind->last_row);
         s->offset = p[0];
         break;
     case 0xA4:
@@ -91,8 +134,9 @@ static void execute(chip *it)
     case 0xA7:
         s->mode = it->command;
         break;
-    case 0xA8:
-        allow(it, p[0] >= 15 && p[0] <= 79);
+    case 0xA8: /* of the SSD1322 a partial display */
+    case 0xCA:
+        allow(it, p[0] >= 15 && p[0] <= s->kind->last_row);
         s->multiplex = p[0];
         break;
     case 0xAD:
@@ -111,34 +155,83 @@ static void store(chip *it, uint8_t byte)
 {
     ssd0323 *s = self(it);
     s->memory[it->window.y][it->window.x] = byte;
-    chip_advance(it, (s->remap & VERTICAL) != 0);
+    chip_advance(it, (s->remap & s->kind->down_bit) != 0);
 }
 
-/* Without remapping, a byte's low half is the even segment. */
+/*
+ * Without remapping, the low half of a column's first byte is its first segment. A column of two
+ * bytes keeps its pixels in the opposite order as a whole.
+ */
 static uint32_t pixel(const chip *it, int x, int y)
 {
     const ssd0323 *s = (const ssd0323 *)(const void *)it;
-    if (!s->on || (s->remap & COMS_SPLIT) == 0 || s->multiplex != 63 || s->mode == 0xA6) {
+    const gray_kind *kind = s->kind;
+    if (!s->on || (s->remap & kind->split_bit) != kind->is_split || s->second != kind->second ||
+        s->multiplex != kind->height - 1 || s->mode == kind->off) {
         return 0;
     }
     if (s->mode == 0xA5) {
         return 0xFFFFFF;
     }
-    int column = (s->remap & COLUMNS_REVERSED) != 0 ? 63 - x / 2 : x / 2;
-    int line = (s->remap & COMS_REVERSED) != 0 ? y : 63 - y;
-    int row = (line + s->start_line + s->offset - 76 + 80 + s->first_row) % 80;
-    bool high = (x % 2 != 0) != ((s->remap & NIBBLES_SWAPPED) != 0);
-    int level = high ? s->memory[row][column] >> 4 : s->memory[row][column] & 15;
-    level = s->mode == 0xA7 ? 15 - level : level;
-    return (uint32_t)level * 0x111111;
+    const int pixels = 2 * kind->column_bytes; /* of a column */
+    const int all = (kind->last_column + 1) * pixels;
+    const int segment = kind->from_last ? all - 1 - x : x + 2 * kind->first_byte;
+    int column = segment / pixels, within = segment % pixels;
+    column = (s->remap & kind->columns_bit) != 0 ? kind->last_column - column : column;
+    if ((s->remap & kind->halves_bit) != 0) {
+        within = pixels - 1 - within;
+    }
+    const int byte = kind->column_bytes == 1 ? column : 2 * column + (within < 2 ? 1 : 0);
+    const int line = (s->remap & kind->rows_bit) != 0 ? y : kind->height - 1 - y;
+    const int rows = kind->last_row + 1;
+    const int row = (line + s->start_line + s->offset - kind->offset + rows + s->first_row) % rows;
+    const int level = within % 2 != 0 ? s->memory[row][byte] >> 4 : s->memory[row][byte] & 15;
+    return (uint32_t)(s->mode == 0xA7 ? 15 - level : level) * 0x111111;
+}
+
+static void init(ssd0323 *s, const gray_kind *kind, const chip_model *model)
+{
+    s->kind = kind;
+    s->first_row = 0;
+    s->chip.busy_pin = false;
+    chip_init(&s->chip, model);
 }
 
 void ssd0323_init(ssd0323 *s)
 {
-    static const chip_model model = {"SSD0323", commands, sizeof commands / sizeof commands[0],
-                                     false,     reset,    execute,
-                                     store,     pixel};
-    s->first_row = 0;
-    s->chip.busy_pin = false;
-    chip_init(&s->chip, &model);
+    static const chip_model model = {"SSD0323",
+                                     ssd0323_commands,
+                                     sizeof ssd0323_commands / sizeof ssd0323_commands[0],
+                                     false,
+                                     reset,
+                                     execute,
+                                     store,
+                                     pixel};
+    init(s, &ssd0323_kind, &model);
+}
+
+void ssd1327_init(ssd0323 *s)
+{
+    static const chip_model model = {"SSD1327",
+                                     ssd1327_commands,
+                                     sizeof ssd1327_commands / sizeof ssd1327_commands[0],
+                                     false,
+                                     reset,
+                                     execute,
+                                     store,
+                                     pixel};
+    init(s, &ssd1327_kind, &model);
+}
+
+void ssd1322_init(ssd0323 *s)
+{
+    static const chip_model model = {"SSD1322",
+                                     ssd1322_commands,
+                                     sizeof ssd1322_commands / sizeof ssd1322_commands[0],
+                                     true,
+                                     reset,
+                                     execute,
+                                     store,
+                                     pixel};
+    init(s, &ssd1322_kind, &model);
 }

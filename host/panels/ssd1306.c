@@ -68,6 +68,9 @@ static void execute(chip *it)
         break;
     case 0x8D:
         oled_allow(it, (p[0] & ~4) == 0x10);
+        if (!s->has_pump) {
+            chip_reject(it, "there is no charge pump");
+        }
         s->drive.pump = (p[0] & 4) != 0;
         break;
     case 0xA8:
@@ -79,7 +82,8 @@ static void execute(chip *it)
         s->drive.pins = p[0];
         break;
     case 0xDB:
-        oled_allow(it, p[0] == 0x00 || p[0] == 0x20 || p[0] == 0x30);
+        oled_allow(it, s->has_pump ? p[0] == 0x00 || p[0] == 0x20 || p[0] == 0x30
+                                   : p[0] == 0x00 || p[0] == 0x34 || p[0] == 0x3C);
         break;
     default:
         break;
@@ -98,7 +102,7 @@ static uint32_t pixel(const chip *it, int x, int y)
 {
     const ssd1306 *s = (const ssd1306 *)(const void *)it;
     int wired = s->rows == 32 ? 0x02 : 0x12; /* the glass's rows alternate between COM halves */
-    if (!s->drive.on || !s->drive.pump || s->drive.pins != wired ||
+    if (!s->drive.on || s->drive.pump != s->has_pump || s->drive.pins != wired ||
         s->drive.multiplex != s->rows - 1) {
         return 0;
     }
@@ -111,15 +115,30 @@ static uint32_t pixel(const chip *it, int x, int y)
     return lit != s->drive.inverse ? 0xFFFFFF : 0;
 }
 
+static void init(ssd1306 *s, const chip_model *model, int rows)
+{
+    s->rows = rows;
+    s->first_column = 0;
+    s->chip.busy_pin = false;
+    chip_init(&s->chip, model);
+}
+
 void ssd1306_init(ssd1306 *s, int rows)
 {
     static const chip_model model = {"SSD1306", commands, sizeof commands / sizeof commands[0],
                                      false,     reset,    execute,
                                      store,     pixel};
-    s->rows = rows;
-    s->first_column = 0;
-    s->chip.busy_pin = false;
-    chip_init(&s->chip, &model);
+    s->has_pump = true;
+    init(s, &model, rows);
+}
+
+void ssd1309_init(ssd1306 *s)
+{
+    static const chip_model model = {"SSD1309", commands, sizeof commands / sizeof commands[0],
+                                     false,     reset,    execute,
+                                     store,     pixel};
+    s->has_pump = false;
+    init(s, &model, 64);
 }
 
 void ssd1306_init_at(ssd1306 *s, int rows, int first_column)

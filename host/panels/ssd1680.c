@@ -15,7 +15,6 @@ static const chip_command commands[] = {
 };
 
 enum { X_UP = 1, Y_UP = 2, Y_FIRST = 4 };
-enum { LAST_X = 21, LAST_Y = 295 };
 enum { RESET_MS = 10, REFRESH_MS = 2000, PARTIAL_MS = 400 };
 
 static ssd1680 *self(chip *it)
@@ -26,11 +25,11 @@ static ssd1680 *self(chip *it)
 static void reset(chip *it)
 {
     ssd1680 *s = self(it);
-    s->gates = 296;
+    s->gates = s->last_y + 1;
     s->entry = X_UP | Y_UP;
     s->x[0] = s->y[0] = 0;
-    s->x[1] = LAST_X;
-    s->y[1] = LAST_Y;
+    s->x[1] = s->last_x;
+    s->y[1] = s->last_y;
     s->counter_x = s->counter_y = 0;
     s->update = 0xFF;
     s->options[0] = s->options[1] = 0;
@@ -48,11 +47,11 @@ static void begin_write(chip *it)
     ssd1680 *s = self(it);
     bool x_up = (s->entry & X_UP) != 0;
     bool y_up = (s->entry & Y_UP) != 0;
-    if (s->x[0] > LAST_X || s->x[1] > LAST_X ||
+    if (s->x[0] > s->last_x || s->x[1] > s->last_x ||
         (s->x[0] != s->x[1] && x_up != (s->x[0] < s->x[1]))) {
         chip_reject(it, "x addresses %d..%d in entry mode %d", s->x[0], s->x[1], s->entry);
     }
-    if (s->y[0] > LAST_Y || s->y[1] > LAST_Y ||
+    if (s->y[0] > s->last_y || s->y[1] > s->last_y ||
         (s->y[0] != s->y[1] && y_up != (s->y[0] < s->y[1]))) {
         chip_reject(it, "y addresses %d..%d in entry mode %d", s->y[0], s->y[1], s->entry);
     }
@@ -119,7 +118,7 @@ static void execute(chip *it)
     switch (it->command) {
     case 0x01:
         s->gates = (p[0] | (p[1] & 1) << 8) + 1;
-        if (s->gates > LAST_Y + 1 || p[2] != 0) {
+        if (s->gates > s->last_y + 1 || p[2] != 0) {
             chip_reject(it, "%d gates in order %d", s->gates, p[2]);
         }
         break;
@@ -182,11 +181,23 @@ static void store(chip *it, uint8_t byte)
 static uint32_t pixel(const chip *it, int x, int y)
 {
     const ssd1680 *s = (const ssd1680 *)(const void *)it;
-    if (s->gates != s->height || (s->options[1] & 0x80) == 0) {
+    if (s->gates != s->height || s->options[1] != s->sources) {
         return 0x808080; /* not driven as the glass is wired */
     }
     int column = s->first_column + x;
     return (s->shown[s->first_row + y][column / 8] >> (7 - column % 8) & 1) != 0 ? 0xFFFFFF : 0;
+}
+
+static void init(ssd1680 *s, const chip_model *model, int width, int height)
+{
+    memset(s->memory, 0xC3, sizeof s->memory);
+    memset(s->shown, 0xC3, sizeof s->shown);
+    memset(s->second, 0x5A, sizeof s->second); /* whatever it holds */
+    s->refreshes = s->partial_refreshes = s->first_column = s->first_row = 0;
+    s->width = width;
+    s->height = height;
+    s->chip.busy_pin = true;
+    chip_init(&s->chip, model);
 }
 
 void ssd1680_init(ssd1680 *s)
@@ -194,12 +205,19 @@ void ssd1680_init(ssd1680 *s)
     static const chip_model model = {"SSD1680", commands, sizeof commands / sizeof commands[0],
                                      true,      reset,    execute,
                                      store,     pixel};
-    memset(s->memory, 0xC3, sizeof s->memory);
-    memset(s->shown, 0xC3, sizeof s->shown);
-    memset(s->second, 0x5A, sizeof s->second); /* whatever it holds */
-    s->refreshes = s->partial_refreshes = s->first_column = s->first_row = 0;
-    s->width = 122;
-    s->height = 250;
-    s->chip.busy_pin = true;
-    chip_init(&s->chip, &model);
+    s->last_x = 21;
+    s->last_y = 295;
+    s->sources = 0x80;
+    init(s, &model, 122, 250);
+}
+
+void ssd1681_init(ssd1680 *s)
+{
+    static const chip_model model = {"SSD1681", commands, sizeof commands / sizeof commands[0],
+                                     true,      reset,    execute,
+                                     store,     pixel};
+    s->last_x = 24;
+    s->last_y = 199;
+    s->sources = 0x00;
+    init(s, &model, 200, 200);
 }

@@ -9,6 +9,7 @@
 int render_main(int argc, char **argv);
 int pipelines_main(int argc, char **argv);
 int demo_main(int argc, char **argv);
+int model_main(int argc, char **argv);
 int mesh_main(int argc, char **argv);
 int texture_main(int argc, char **argv);
 int neighbours_main(int argc, char **argv);

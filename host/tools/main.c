@@ -22,6 +22,8 @@ static const struct command commands[] = {
      WATCH_SECONDS},
     {"compare", compare_main, "compare two pictures", WATCH_SECONDS},
     {"demo", demo_main, "render the demo scenes beside their references", 0},
+    {"model", model_main, "make C data of a whole model: meshes, textures, materials, motion",
+     WATCH_SECONDS},
     {"mesh", mesh_main, "make C data of a model, or of a mesh that it generates", WATCH_SECONDS},
     {"texture", texture_main, "make C data of a picture", WATCH_SECONDS},
     {"neighbours", neighbours_main, "write a mesh's neighbours as C, for smooth outlines",

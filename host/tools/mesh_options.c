@@ -9,7 +9,7 @@
 #include "mesh_generate.h"
 #include "options.h"
 
-static const char usage[] =
+static const char mesh_usage[] =
     "usage: qtri mesh IN -o NAME.h [OPTION ...]\n"
     "\n"
     "Makes constant data for qtri_draw_mesh of a model: a header that C99 and C++11 compile, or "
@@ -19,34 +19,100 @@ static const char usage[] =
     "- for standard input; -o - is standard output.\n"
     "\n"
     "  --compact          16-bit positions and texture coordinates, 8-bit normals and indices\n"
+    "  --center           the middle of the model's box becomes the origin\n"
+    "  --colors           colours of materials and vertices become vertex colours of one mesh;\n"
+    "                     without, there is one mesh a material\n";
+
+static const char model_usage[] =
+    "usage: qtri model IN -o NAME.h [OPTION ...]\n"
+    "\n"
+    "Makes all of a model that the core can draw: meshes, their materials and textures, and what\n"
+    "moves, in one header that C99 and C++11 compile; the program at its top draws it. IN is a "
+    "file\n"
+    "named .obj, .gltf, .glb, .stl or .ply, or - for standard input; -o - is standard output. The\n"
+    "model is centred, its largest side 2, its data compact.\n"
+    "\n"
+    "  --texture FILE     the picture of materials that name none\n"
+    "  --texture-side N   larger textures are scaled to N x N or less (default 256)\n"
+    "  --format FORMAT    of textures: rgb565 (default), palette (256 colours), gray8, xrgb8888\n"
+    "  --dither           of textures: spread rounding errors over neighbours\n"
+    "  --mipmaps          of textures: levels of half the size each\n"
+    "  --in-place         where and as large as it is in the file\n"
+    "  --wide             32-bit positions, 16-bit normals and indices\n";
+
+static const char usage[] =
     "  --fit SIZE         scale: the largest side of the model's box becomes SIZE\n"
     "  --scale FACTOR     scale by a factor: .001 makes metres of millimetres\n"
-    "  --center           the middle of the model's box becomes the origin\n"
     "  --up y|z           the file's axis that points up (default y)\n"
-    "  --normals keep     those of the file; smooth where it has none (default)\n"
+    "  --normals keep     those of the file; where it has none, smooth 45 (default)\n"
     "  --normals smooth DEGREES   smooth where faces meet at less than DEGREES\n"
     "  --normals flat     those of faces; --normals none, without any, looks the same and is "
     "smaller\n"
-    "  --colors           colours of materials and vertices become vertex colours of one mesh;\n"
-    "                     without, there is one mesh a material\n"
     "  --plain            one mesh; materials and pictures are not looked for\n"
     "  --simplify N       at most about N triangles\n"
     "  --no-faces         without the planes that let back faces be culled early\n"
-    "  --name NAME        of the qtri_mesh (default: the output's, the input's)\n"
+    "  --name NAME        in C (default: the output's, the input's)\n"
     "  --split            declarations in NAME.h, data in NAME.c\n"
     "  --panel WxH        the display for which RAM is counted (default 320x240)\n"
     "  --rows N           of a band of it (default 16)\n"
+    "  --flash N, --ram N   bytes, or kilobytes as in 256K: an error where it takes more\n"
     "  --preview FILE     a picture, .png or .ppm, drawn with the core\n"
     "\n"
     "In place of IN one of these is generated:";
 
-void mesh_options_help(FILE *out)
+void mesh_options_help(bool is_model, FILE *out)
 {
+    fputs(is_model ? model_usage : mesh_usage, out);
     fputs(usage, out);
     for (int i = 0; mesh_names[i] != NULL; i++) {
         fprintf(out, " %s", mesh_names[i]);
     }
     fputc('\n', out);
+}
+
+/* 262144 or 256K or 2M bytes. */
+static bool option_bytes(const char *value, size_t *bytes)
+{
+    char digits[16];
+    const size_t count = strspn(value, "0123456789");
+    const char unit = value[count];
+    const int shift = unit == 'K' ? 10 : unit == 'M' ? 20 : 0;
+    long number = 0;
+    (void)snprintf(digits, sizeof digits, "%.*s", (int)(count < 15 ? count : 15), value);
+    if (!option_whole(digits, 1, 1L << 30 >> shift, &number) || (shift == 0 && unit != '\0') ||
+        (shift != 0 && value[count + 1] != '\0')) {
+        return false;
+    }
+    *bytes = (size_t)number << shift;
+    return true;
+}
+
+static bool set_flash(void *options, const char *value, struct option_words *more)
+{
+    (void)more;
+    return option_bytes(value, &((struct mesh_options *)options)->most_flash);
+}
+
+static bool set_ram(void *options, const char *value, struct option_words *more)
+{
+    (void)more;
+    return option_bytes(value, &((struct mesh_options *)options)->most_ram);
+}
+
+static bool set_texture_side(void *options, const char *value, struct option_words *more)
+{
+    long side = 0;
+    (void)more;
+    const bool ok = option_whole(value, 1, TEXTURE_MAX_SIDE, &side);
+    ((struct mesh_options *)options)->most.width = (int)side;
+    ((struct mesh_options *)options)->most.height = (int)side;
+    return ok;
+}
+
+static bool set_format(void *options, const char *value, struct option_words *more)
+{
+    (void)more;
+    return option_texture_format(value, &((struct mesh_options *)options)->most.format);
 }
 
 static bool set_panel(void *options, const char *value, struct option_words *more)
@@ -110,29 +176,45 @@ static bool set_normals(void *options, const char *value, struct option_words *m
 #define AT(member) offsetof(struct mesh_options, member)
 
 /* clang-format off */
-static const struct option options_of_mesh[] = {
+static const struct option all_options[] = {
+    /* of `qtri mesh` */
+    {"--compact", OPTION_FLAG, AT(compact), NULL},
+    {"--center", OPTION_FLAG, AT(center), NULL},
+    {"--colors", OPTION_FLAG, AT(colors), NULL},
+    /* of both */
     {"-o", OPTION_TEXT, AT(output), NULL},
     {"--preview", OPTION_TEXT, AT(preview), NULL},
     {"--name", OPTION_NAME, AT(name), NULL},
     {"--panel", OPTION_SET, 0, set_panel},
     {"--rows", OPTION_SET, 0, set_rows},
+    {"--flash", OPTION_SET, 0, set_flash},
+    {"--ram", OPTION_SET, 0, set_ram},
     {"--fit", OPTION_SET, 0, set_fit},
     {"--scale", OPTION_SET, 0, set_scale},
     {"--up", OPTION_SET, 0, set_up},
     {"--simplify", OPTION_SET, 0, set_simplify},
     {"--normals", OPTION_SET, 0, set_normals},
     {"--split", OPTION_FLAG, AT(split), NULL},
-    {"--compact", OPTION_FLAG, AT(compact), NULL},
-    {"--center", OPTION_FLAG, AT(center), NULL},
-    {"--colors", OPTION_FLAG, AT(colors), NULL},
     {"--plain", OPTION_FLAG, AT(plain), NULL},
     {"--no-faces", OPTION_FLAG, AT(no_faces), NULL},
+    /* of `qtri model` */
+    {"--texture", OPTION_TEXT, AT(skin), NULL},
+    {"--texture-side", OPTION_SET, 0, set_texture_side},
+    {"--format", OPTION_SET, 0, set_format},
+    {"--dither", OPTION_FLAG, AT(most.dither), NULL},
+    {"--mipmaps", OPTION_FLAG, AT(most.mipmaps), NULL},
+    {"--in-place", OPTION_FLAG, AT(in_place), NULL},
+    {"--wide", OPTION_FLAG, AT(wide), NULL},
 };
 /* clang-format on */
 
-static const struct option_list list = {"mesh", "model", offsetof(struct mesh_options, input),
-                                        options_of_mesh,
-                                        sizeof options_of_mesh / sizeof options_of_mesh[0]};
+enum { ALL_OPTIONS = sizeof all_options / sizeof all_options[0], MESH_ONLY = 3, MODEL_ONLY = 7 };
+
+static const struct option_list mesh_list = {"mesh", "model", offsetof(struct mesh_options, input),
+                                             all_options, ALL_OPTIONS - MODEL_ONLY};
+static const struct option_list model_list = {"model", "model",
+                                              offsetof(struct mesh_options, input),
+                                              all_options + MESH_ONLY, ALL_OPTIONS - MESH_ONLY};
 
 /* Whether an option asks for more than a generated mesh's text. */
 static bool is_changed(const struct mesh_options *o)
@@ -142,49 +224,72 @@ static bool is_changed(const struct mesh_options *o)
 }
 
 /* What the names say about input and output. */
-static bool check_names(struct mesh_options *options)
+static bool check_names(struct mesh_options *options, const struct option_list *list)
 {
     if (options->input == NULL || options->output == NULL) {
-        return options_complain(&list, "a model and -o NAME.h are needed", "");
+        return options_complain(list, "a model and -o NAME.h are needed", "");
     }
     for (int i = 0; mesh_names[i] != NULL; i++) {
         options->is_generated = options->is_generated || strcmp(options->input, mesh_names[i]) == 0;
     }
     if (!options->is_generated && !model_is_file_name(options->input)) {
         return options_complain(
-            &list,
+            list,
             "neither a mesh that it makes nor .obj, .gltf, .glb, .stl or .ply: ", options->input);
     }
     options->is_obj = file_name_ends_in(options->output, ".obj");
-    if (strcmp(options->output, "-") != 0 && !options->is_obj &&
+    if (strcmp(options->output, "-") != 0 && (!options->is_obj || options->is_model) &&
         !file_name_ends_in(options->output, ".h")) {
-        return options_complain(&list,
-                                "the output is named neither .h nor .obj: ", options->output);
+        return options_complain(list,
+                                options->is_model ? "the output is not named .h: "
+                                                  : "the output is named neither .h nor .obj: ",
+                                options->output);
+    }
+    if (options->in_place && (options->fit > 0.0 || options->scale > 0.0)) {
+        return options_complain(list, "--in-place, --fit and --scale exclude each other", "");
     }
     if (options->fit > 0.0 && options->scale > 0.0) {
-        return options_complain(&list, "--fit and --scale exclude each other", "");
+        return options_complain(list, "--fit and --scale exclude each other", "");
     }
     if (options->split && (options->is_obj || strcmp(options->output, "-") == 0)) {
-        return options_complain(&list, "--split needs an output named .h", "");
+        return options_complain(list, "--split needs an output named .h", "");
     }
     options->is_changed = is_changed(options);
-    return options_default_name(&list, options->input, options->output, options->name);
+    return options_default_name(list, options->input, options->output, options->name);
 }
 
-bool mesh_options_parse(int argc, char **argv, struct mesh_options *options)
+/* What `qtri model` does unless it is told otherwise. */
+static void set_model_defaults(struct mesh_options *options)
 {
+    options->compact = !options->wide;
+    options->center = !options->in_place;
+    if (!options->in_place && options->fit == 0.0 && options->scale == 0.0) {
+        options->fit = 2.0;
+    }
+}
+
+bool mesh_options_parse(int argc, char **argv, bool is_model, struct mesh_options *options)
+{
+    const struct option_list *list = is_model ? &model_list : &mesh_list;
     memset(options, 0, sizeof *options);
     options->up = 'y';
     options->panel_width = 320;
     options->panel_height = 240;
     options->rows = 16;
-    bool ok = options_parse(&list, options, argc, argv) && check_names(options);
+    options->is_model = is_model;
+    options->most.width = 256;
+    options->most.height = 256;
+    bool ok = options_parse(list, options, argc, argv) && check_names(options, list);
     if (ok && options->simplify > 0 && !model_can_simplify()) {
         ok = options_complain(
-            &list, "this qtri was built without libmeshoptimizer and cannot --simplify", "");
+            list, "this qtri was built without libmeshoptimizer and cannot --simplify", "");
+    }
+    options->rows = options->rows < options->panel_height ? options->rows : options->panel_height;
+    if (is_model) {
+        set_model_defaults(options);
     }
     if (!ok) {
-        fputs("Try `qtri mesh --help`.\n", stderr);
+        fprintf(stderr, "Try `qtri %s --help`.\n", list->command);
     }
     return ok;
 }

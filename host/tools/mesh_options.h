@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What `qtri mesh` was asked for.
+ * What `qtri mesh` and `qtri model` were asked for.
  */
 #ifndef QTRI_HOST_TOOLS_MESH_OPTIONS_H
 #define QTRI_HOST_TOOLS_MESH_OPTIONS_H
@@ -9,6 +9,7 @@
 #include <stdio.h>
 
 #include "../assets/model.h"
+#include "../assets/texture.h"
 #include "options.h"
 
 struct mesh_options {
@@ -25,11 +26,17 @@ struct mesh_options {
     double smooth_degrees;
     long simplify; /* 0: all triangles */
     int panel_width, panel_height, rows;
+    size_t most_flash, most_ram; /* 0: any */
+
+    /* Of `qtri model` alone. */
+    bool is_model, wide, in_place;
+    const char *skin;            /* the picture of materials that have none; NULL: none */
+    struct texture_options most; /* width and height: the most of a texture */
 };
 
-/* False after a message on standard error: wrong usage. */
-bool mesh_options_parse(int argc, char **argv, struct mesh_options *options);
+/* False after a message on standard error: wrong usage. `is_model`: of `qtri model`. */
+bool mesh_options_parse(int argc, char **argv, bool is_model, struct mesh_options *options);
 
-void mesh_options_help(FILE *out);
+void mesh_options_help(bool is_model, FILE *out);
 
 #endif

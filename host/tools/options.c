@@ -128,6 +128,17 @@ bool option_size(const char *text, long most, int *width, int *height)
     return true;
 }
 
+bool option_texture_format(const char *text, enum texture_format *format)
+{
+    for (int i = 0; i < TEXTURE_FORMATS; i++) {
+        if (strcmp(text, texture_format_names[i]) == 0) {
+            *format = (enum texture_format)i;
+            return true;
+        }
+    }
+    return false;
+}
+
 bool option_name(const char *text, char name[OPTION_NAME_SIZE])
 {
     size_t length = strlen(text);

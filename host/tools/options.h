@@ -9,6 +9,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "../assets/texture.h"
+
 #define OPTION_NAME_SIZE 64 /* of a name in C, with its end */
 
 /* The words behind the one that is looked at. */
@@ -51,6 +53,7 @@ bool options_ask_help(int argc, char **argv);
 bool option_whole(const char *text, long least, long most, long *out);
 bool option_real(const char *text, double least, double most, double *out);
 bool option_size(const char *text, long most, int *width, int *height);
+bool option_texture_format(const char *text, enum texture_format *format);
 bool option_name(const char *text, char name[OPTION_NAME_SIZE]);
 
 /*

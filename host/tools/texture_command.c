@@ -68,13 +68,7 @@ static bool set_key(void *options, const char *value, struct option_words *more)
 static bool set_format(void *options, const char *value, struct option_words *more)
 {
     (void)more;
-    for (int i = 0; i < TEXTURE_FORMATS; i++) {
-        if (strcmp(value, texture_format_names[i]) == 0) {
-            ((struct options *)options)->texture.format = (enum texture_format)i;
-            return true;
-        }
-    }
-    return false;
+    return option_texture_format(value, &((struct options *)options)->texture.format);
 }
 
 static bool set_picture(void *options, const char *value, struct option_words *more)

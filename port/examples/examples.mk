@@ -20,7 +20,8 @@ example_sources      = $(wildcard port/examples/$1/*.c)
 # A model for the example `mesh`: make examples MODEL=duck.glb [SKIN=duck.png] [MODEL_OPTIONS="--simplify 2000"]
 MODEL         ?=
 SKIN          ?=
-MODEL_OPTIONS ?= --plain
+MODEL_OPTIONS ?=
+MODEL_ASKED    = $(MODEL) $(if $(SKIN),--texture $(SKIN)) $(MODEL_OPTIONS)
 
 EXAMPLE_DIR := $(BUILD)/examples
 EXAMPLE_RUN := $(foreach e,$(EXAMPLES),$(if $(filter $(call example_target,$e),$(DISPLAY_RUN)),$e))
@@ -39,29 +40,23 @@ $(foreach e,$(EXAMPLES),$(eval $(call example_rules,$e,$(call example_target,$e)
 
 $(BUILD)/obj/port/examples/%.o: INCLUDES += -Ihost
 
+# Eight frames are drawn: once all the way round.
 ifneq ($(MODEL),)
-MODEL_FLAGS := -DQTRI_EXAMPLE_MODEL -I$(EXAMPLE_DIR)/mesh
-MODEL_FILES := $(EXAMPLE_DIR)/mesh/model.h $(EXAMPLE_DIR)/mesh/skin.h
+MODEL_FLAGS := -DQTRI_EXAMPLE_MODEL -DQTRI_EXAMPLE_STEP=45 -I$(EXAMPLE_DIR)/mesh
 mesh_objects := $(BUILD)/obj/port/examples/mesh/mesh.o $(BOARD_DIR)/$(example_target_lcd)/port/examples/mesh/mesh.o
-$(mesh_objects): $(MODEL_FILES)
+$(mesh_objects): $(EXAMPLE_DIR)/mesh/model.h
 $(BUILD)/obj/port/examples/mesh/mesh.o: INCLUDES += $(MODEL_FLAGS)
 $(BOARD_DIR)/$(example_target_lcd)/port/examples/mesh/mesh.o: private BOARD_EXTRA := $(MODEL_FLAGS)
 
-$(EXAMPLE_DIR)/mesh/model.h: $(BUILD)/qtri $(wildcard $(MODEL)) $(EXAMPLE_DIR)/mesh/asked
-	$(BUILD)/qtri mesh $(MODEL) -o $@ --name model --compact --center --fit 2 $(MODEL_OPTIONS)
-
-# Its own picture, where there is one and no other was named.
-$(EXAMPLE_DIR)/mesh/skin.h: $(BUILD)/qtri $(wildcard $(MODEL) $(SKIN)) $(EXAMPLE_DIR)/mesh/asked
-	$(if $(SKIN),$(BUILD)/qtri texture $(SKIN) -o $@ --name skin,\
-	    @$(BUILD)/qtri texture $(MODEL) -o $@ --name skin 2>$@.why || \
-	        { echo "without a picture (SKIN=FILE names one): $$(cat $@.why)"; echo '#define MODEL_HAS_NO_SKIN' >$@; })
+$(EXAMPLE_DIR)/mesh/model.h: $(BUILD)/qtri $(wildcard $(MODEL) $(SKIN)) $(EXAMPLE_DIR)/mesh/asked
+	$(BUILD)/qtri model $(MODEL_ASKED) -o $@
 endif
 
 # What the example's objects were made with.
 $(BUILD)/obj/port/examples/mesh/mesh.o $(BOARD_DIR)/$(example_target_lcd)/port/examples/mesh/mesh.o: $(EXAMPLE_DIR)/mesh/asked
 $(EXAMPLE_DIR)/mesh/asked: FORCE
 	@mkdir -p $(@D)
-	@echo '$(MODEL) $(SKIN) $(MODEL_OPTIONS)' | cmp -s - $@ || echo '$(MODEL) $(SKIN) $(MODEL_OPTIONS)' >$@
+	@echo '$(MODEL_ASKED)' | cmp -s - $@ || echo '$(MODEL_ASKED)' >$@
 
 .PHONY: examples test-examples
 examples: $(EXAMPLES:%=$(EXAMPLE_DIR)/%/host) ## Draw the frames of the examples into build/examples/NAME/frames

@@ -51,7 +51,8 @@ static void store_piece(const qtri_panel *panel, const qtri_surface *surface, in
     }
 }
 
-void qtri_panel_store(const qtri_panel *panel, const qtri_surface *surface, qtri_rect rect)
+enum qtri_error qtri_panel_write_mapped(qtri_panel *panel, const qtri_surface *surface,
+                                        qtri_rect rect)
 {
     const qtri_panel_description *d = panel->description;
     ptrdiff_t pixel = d->format == QTRI_PANEL_RGB565 ? 2 : 4;
@@ -73,4 +74,5 @@ void qtri_panel_store(const qtri_panel *panel, const qtri_surface *surface, qtri
             at += n * step;
         }
     }
+    return QTRI_OK;
 }

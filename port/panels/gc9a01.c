@@ -58,21 +58,6 @@ static const qtri_panel_step init[] = {
 };
 
 /* Address mode: rows reversed 0x80, columns reversed 0x40, exchanged 0x20, blue first 0x08. */
-const qtri_panel_description qtri_gc9a01 = {
-    .width = 240,
-    .height = 240,
-    .format = QTRI_PANEL_RGB565,
-    .order = QTRI_ORDER_BIG,
-    .init = init,
-    .init_count = sizeof init / sizeof init[0],
-    .parameters_are_data = true,
-    .reset_ms = 1,
-    .start_ms = 120,
-    .orientation_command = 0x36,
-    .orientation = {0x08, 0x68, 0xC8, 0xA8},
-    .memory_width = 240,
-    .memory_height = 240,
-    .window = qtri_panel_mipi_window,
-    .inverted = true,
-    .invert_commands = {0x20, 0x21},
-};
+const qtri_panel_description qtri_gc9a01 = {QTRI_MIPI(240, 240, 240, 240, 0, 0, init),
+                                            .orientation = {0x08, 0x68, 0xC8, 0xA8},
+                                            .inverted = true};

@@ -42,15 +42,29 @@ bool qtri_panel_is_native(qtri_byte_order order);
 /* Whether the surface lies in memory as an RGB565 display of that order wants it. */
 bool qtri_panel_is_in_place(const qtri_surface *surface, qtri_byte_order order);
 
-/* The three ways to a display: rect is part of the frame and of the surface, and not empty. */
-enum qtri_error qtri_panel_stream(qtri_panel *panel, const qtri_surface *surface, qtri_rect rect);
-enum qtri_error qtri_panel_packed(qtri_panel *panel, const qtri_surface *surface, qtri_rect rect);
-void qtri_panel_store(const qtri_panel *panel, const qtri_surface *surface, qtri_rect rect);
-
 /* The description's window, when what DMA sends has arrived. */
 enum qtri_error qtri_panel_open(qtri_panel *panel, const qtri_rect *bytes);
 
-/* Windows of the families of controllers. */
+/* Controllers with MIPI's display command set: bits of its address mode, and its window. */
 enum qtri_error qtri_panel_mipi_window(const qtri_panel *panel, const qtri_rect *window);
+#define QTRI_MIPI_RED_BLUE 0x08
+#define QTRI_MIPI_COLUMNS  0x40
+#define QTRI_MIPI_ROWS     0x80
+
+/* What the descriptions of those on a bus of 16 bits a pixel have in common. Glass and memory:
+   width, height, not rotated; column, row: where the glass begins. */
+#define QTRI_MIPI(glass_w, glass_h, memory_w, memory_h, column, row, steps)                        \
+    .width = (glass_w), .height = (glass_h), .format = QTRI_PANEL_RGB565, .order = QTRI_ORDER_BIG, \
+    .init = (steps), .init_count = sizeof(steps) / sizeof(steps)[0], .parameters_are_data = true,  \
+    .reset_ms = 1, .start_ms = 120, .orientation_command = 0x36, .rows_bit = QTRI_MIPI_ROWS,       \
+    .columns_bit = QTRI_MIPI_COLUMNS, .red_blue_bit = QTRI_MIPI_RED_BLUE,                          \
+    .memory_width = (memory_w), .memory_height = (memory_h), .first_column = (column),             \
+    .first_row = (row), .window = qtri_panel_mipi_window, .write = qtri_panel_write_565,           \
+    .invert_commands = {0x20, 0x21}
+
+/* Solomon's OLED controllers: ranges of columns, command 0x15, and rows, 0x75, half-open, in the
+   controller's units; and the window of those whose column is a byte, two pixels. */
+enum qtri_error qtri_panel_solomon_ranges(const qtri_panel *panel, const qtri_rect *range);
+enum qtri_error qtri_panel_solomon_window(const qtri_panel *panel, const qtri_rect *bytes);
 
 #endif

@@ -172,13 +172,17 @@ static enum qtri_error send_rows(qtri_panel *panel, layout *l, const qtri_surfac
     return error;
 }
 
-enum qtri_error qtri_panel_packed(qtri_panel *panel, const qtri_surface *surface, qtri_rect rect)
+enum qtri_error qtri_panel_write_gray(qtri_panel *panel, const qtri_surface *surface,
+                                      qtri_rect rect)
 {
     const qtri_panel_description *d = panel->description;
     layout l = layout_of(d->format);
     qtri_rect glass = {0, 0, d->width, d->height};
     qtri_rect bytes = bytes_of(&l, qtri_panel_to_glass(panel, rect));
     l.kept = bytes_of(&l, glass);
+    bytes.x0 &= ~(int32_t)d->window_mask;
+    bytes.x1 = (bytes.x1 + d->window_mask) & ~(int32_t)d->window_mask;
+    bytes.x1 = bytes.x1 < l.kept.x1 ? bytes.x1 : l.kept.x1;
     if (panel->bytes < (uint32_t)l.kept.x1 * (uint32_t)l.kept.y1) { /* no image */
         return send_rows(panel, &l, surface, bytes);
     }

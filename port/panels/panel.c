@@ -3,8 +3,6 @@
 
 #include <string.h>
 
-#include "qtri_port/framebuffer.h"
-
 static bool turned(const qtri_panel *panel)
 {
     return panel->rotation == QTRI_ROTATE_90 || panel->rotation == QTRI_ROTATE_270;
@@ -38,6 +36,7 @@ static uint64_t least_bytes(const qtri_panel_description *d)
         return d->partial != NULL  ? QTRI_PANEL_IMAGE_BYTES(d->width, d->height, d->format)
                : packed(d->format) ? QTRI_PANEL_ROW_BYTES(d->width, d->format)
                : d->format == QTRI_PANEL_RGB565 ? QTRI_PANEL_LINE_BYTES(1)
+               : d->format == QTRI_PANEL_RGB666 ? QTRI_PANEL_LINE_BYTES(2)
                                                 : 0;
     }
     if (d->format != QTRI_PANEL_RGB565 && d->format != QTRI_PANEL_XRGB8888) {
@@ -65,14 +64,15 @@ static bool has_glass(const qtri_panel *panel)
 static bool can_be(const qtri_panel *panel)
 {
     const qtri_panel_description *d = panel->description;
-    return (!panel->module.swap_red_blue || d->orientation_command != 0) &&
+    return (!panel->module.swap_red_blue || d->red_blue_bit != 0) &&
            (!panel->module.invert || d->invert_commands[0] != 0);
 }
 
 /* Black in a window, from the panel's memory: as many zeros at a time as that holds. */
 static enum qtri_error blank_window(qtri_panel *panel, qtri_rect window)
 {
-    size_t unit = packed(panel->description->format) ? 1 : 2;
+    const qtri_panel_format format = panel->description->format;
+    size_t unit = packed(format) ? 1 : format == QTRI_PANEL_RGB666 ? 3 : 2;
     uint32_t left =
         (uint32_t)(window.x1 - window.x0) * (uint32_t)(window.y1 - window.y0) * (uint32_t)unit;
     enum qtri_error error = qtri_panel_open(panel, &window);
@@ -150,7 +150,7 @@ static enum qtri_error check(const qtri_panel *panel)
 {
     const qtri_panel_description *d = panel->description;
     if ((unsigned)panel->rotation > QTRI_ROTATE_270 || !has_glass(panel) || !can_be(panel) ||
-        (d->window != NULL && panel->bus == NULL)) {
+        (d->window != NULL && panel->bus == NULL) || d->write == NULL) {
         return QTRI_ERROR_SIZE;
     }
     uint64_t least = least_bytes(d);
@@ -186,13 +186,15 @@ enum qtri_error qtri_panel_init(qtri_panel *panel, const qtri_panel_description 
     return qtri_panel_init_module(panel, description, NULL, bus, rotation, memory, bytes);
 }
 
-/* Bits of MIPI's address mode that a module turns. */
+/* Bits of the address mode that a module turns. */
 static uint8_t orientation_of(const qtri_panel *panel)
 {
     const qtri_module *m = &panel->module;
-    uint8_t bits = panel->description->orientation[(unsigned)panel->rotation & 3];
-    return (uint8_t)(bits ^ (m->mirror_rows ? 0x80u : 0) ^ (m->mirror_columns ? 0x40u : 0) ^
-                     (m->swap_red_blue ? 0x08u : 0));
+    const qtri_panel_description *d = panel->description;
+    uint8_t bits = d->orientation[(unsigned)panel->rotation & 3];
+    return (uint8_t)(bits ^ (m->mirror_rows ? d->rows_bit : 0) ^
+                     (m->mirror_columns ? d->columns_bit : 0) ^
+                     (m->swap_red_blue ? d->red_blue_bit : 0));
 }
 
 enum qtri_error qtri_panel_init_module(qtri_panel *panel, const qtri_panel_description *description,
@@ -209,12 +211,11 @@ enum qtri_error qtri_panel_init_module(qtri_panel *panel, const qtri_panel_descr
     }
 #endif
     /* A panel without pixels: no surface fits it. */
-    static const qtri_panel_description nothing =
-        QTRI_FRAMEBUFFER(0, 0, QTRI_PANEL_RGB565, QTRI_ORDER_NATIVE);
+    static const qtri_panel_description nothing = {.width = 0, .height = 0};
     static const qtri_module as_described = {false, false, false, false, 0, 0};
-    qtri_panel fresh = {description, bus, rotation, (uint8_t *)memory,  bytes, as_described,
-                        0,           0,   0,        QTRI_DITHER_BAYER8, NULL,  false,
-                        false};
+    qtri_panel fresh = {description, bus,  rotation, (uint8_t *)memory,  bytes, as_described,
+                        0,           0,    0,        QTRI_DITHER_BAYER8, NULL,  false,
+                        false,       false};
     *panel = fresh;
     panel->module = module != NULL ? *module : as_described;
     panel->orientation = orientation_of(panel);
@@ -222,8 +223,9 @@ enum qtri_error qtri_panel_init_module(qtri_panel *panel, const qtri_panel_descr
     panel->row = description->first_row + (int32_t)panel->module.row;
     enum qtri_error error = check(panel);
     if (error != QTRI_OK) {
-        qtri_panel unusable = {&nothing, NULL, QTRI_ROTATE_0,      NULL, 0,     as_described, 0,
-                               0,        0,    QTRI_DITHER_BAYER8, NULL, false, false};
+        qtri_panel unusable = {
+            &nothing, NULL, QTRI_ROTATE_0,      NULL, 0,     as_described, 0,
+            0,        0,    QTRI_DITHER_BAYER8, NULL, false, false,        false};
         *panel = unusable;
         return error;
     }
@@ -268,16 +270,8 @@ enum qtri_error qtri_panel_write_rect(qtri_panel *panel, const qtri_surface *sur
     if (rect.x1 <= rect.x0 || rect.y1 <= rect.y0) {
         return QTRI_OK;
     }
-    if (panel->description->window == NULL) {
-        qtri_panel_store(panel, surface, rect);
-        return QTRI_OK;
-    }
     enum qtri_error error = qtri_panel_finish(panel);
-    if (error != QTRI_OK) {
-        return error;
-    }
-    return packed(panel->description->format) ? qtri_panel_packed(panel, surface, rect)
-                                              : qtri_panel_stream(panel, surface, rect);
+    return error == QTRI_OK ? panel->description->write(panel, surface, rect) : error;
 }
 
 /* Shows it, and tells controllers that compare what they show now. */

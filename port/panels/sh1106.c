@@ -50,6 +50,7 @@ const qtri_panel_description qtri_sh1106 = {
     .memory_height = 64,
     .first_column = 2, /* the glass is at SEG2..SEG129 */
     .window = window,
+    .write = qtri_panel_write_gray,
     .window_is_row = true,
     .invert_commands = {0xA6, 0xA7},
 };

@@ -3,8 +3,6 @@
 
 #include "internal.h"
 
-enum { SET_COLUMNS = 0x15, SET_ROWS = 0x75 };
-
 static const qtri_panel_step init[] = {
     QTRI_STEP_ALONE(0xAE, 0), /* display off */
     QTRI_STEP(0x81, 0, 50),   /* contrast, of 127 */
@@ -25,17 +23,6 @@ static const qtri_panel_step init[] = {
     QTRI_STEP_ALONE(0xAF, 0), /* display on */
 };
 
-/* Columns are bytes, two pixels. */
-static enum qtri_error window(const qtri_panel *panel, const qtri_rect *bytes)
-{
-    int32_t x = panel->column / 2;
-    int32_t y = panel->row;
-    uint8_t columns[2] = {(uint8_t)(bytes->x0 + x), (uint8_t)(bytes->x1 - 1 + x)};
-    uint8_t rows[2] = {(uint8_t)(bytes->y0 + y), (uint8_t)(bytes->y1 - 1 + y)};
-    enum qtri_error error = qtri_panel_command(panel, SET_COLUMNS, columns, 2);
-    return error == QTRI_OK ? qtri_panel_command(panel, SET_ROWS, rows, 2) : error;
-}
-
 const qtri_panel_description qtri_ssd0323 = {
     .width = 128,
     .height = 64,
@@ -46,6 +33,7 @@ const qtri_panel_description qtri_ssd0323 = {
     .start_ms = 1,
     .memory_width = 128,
     .memory_height = 80,
-    .window = window,
+    .window = qtri_panel_solomon_window,
+    .write = qtri_panel_write_gray,
     .invert_commands = {0xA4, 0xA7},
 };

@@ -15,18 +15,13 @@ static const qtri_panel_step init[] = {
 /* Address mode: rows reversed 0x80, columns reversed 0x40, exchanged 0x20. */
 #define ST7789(glass_width, glass_height, column, row)                                             \
     {                                                                                              \
-        .width = (glass_width), .height = (glass_height), .format = QTRI_PANEL_RGB565,             \
-        .order = QTRI_ORDER_BIG, .init = init, .init_count = sizeof init / sizeof init[0],         \
-        .parameters_are_data = true, .reset_ms = 1, .start_ms = 120, .orientation_command = 0x36,  \
-        .orientation = {0x00, 0x60, 0xC0, 0xA0}, .memory_width = 240, .memory_height = 320,        \
-        .first_column = (column), .first_row = (row), .window = qtri_panel_mipi_window,            \
-        .inverted = true, .invert_commands = {                                                     \
-            0x20,                                                                                  \
-            0x21                                                                                   \
-        }                                                                                          \
+        QTRI_MIPI(glass_width, glass_height, 240, 320, column, row, init),                         \
+            .orientation = {0x00, 0x60, 0xC0, 0xA0}, .inverted = true                              \
     }
 
 const qtri_panel_description qtri_st7789 = ST7789(240, 320, 0, 0);
 const qtri_panel_description qtri_st7789_240x240 = ST7789(240, 240, 0, 0);
+const qtri_panel_description qtri_st7789_240x280 = ST7789(240, 280, 0, 20);
 const qtri_panel_description qtri_st7789_135x240 = ST7789(135, 240, 52, 40);
 const qtri_panel_description qtri_st7789_170x320 = ST7789(170, 320, 35, 0);
+const qtri_panel_description qtri_st7789_172x320 = ST7789(172, 320, 34, 0);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* RGB565 over a bus: whole pixels, row by row, into a window of the controller's memory. */
+/* Colours over a bus: whole pixels, row by row, into a window of the controller's memory. */
 #include "internal.h"
 
 enum { PIECE = 32 }; /* pixels converted at a time */
@@ -52,7 +52,7 @@ static enum qtri_error send_in_place(qtri_panel *panel, const qtri_surface *surf
     return error;
 }
 
-enum qtri_error qtri_panel_stream(qtri_panel *panel, const qtri_surface *surface, qtri_rect rect)
+enum qtri_error qtri_panel_write_565(qtri_panel *panel, const qtri_surface *surface, qtri_rect rect)
 {
     enum qtri_error error = panel->description->window(panel, &rect);
     if (error == QTRI_OK && qtri_panel_is_in_place(surface, panel->description->order)) {
@@ -76,6 +76,44 @@ enum qtri_error qtri_panel_stream(qtri_panel *panel, const qtri_surface *surface
                 buffer = buffer == panel->memory ? panel->memory + half : panel->memory;
                 filled = 0;
             }
+        }
+    }
+    return error;
+}
+
+/* Six bits of each channel, to nearest, as the high ones of a byte. */
+static void convert_666(const qtri_surface *surface, int32_t x, int32_t y, int32_t count,
+                        uint8_t *bytes)
+{
+    while (count > 0) {
+        uint32_t piece[PIECE];
+        const int32_t n = count < PIECE ? count : PIECE;
+        qtri_panel_row_8888(surface, x, y, n, piece);
+        for (int32_t i = 0; i < n; i++, bytes += 3) {
+            for (int32_t c = 0; c < 3; c++) {
+                const uint32_t channel = piece[i] >> (16 - 8 * c) & 255;
+                bytes[c] = (uint8_t)((channel * 253 + 505) >> 10 << 2); /* 63 / 255, all 256 */
+            }
+        }
+        x += n;
+        count -= n;
+    }
+}
+
+/* The memory's halves in turn, a row or what they hold of it at a time. */
+enum qtri_error qtri_panel_write_666(qtri_panel *panel, const qtri_surface *surface, qtri_rect rect)
+{
+    enum qtri_error error = panel->description->window(panel, &rect);
+    const size_t half = panel->bytes / 6; /* pixels; >= 1 */
+    const int32_t most = half < 8192 ? (int32_t)half : 8192;
+    bool is_second = false;
+    for (int32_t y = rect.y0; y < rect.y1 && error == QTRI_OK; y++) {
+        for (int32_t x = rect.x0; x < rect.x1 && error == QTRI_OK; x += most) {
+            const int32_t n = rect.x1 - x < most ? rect.x1 - x : most;
+            uint8_t *buffer = panel->memory + (is_second ? 3 * half : 0);
+            convert_666(surface, x, y, n, buffer);
+            error = qtri_panel_data(panel, buffer, (size_t)n * 3);
+            is_second = !is_second;
         }
     }
     return error;

@@ -148,8 +148,7 @@ glue esp_idf mesh esp_idf
 glue zephyr mesh zephyr
 glue lvgl mesh lvgl
 # The first example with a model, as `make examples MODEL=knot` makes it.
-quiet "a model" build/qtri mesh knot -o "$work/model.h" --name model --compact --center --fit 2 --plain
-echo '#define MODEL_HAS_NO_SKIN' >"$work/skin.h"
+quiet "a model" build/qtri model knot -o "$work/model.h"
 quiet "the example with a model" gcc -std=c99 $glue_flags -Ihost -I"$work" -DQTRI_EXAMPLE_MODEL -o "$work/model" port/examples/mesh/mesh.c \
     port/examples/host.c $glue_libraries && quiet "the example with a model runs" "$work/model" lcd "$work"
 

@@ -15,13 +15,24 @@
 #include <qtri_port/gc9a01.h>
 #include <qtri_port/i2c.h>
 #include <qtri_port/ili9341.h>
+#include <qtri_port/ili9342.h>
+#include <qtri_port/ili9488.h>
 #include <qtri_port/panel.h>
+#include <qtri_port/pcd8544.h>
 #include <qtri_port/sh1106.h>
+#include <qtri_port/sharp.h>
 #include <qtri_port/ssd0323.h>
 #include <qtri_port/ssd1306.h>
+#include <qtri_port/ssd1309.h>
+#include <qtri_port/ssd1322.h>
+#include <qtri_port/ssd1327.h>
+#include <qtri_port/ssd1351.h>
 #include <qtri_port/ssd1680.h>
+#include <qtri_port/ssd1681.h>
 #include <qtri_port/st7735.h>
 #include <qtri_port/st7789.h>
+#include <qtri_port/st7796.h>
+#include <qtri_port/uc8151.h>
 
 /* A simulated controller at the end of a bus. */
 typedef struct wire {
@@ -71,7 +82,7 @@ static inline bool wire_call(wire *w)
 static inline bool wire_command(void *context, const uint8_t *bytes, size_t count)
 {
     wire *w = (wire *)context;
-    assert_true(count >= 1 && count <= 16);
+    assert_true(count >= 1 && count <= 17);
     wire_log(w, 'c', bytes, count, 0);
     if (!wire_call(w)) {
         return false;
@@ -187,6 +198,7 @@ typedef struct setup {
     const char *name;
     const qtri_panel_description *description;
     wiring how;
+    int controller;
     union {
         chip chip;
         ssd1306 ssd1306;
@@ -194,80 +206,208 @@ typedef struct setup {
         ssd0323 ssd0323;
         lcd lcd;
         ssd1680 ssd1680;
+        ssd1351 ssd1351;
+        pcd8544 pcd8544;
+        sharp_lcd sharp;
+        uc8151 uc8151;
     } sim;
     wire wire;
     uint8_t *memory;
     qtri_panel panel;
 } setup;
 
-enum { SETUPS = 21 };
+enum { SETUPS = 40 };
+
+/* The controllers that there are, each by its simulation. */
+typedef enum controller {
+    SSD1306_CHIP,
+    SSD1309_CHIP,
+    SH1106_CHIP,
+    SSD0323_CHIP,
+    SSD1327_CHIP,
+    SSD1322_CHIP,
+    SSD1680_CHIP,
+    SSD1681_CHIP,
+    UC8151_CHIP,
+    SHARP_CHIP,
+    PCD8544_CHIP,
+    SSD1351_CHIP,
+    ILI9341_CHIP,
+    ILI9342_CHIP,
+    ILI9488_CHIP,
+    ST7789_CHIP,
+    ST7735_CHIP,
+    ST7796_CHIP,
+    GC9A01_CHIP
+} controller;
+
+/* A module: where its glass begins, how it is mounted and wired, memory that pins choose. */
+typedef struct module_entry {
+    const char *name;
+    const qtri_panel_description *description;
+    wiring how;
+    controller controller;
+    int first_column, first_row;
+    bool from_right, blue_first, normally_black, from_bottom;
+    int memory_width, memory_height;
+} module_entry;
+
+static inline void attach_lcd(setup *s, const module_entry *m)
+{
+    const int w = m->description->width, h = m->description->height;
+    const lcd_glass glass = {w,
+                             h,
+                             m->first_column,
+                             m->first_row,
+                             m->from_right,
+                             m->blue_first,
+                             m->normally_black,
+                             m->from_bottom};
+    switch (m->controller) {
+    case ILI9341_CHIP:
+        ili9341_init(&s->sim.lcd);
+        break;
+    case ILI9342_CHIP:
+        ili9342_init(&s->sim.lcd, &glass);
+        break;
+    case ILI9488_CHIP:
+        ili9488_init(&s->sim.lcd, &glass);
+        break;
+    case ST7789_CHIP:
+        st7789_init(&s->sim.lcd, &glass);
+        break;
+    case ST7735_CHIP:
+        st7735_init(&s->sim.lcd, &glass, m->memory_width, m->memory_height);
+        break;
+    case ST7796_CHIP:
+        st7796_init(&s->sim.lcd, &glass);
+        break;
+    case SSD1351_CHIP:
+        ssd1351_init(&s->sim.ssd1351, &glass);
+        break;
+    default:
+        gc9a01_init(&s->sim.lcd, &glass);
+        break;
+    }
+}
+
+static inline void attach(setup *s, const module_entry *m)
+{
+    const int w = m->description->width, h = m->description->height;
+    switch (m->controller) {
+    case SSD1306_CHIP:
+        ssd1306_init_at(&s->sim.ssd1306, h, m->first_column);
+        break;
+    case SSD1309_CHIP:
+        ssd1309_init(&s->sim.ssd1306);
+        break;
+    case SH1106_CHIP:
+        sh1106_init(&s->sim.sh1106);
+        break;
+    case SSD0323_CHIP:
+        ssd0323_init(&s->sim.ssd0323);
+        break;
+    case SSD1327_CHIP:
+        ssd1327_init(&s->sim.ssd0323);
+        break;
+    case SSD1322_CHIP:
+        ssd1322_init(&s->sim.ssd0323);
+        break;
+    case SSD1680_CHIP:
+        ssd1680_init(&s->sim.ssd1680);
+        break;
+    case SSD1681_CHIP:
+        ssd1681_init(&s->sim.ssd1680);
+        break;
+    case UC8151_CHIP:
+        uc8151_init(&s->sim.uc8151);
+        break;
+    case SHARP_CHIP:
+        sharp_init(&s->sim.sharp, w, h);
+        break;
+    case PCD8544_CHIP:
+        pcd8544_init(&s->sim.pcd8544);
+        break;
+    default:
+        attach_lcd(s, m);
+        break;
+    }
+}
 
 /* Number n of SETUPS, its controller fresh. */
 static inline void setup_init(setup *s, int n)
 {
-    static const struct {
-        const char *name;
-        const qtri_panel_description *description;
-        wiring how;
-    } all[SETUPS] = {
-        {"SSD1306", &qtri_ssd1306, WIRE_SPI},
-        {"SSD1306 DMA", &qtri_ssd1306, WIRE_DMA},
-        {"SSD1306 I2C", &qtri_ssd1306, WIRE_I2C},
-        {"SSD1306 128x32", &qtri_ssd1306_128x32, WIRE_SPI},
-        {"SSD0323", &qtri_ssd0323, WIRE_SPI},
-        {"SSD0323 DMA", &qtri_ssd0323, WIRE_DMA},
-        {"SSD1680", &qtri_ssd1680, WIRE_SPI},
-        {"ILI9341", &qtri_ili9341, WIRE_SPI},
-        {"ILI9341 DMA", &qtri_ili9341, WIRE_DMA},
-        {"ST7789", &qtri_st7789, WIRE_SPI},
-        {"ST7789 240x240", &qtri_st7789_240x240, WIRE_DMA},
-        {"ST7789 135x240", &qtri_st7789_135x240, WIRE_SPI},
-        {"ST7789 170x320", &qtri_st7789_170x320, WIRE_DMA},
-        {"ST7735", &qtri_st7735, WIRE_SPI},
-        {"ST7735 green", &qtri_st7735_green, WIRE_DMA},
-        {"ST7735 80x160", &qtri_st7735_80x160, WIRE_SPI},
-        {"GC9A01", &qtri_gc9a01, WIRE_SPI},
-        {"SSD1306 72x40", &qtri_ssd1306_72x40, WIRE_SPI},
-        {"SH1106", &qtri_sh1106, WIRE_SPI},
-        {"SH1106 DMA", &qtri_sh1106, WIRE_DMA},
-        {"SH1106 I2C", &qtri_sh1106, WIRE_I2C},
+    /* The fields after the controller: first column and row, from the right, blue first, normally
+       black, from the bottom, memory. */
+    static const module_entry all[SETUPS] = {
+        {"SSD1306", &qtri_ssd1306, WIRE_SPI, SSD1306_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"SSD1306 DMA", &qtri_ssd1306, WIRE_DMA, SSD1306_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"SSD1306 I2C", &qtri_ssd1306, WIRE_I2C, SSD1306_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"SSD1306 128x32", &qtri_ssd1306_128x32, WIRE_SPI, SSD1306_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"SSD0323", &qtri_ssd0323, WIRE_SPI, SSD0323_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"SSD0323 DMA", &qtri_ssd0323, WIRE_DMA, SSD0323_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"SSD1680", &qtri_ssd1680, WIRE_SPI, SSD1680_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"ILI9341", &qtri_ili9341, WIRE_SPI, ILI9341_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"ILI9341 DMA", &qtri_ili9341, WIRE_DMA, ILI9341_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"ST7789", &qtri_st7789, WIRE_SPI, ST7789_CHIP, 0, 0, 0, 0, 1, 0, 0, 0},
+        {"ST7789 240x240", &qtri_st7789_240x240, WIRE_DMA, ST7789_CHIP, 0, 0, 0, 0, 1, 0, 0, 0},
+        {"ST7789 135x240", &qtri_st7789_135x240, WIRE_SPI, ST7789_CHIP, 52, 40, 0, 0, 1, 0, 0, 0},
+        {"ST7789 170x320", &qtri_st7789_170x320, WIRE_DMA, ST7789_CHIP, 35, 0, 0, 0, 1, 0, 0, 0},
+        {"ST7735", &qtri_st7735, WIRE_SPI, ST7735_CHIP, 0, 0, 1, 1, 0, 1, 128, 160},
+        {"ST7735 green", &qtri_st7735_green, WIRE_DMA, ST7735_CHIP, 2, 1, 1, 1, 0, 1, 132, 162},
+        {"ST7735 80x160", &qtri_st7735_80x160, WIRE_SPI, ST7735_CHIP, 26, 1, 1, 1, 1, 1, 132, 162},
+        {"GC9A01", &qtri_gc9a01, WIRE_SPI, GC9A01_CHIP, 0, 0, 0, 1, 1, 0, 0, 0},
+        {"SSD1306 72x40", &qtri_ssd1306_72x40, WIRE_SPI, SSD1306_CHIP, 28, 0, 0, 0, 0, 0, 0, 0},
+        {"SH1106", &qtri_sh1106, WIRE_SPI, SH1106_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"SH1106 DMA", &qtri_sh1106, WIRE_DMA, SH1106_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"SH1106 I2C", &qtri_sh1106, WIRE_I2C, SH1106_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"ST7789 240x280", &qtri_st7789_240x280, WIRE_DMA, ST7789_CHIP, 0, 20, 0, 0, 1, 0, 0, 0},
+        {"ST7789 172x320", &qtri_st7789_172x320, WIRE_SPI, ST7789_CHIP, 34, 0, 0, 0, 1, 0, 0, 0},
+        {"ST7735 128x128", &qtri_st7735_128x128, WIRE_SPI, ST7735_CHIP, 2, 1, 1, 1, 0, 1, 132, 132},
+        {"ST7735 80x160 red", &qtri_st7735_80x160_red, WIRE_SPI, ST7735_CHIP, 24, 0, 1, 1, 0, 1,
+         128, 160},
+        {"ST7796", &qtri_st7796, WIRE_DMA, ST7796_CHIP, 0, 0, 1, 1, 0, 0, 0, 0},
+        {"ILI9488", &qtri_ili9488, WIRE_DMA, ILI9488_CHIP, 0, 0, 1, 1, 0, 0, 0, 0},
+        {"ILI9342", &qtri_ili9342, WIRE_SPI, ILI9342_CHIP, 0, 0, 0, 1, 1, 0, 0, 0},
+        {"SSD1351", &qtri_ssd1351, WIRE_DMA, SSD1351_CHIP, 0, 0, 0, 1, 0, 0, 0, 0},
+        {"SSD1309", &qtri_ssd1309, WIRE_SPI, SSD1309_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"SSD1327", &qtri_ssd1327, WIRE_SPI, SSD1327_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"SSD1327 I2C", &qtri_ssd1327, WIRE_I2C, SSD1327_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"SSD1322", &qtri_ssd1322, WIRE_DMA, SSD1322_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"SSD1681", &qtri_ssd1681, WIRE_SPI, SSD1681_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"UC8151", &qtri_uc8151, WIRE_SPI, UC8151_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"Sharp 96x96", &qtri_sharp_96x96, WIRE_SPI, SHARP_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"Sharp 128x128", &qtri_sharp_128x128, WIRE_SPI, SHARP_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"Sharp 144x168", &qtri_sharp_144x168, WIRE_SPI, SHARP_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"Sharp 400x240", &qtri_sharp_400x240, WIRE_DMA, SHARP_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
+        {"PCD8544", &qtri_pcd8544, WIRE_SPI, PCD8544_CHIP, 0, 0, 0, 0, 0, 0, 0, 0},
     };
     s->name = all[n].name;
     s->description = all[n].description;
     s->how = all[n].how;
-    int w = s->description->width;
-    int h = s->description->height;
-    if (n <= 3) {
-        ssd1306_init(&s->sim.ssd1306, h);
-    } else if (n <= 5) {
-        ssd0323_init(&s->sim.ssd0323);
-    } else if (n == 6) {
-        ssd1680_init(&s->sim.ssd1680);
-    } else if (n <= 8) {
-        ili9341_init(&s->sim.lcd);
-    } else if (n <= 12) {
-        static const int firsts[4][2] = {{0, 0}, {0, 0}, {52, 40}, {35, 0}};
-        lcd_glass glass = {w, h, firsts[n - 9][0], firsts[n - 9][1], false, false, true, false};
-        st7789_init(&s->sim.lcd, &glass);
-    } else if (n <= 15) {
-        static const int firsts[3][2] = {{0, 0}, {2, 1}, {26, 1}};
-        lcd_glass glass = {w, h, firsts[n - 13][0], firsts[n - 13][1], true, true, n == 15, true};
-        st7735_init(&s->sim.lcd, &glass, n == 13 ? 128 : 132, n == 13 ? 160 : 162);
-    } else if (n == 16) {
-        lcd_glass glass = {w, h, 0, 0, false, true, true, false};
-        gc9a01_init(&s->sim.lcd, &glass);
-    } else if (n == 17) {
-        ssd1306_init_at(&s->sim.ssd1306, 40, 28);
-    } else {
-        sh1106_init(&s->sim.sh1106);
-    }
+    s->controller = all[n].controller;
+    attach(s, &all[n]);
     wire_init(&s->wire, &s->sim.chip, s->how);
     s->memory = NULL;
 }
 
+/* How the glass of a controller of colours is mounted, for tests to change. */
+static inline lcd_glass *setup_glass(setup *s)
+{
+    return s->controller == SSD1351_CHIP ? &s->sim.ssd1351.glass : &s->sim.lcd.glass;
+}
+
+/* Displays that keep their picture without a refresh. */
+static inline bool is_paper(const setup *s)
+{
+    return s->controller == SSD1680_CHIP || s->controller == SSD1681_CHIP ||
+           s->controller == UC8151_CHIP;
+}
+
 static inline bool is_gray(const qtri_panel_description *d)
 {
-    return d->format != QTRI_PANEL_RGB565 && d->format != QTRI_PANEL_XRGB8888;
+    return d->format != QTRI_PANEL_RGB565 && d->format != QTRI_PANEL_RGB666 &&
+           d->format != QTRI_PANEL_XRGB8888;
 }
 
 /* The most memory that is of use, or the least. */
@@ -277,7 +417,8 @@ static inline size_t memory_bytes(const qtri_panel_description *d, bool most)
         return most ? QTRI_PANEL_IMAGE_BYTES(d->width, d->height, d->format)
                     : QTRI_PANEL_ROW_BYTES(d->width, d->format);
     }
-    return most ? QTRI_PANEL_LINE_BYTES(d->width) : QTRI_PANEL_LINE_BYTES(1);
+    const bool is_666 = d->format == QTRI_PANEL_RGB666;
+    return most ? QTRI_PANEL_LINE_BYTES(d->width) : QTRI_PANEL_LINE_BYTES(is_666 ? 2 : 1);
 }
 
 static inline enum qtri_error setup_start(setup *s, qtri_rotation rotation, bool most)
@@ -329,17 +470,18 @@ static inline uint32_t *picture_expected(const qtri_surface *whole, const qtri_p
     uint8_t *gray = (uint8_t *)malloc((size_t)w);
     assert_true(seen != NULL && gray != NULL);
     uint8_t max_level = d->format == QTRI_PANEL_GRAY4 ? 15 : 1;
+    const double most = d->format == QTRI_PANEL_RGB666 ? 63 : 31; /* of red and blue */
     for (int32_t y = 0; y < whole->height; y++) {
         qtri_surface_gray(whole, 0, y, w, gray);
         qtri_dither_row(panel->dither, max_level, 0, y, gray, w, gray);
         for (int32_t x = 0; x < w; x++) {
             qtri_rgb c = qtri_surface_pixel(whole, x, y);
-            double r = floor(c.r * 31 / 255.0 + .5);
+            double r = floor(c.r * most / 255.0 + .5);
             double g = floor(c.g * 63 / 255.0 + .5);
-            double b = floor(c.b * 31 / 255.0 + .5);
-            uint32_t color = (uint32_t)floor(r * 255 / 31 + .5) << 16 |
+            double b = floor(c.b * most / 255.0 + .5);
+            uint32_t color = (uint32_t)floor(r * 255 / most + .5) << 16 |
                              (uint32_t)floor(g * 255 / 63 + .5) << 8 |
-                             (uint32_t)floor(b * 255 / 31 + .5);
+                             (uint32_t)floor(b * 255 / most + .5);
             seen[y * w + x] = is_gray(d) ? gray[x] * (0xFFFFFFu / max_level) : color;
         }
     }

@@ -114,6 +114,13 @@ typedef struct qtri_mesh {
     const uint16_t (*neighbours)[3];
 } qtri_mesh;
 
+/* A mesh and how it looks: what `qtri model` makes of a file is an array of parts. */
+typedef struct qtri_part {
+    qtri_mesh mesh;
+    qtri_material material;
+    int16_t node; /* the pose that moves it, where parts move by themselves; else 0 */
+} qtri_part;
+
 /* Bounds
  * ---------------------------------------------------------------------------------------------- */
 

@@ -52,6 +52,7 @@ enum qtri_error example_display(qtri_panel *panel)
     screen.format = QTRI_PANEL_RGB565;
     screen.order = QTRI_ORDER_BIG;
     screen.window = openWindow;
+    screen.write = qtri_panel_write_565;
     return qtri_panel_init(panel, &screen, &bus, QTRI_ROTATE_0, lineMemory, sizeof lineMemory);
 }
 

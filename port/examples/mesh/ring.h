@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What mesh.c draws where it has no model: a ring of bricks, computed. As `qtri mesh` and `qtri
- * texture` make them of files there are `model` and `skin`; they are constant there.
+ * What mesh.c draws where it has no model: a ring of bricks, computed. Its names are those of what
+ * `qtri model` makes of a file, where all of it is constant.
  */
 #include <qtri.h>
 
@@ -12,9 +12,15 @@ enum {
     TRIANGLES = 2 * AROUND * ACROSS,
     SIDE_LOG2 = 5
 };
+#define MODEL_PARTS               1
 #define MODEL_BYTES(height, rows) QTRI_PREPARED_BYTES(VERTICES, TRIANGLES, height, rows)
+#define MODEL_CENTER                                                                               \
+    {                                                                                              \
+        0, 0, 0                                                                                    \
+    }
+#define MODEL_RADIUS Q16(1.5)
 
-static qtri_mesh model;
+static qtri_part model[MODEL_PARTS];
 static qtri_texture skin;
 
 static qtri_vec3 positions[VERTICES];
@@ -72,12 +78,15 @@ static void make_model(void)
 {
     make_ring();
     make_texture();
-    model.positions = positions;
-    model.normals = normals;
-    model.uvs = uvs;
-    model.triangles = (const uint16_t(*)[3])triangles;
-    model.vertex_count = VERTICES;
-    model.triangle_count = TRIANGLES;
+    qtri_mesh *mesh = &model[0].mesh;
+    mesh->positions = positions;
+    mesh->normals = normals;
+    mesh->uvs = uvs;
+    mesh->triangles = (const uint16_t(*)[3])triangles;
+    mesh->vertex_count = VERTICES;
+    mesh->triangle_count = TRIANGLES;
+    model[0].material = qtri_material_default();
+    model[0].material.texture = &skin;
     skin.texels = texels;
     skin.format = &qtri_texel_rgb565;
     skin.width_log2 = SIDE_LOG2;

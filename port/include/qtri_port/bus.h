@@ -30,7 +30,7 @@ extern "C" {
 typedef struct qtri_bus {
     void *context;
 
-    /* Sends count bytes, 1..16, with D/C low. Returns when D/C may change: after the last bit. */
+    /* Sends count bytes, 1..17, with D/C low. Returns when D/C may change: after the last bit. */
     bool (*command)(void *context, const uint8_t *bytes, size_t count);
 
     /* Sends count bytes, 1 or more, with D/C high. Returns when the bytes may be overwritten and

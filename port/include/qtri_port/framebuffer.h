@@ -23,8 +23,9 @@ extern "C" {
  */
 #define QTRI_FRAMEBUFFER(width, height, format, order)                                             \
     {                                                                                              \
-        width, height, format, order, NULL, 0, NULL, 0, false, 0, 0, 0, 0, 0, {0, 0, 0, 0}, width, \
-            height, 0, 0, NULL, 0, false, false, {0, 0}, NULL                                      \
+        width, height, format, order, NULL, 0, NULL, 0, false, 0, 0, 0, 0, 0, {0, 0, 0, 0}, 0, 0,  \
+            0, width, height, 0, 0, NULL, qtri_panel_write_mapped, 0, false, 0, false, {0, 0},     \
+            NULL                                                                                   \
     }
 
 #ifdef __cplusplus

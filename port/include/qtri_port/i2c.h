@@ -14,7 +14,7 @@ extern "C" {
 #endif
 
 /* The least: a control byte, a command and its parameters. More makes fewer transfers. */
-#define QTRI_I2C_BYTES 17
+#define QTRI_I2C_BYTES 18
 
 /* An I2C bus: functions of the application, and memory for one transfer. */
 typedef struct qtri_i2c {

@@ -21,7 +21,7 @@
  * themselves; for the others and for framebuffers the panel does while it converts.
  *
  * Memory of a panel, `bytes` of qtri_panel_init:
- *   RGB565 over a bus   two line buffers, so that one is filled while DMA sends the other:
+ *   colours over a bus  two line buffers, so that one is filled while DMA sends the other:
  *                       QTRI_PANEL_LINE_BYTES(pixels); fewer pixels than a row, more transfers.
  *   GRAY1, GRAY4        an image of the display's memory, QTRI_PANEL_IMAGE_BYTES(...): 1 KB for
  *                       an SSD1306. Bands and rectangles of any shape then complete each
@@ -57,6 +57,7 @@ typedef enum qtri_rotation {
 /* What the display's memory holds. Anything else is QTRI_ERROR_SIZE. */
 typedef enum qtri_panel_format {
     QTRI_PANEL_RGB565,    /* 16 bits a pixel */
+    QTRI_PANEL_RGB666,    /* 3 bytes a pixel, red first, six bits each, the high ones */
     QTRI_PANEL_XRGB8888,  /* 32 bits a pixel, memory-mapped displays only */
     QTRI_PANEL_GRAY4,     /* two pixels of a row a byte, the left one in the high half */
     QTRI_PANEL_GRAY1,     /* eight pixels of a row a byte, the leftmost in bit 7; 1 is white */
@@ -73,7 +74,7 @@ typedef enum qtri_byte_order {
 } qtri_byte_order;
 
 /* The most parameters that a step of a sequence has. */
-#define QTRI_STEP_PARAMETERS 15
+#define QTRI_STEP_PARAMETERS 16
 
 /* wait_ms: until the controller is ready, at most the description's busy_ms. */
 #define QTRI_STEP_UNTIL_READY 255
@@ -89,7 +90,7 @@ typedef struct qtri_panel_step {
 /*
  * Steps as constants, whose parameters are counted: QTRI_STEP(0x2A, 0, 0, 0, 0, 239) is CASET,
  * columns 0..239, and no wait; QTRI_STEP_ALONE(0x11, 120) has none and 120 ms. A step with more
- * than 15 parameters does not compile: it stops at qtri_step_has_more_than_15_parameters.
+ * than 16 parameters does not compile: it stops at qtri_step_has_more_than_16_parameters.
  */
 #define QTRI_STEP_ALONE(command, wait_ms)                                                          \
     {                                                                                              \
@@ -101,13 +102,13 @@ typedef struct qtri_panel_step {
     }
 
 /* The 33rd argument: what stands as far behind the parameters as there are of them. */
-#define QTRI_STEP_MORE qtri_step_has_more_than_15_parameters
+#define QTRI_STEP_MORE qtri_step_has_more_than_16_parameters
 #define QTRI_STEP_COUNT(...)                                                                       \
     QTRI_STEP_AT_33(__VA_ARGS__, QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE,   \
                     QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE,                \
                     QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE,                \
-                    QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE,                \
-                    QTRI_STEP_MORE, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0)
+                    QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE, QTRI_STEP_MORE, 16, 15, 14,    \
+                    13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0)
 #define QTRI_STEP_AT_33(a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13, a14, a15, a16,     \
                         a17, a18, a19, a20, a21, a22, a23, a24, a25, a26, a27, a28, a29, a30, a31, \
                         a32, a33, ...)                                                             \
@@ -132,7 +133,7 @@ typedef struct qtri_panel_partial {
  *     qtri_panel_init_module(&panel, &qtri_st7789_135x240, &mine, &spi, ...);
  */
 typedef struct qtri_module {
-    bool swap_red_blue;  /* red looks blue. Controllers with an orientation_command only */
+    bool swap_red_blue;  /* red looks blue. Controllers with a red_blue_bit only */
     bool invert;         /* black looks white. Controllers with invert_commands only */
     bool mirror_columns; /* left and right of the glass are exchanged, whatever the rotation */
     bool mirror_rows;    /* top and bottom are */
@@ -163,6 +164,7 @@ typedef struct qtri_panel_description {
        not. Bits as in MIPI's address mode: 0x80 rows, 0x40 columns reversed, 0x20 exchanged. */
     uint8_t orientation_command;
     uint8_t orientation[4];
+    uint8_t rows_bit, columns_bit, red_blue_bit; /* of the parameter: what a module may turn */
 
     uint16_t memory_width, memory_height; /* pixels of the controller's memory, not rotated */
     uint16_t first_column, first_row;     /* of the glass in it; whole bytes of packed pixels */
@@ -173,9 +175,14 @@ typedef struct qtri_panel_description {
        elsewhere. NULL: memory-mapped. */
     enum qtri_error (*window)(const qtri_panel *panel, const qtri_rect *window);
 
+    /* How pixels reach the display's memory: one of the functions at the end of this header. */
+    enum qtri_error (*write)(qtri_panel *panel, const qtri_surface *surface, qtri_rect rect);
+
     uint32_t pitch; /* memory-mapped: bytes from a row to the next; 0: without gaps */
 
     bool window_is_row;         /* packed pixels: windows are one row of bytes, a page, each */
+    uint8_t window_mask;        /* packed pixels: bits of columns that windows begin and end
+                                   without: 1 for pairs of bytes, 255 for whole rows */
     bool inverted;              /* inversion on shows colours as they are */
     uint8_t invert_commands[2]; /* inversion off, and on. 0: there are none, `init` decides */
 
@@ -200,9 +207,11 @@ struct qtri_panel {
 
     bool sending;  /* between data_start and data_finish */
     bool is_shown; /* partial: the controller knows what it shows */
+    bool polarity; /* Sharp's memory LCDs: the side of VCOM */
 };
 
-/* Memory of an RGB565 panel on a bus: two buffers of `pixels`, one row or less; 1 at least. */
+/* Memory of a colour panel on a bus: two buffers of `pixels`, one row or less; 1 at least, of
+   RGB666, whose pixels take half as much more, 2. */
 #define QTRI_PANEL_LINE_BYTES(pixels) ((size_t)(pixels)*4u)
 
 /* Bytes across and rows of bytes down in the memory of a panel of packed pixels. */
@@ -221,7 +230,7 @@ struct qtri_panel {
  * Fills in *panel, resets the display, sends its init sequence and black: the display is on and
  * dark. E-paper keeps what it shows, framebuffers what they hold. bus may be NULL for the latter.
  *
- * QTRI_ERROR_SIZE: a rotation outside 0..3; a description without pixels, with more than
+ * QTRI_ERROR_SIZE: a rotation outside 0..3; a description without pixels or `write`, with more than
  *   QTRI_SURFACE_MAX a side, with some outside the controller's memory, or, of packed pixels,
  *   with a first one inside a byte; a format that does not go with a bus, or without one; a step of
  *   too many parameters; something of the module that the controller cannot do.
@@ -286,6 +295,26 @@ enum qtri_error qtri_panel_refresh_changes(qtri_panel *panel);
  *   sent.
  */
 enum qtri_error qtri_panel_send(qtri_panel *panel, const qtri_panel_step *steps, size_t count);
+
+/*
+ * What a description may `write` with, by its format: RGB565. A program links what its descriptions
+ * name. These are called by qtri_panel_write_rect alone: rect is part of the frame and of the
+ * surface, and not empty. QTRI_ERROR_BUS: the bus failed.
+ */
+enum qtri_error qtri_panel_write_565(qtri_panel *panel, const qtri_surface *surface,
+                                     qtri_rect rect);
+
+/* For RGB666, as qtri_panel_write_565. */
+enum qtri_error qtri_panel_write_666(qtri_panel *panel, const qtri_surface *surface,
+                                     qtri_rect rect);
+
+/* For GRAY4, GRAY1 and GRAY1_PAGE. QTRI_ERROR_MEMORY: as for qtri_panel_write_rect. */
+enum qtri_error qtri_panel_write_gray(qtri_panel *panel, const qtri_surface *surface,
+                                      qtri_rect rect);
+
+/* For displays whose memory is the panel's, RGB565 or XRGB8888. No errors. */
+enum qtri_error qtri_panel_write_mapped(qtri_panel *panel, const qtri_surface *surface,
+                                        qtri_rect rect);
 
 #ifdef __cplusplus
 }

@@ -14,9 +14,16 @@
 extern "C" {
 #endif
 
-extern const qtri_panel_description qtri_st7735;        /* 128x160: red tab, black tab */
-extern const qtri_panel_description qtri_st7735_green;  /* 128x160: green tab */
-extern const qtri_panel_description qtri_st7735_80x160; /* 0.96 inch, from column 26, row 1 */
+extern const qtri_panel_description qtri_st7735;         /* 128x160: red tab, black tab */
+extern const qtri_panel_description qtri_st7735_green;   /* 128x160: green tab */
+extern const qtri_panel_description qtri_st7735_128x128; /* 1.44 inch, from column 2, row 1 */
+
+/* IPS glass of 0.96 inch, inverted, from column 26, row 1. A picture that is shifted, and negative,
+   wants the next one. */
+extern const qtri_panel_description qtri_st7735_80x160;
+
+/* Glass of 0.96 inch with a red tab, not inverted, from column 24. */
+extern const qtri_panel_description qtri_st7735_80x160_red;
 
 #ifdef __cplusplus
 }

@@ -15,8 +15,10 @@ extern "C" {
 
 extern const qtri_panel_description qtri_st7789;         /* 240x320 */
 extern const qtri_panel_description qtri_st7789_240x240; /* rows 0..239 of the memory */
-extern const qtri_panel_description qtri_st7789_135x240; /* from column 52, row 40 */
-extern const qtri_panel_description qtri_st7789_170x320; /* from column 35 */
+extern const qtri_panel_description qtri_st7789_240x280; /* 1.69 inch, from row 20 */
+extern const qtri_panel_description qtri_st7789_135x240; /* 1.14 inch, from column 52, row 40 */
+extern const qtri_panel_description qtri_st7789_170x320; /* 1.9 inch, from column 35 */
+extern const qtri_panel_description qtri_st7789_172x320; /* 1.47 inch, from column 34 */
 
 #ifdef __cplusplus
 }

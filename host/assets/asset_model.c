@@ -1,0 +1,269 @@
+/* SPDX-License-Identifier: MIT */
+#include "asset_model.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../io/file.h"
+
+#define ONE 65536.0
+
+static bool fail(struct text_error *error, const char *path, const char *problem)
+{
+    text_error_set(error, path, 0, "%s", problem);
+    return false;
+}
+
+/* ---- Textures ---- */
+
+/* Where pictures have holes, this stands in the texture. */
+static const uint8_t key_color[3] = {255, 0, 255};
+
+static bool read_picture(const char *path, const struct model *model, const char *name,
+                         struct image *image, struct text_error *error)
+{
+    if (name[0] != '*') {
+        return image_read(name, image, error);
+    }
+    const size_t number = (size_t)strtoul(name + 1, NULL, 10);
+    char inside[600];
+    if (number >= model->picture_count) {
+        return fail(error, path, "has not the picture that its materials name");
+    }
+    (void)snprintf(inside, sizeof inside, "%.500s: picture %zu inside", path, number);
+    return image_parse(inside, model->pictures[number].bytes, model->pictures[number].length, image,
+                       error);
+}
+
+static bool has_holes(const struct image *image)
+{
+    const size_t count = (size_t)image->width * (size_t)image->height;
+    size_t i = 0;
+    while (i < count && image->rgba[4 * i + 3] >= 128) {
+        i++;
+    }
+    return i < count;
+}
+
+/* Powers of two in the picture's proportion, both at most what is asked for. */
+static void set_size(const struct image *image, const struct texture_options *most,
+                     struct texture_options *options)
+{
+    options->width = texture_nearest_side(image->width);
+    options->height = texture_nearest_side(image->height);
+    while (options->width > most->width || options->height > most->height) {
+        options->width = options->width > 1 ? options->width / 2 : 1;
+        options->height = options->height > 1 ? options->height / 2 : 1;
+    }
+}
+
+static bool add_texture(struct asset *asset, const char *path, const struct model *model,
+                        const struct model_material *material, const struct texture_options *most,
+                        struct text_error *error)
+{
+    struct image image;
+    struct texture_options options = *most;
+    if (!read_picture(path, model, material->texture, &image, error)) {
+        return false;
+    }
+    set_size(&image, most, &options);
+    options.has_key = material->has_holes && has_holes(&image);
+    memcpy(options.key, key_color, sizeof options.key);
+    bool ok = texture_make(path, &image, &options, &asset->textures[asset->texture_count], error);
+    asset->texture_count += ok ? 1 : 0;
+    image_free(&image);
+    return ok;
+}
+
+/* The part before this one whose texture is the same, or this one. */
+static size_t first_alike(const struct asset *asset, size_t part)
+{
+    const struct model_material *wanted = &asset->parts[part].material;
+    for (size_t i = 0; i < part; i++) {
+        const struct model_material *material = &asset->parts[i].material;
+        if (strcmp(material->texture, wanted->texture) == 0 &&
+            material->has_holes == wanted->has_holes && material->clamp_u == wanted->clamp_u &&
+            material->clamp_v == wanted->clamp_v) {
+            return i;
+        }
+    }
+    return part;
+}
+
+bool asset_add_textures(struct asset *asset, const char *path, const struct model *model,
+                        const struct texture_options *most, struct text_error *error)
+{
+    bool ok = true;
+    asset->textures = calloc(asset->count + 1, sizeof *asset->textures);
+    if (asset->textures == NULL) {
+        return fail(error, path, "out of memory");
+    }
+    for (size_t i = 0; ok && i < asset->count; i++) {
+        struct asset_part *part = &asset->parts[i];
+        const size_t alike = first_alike(asset, i);
+        if (part->material.texture[0] == '\0') {
+            continue;
+        }
+        if (alike < i) {
+            part->texture = asset->parts[alike].texture;
+            continue;
+        }
+        ok = add_texture(asset, path, model, &part->material, most, error);
+        if (ok) {
+            part->texture = (int)asset->texture_count - 1;
+            asset->textures[part->texture].clamp_u = part->material.clamp_u;
+            asset->textures[part->texture].clamp_v = part->material.clamp_v;
+        }
+    }
+    return ok;
+}
+
+/* ---- Motion ---- */
+
+static bool is_q16(const double *values, int count)
+{
+    bool fits = true;
+    for (int i = 0; i < count; i++) {
+        fits = fits && fabs(values[i]) <= 32767.0;
+    }
+    return fits;
+}
+
+static q16 q16_of(double value)
+{
+    return (q16)lround(value * ONE);
+}
+
+static bool copy_key(const struct model_key *from, qtri_key *to)
+{
+    const double *p = from->position, *q = from->orientation, *s = from->scale;
+    if (!is_q16(&from->time, 1) || !is_q16(p, 3) || !is_q16(q, 4) || !is_q16(s, 3)) {
+        return false;
+    }
+    const qtri_key key = {q16_of(from->time),
+                          {q16_of(p[0]), q16_of(p[1]), q16_of(p[2])},
+                          {q16_of(q[0]), q16_of(q[1]), q16_of(q[2]), q16_of(q[3])},
+                          {q16_of(s[0]), q16_of(s[1]), q16_of(s[2])}};
+    *to = key;
+    return true;
+}
+
+static bool copy_nodes(struct asset *asset, const struct model *model)
+{
+    bool ok = true;
+    size_t count = 0;
+    asset->node_count = model->node_count + 1;
+    asset->parents[0] = -1;
+    for (size_t i = 0; ok && i < model->node_count; i++) {
+        const struct model_node *node = &model->nodes[i];
+        asset->parents[i + 1] = (int16_t)node->parent;
+        asset->first_keys[i + 1] = count;
+        for (size_t j = 0; ok && j < node->key_count; j++) {
+            qtri_key *key = &asset->keys[count++];
+            ok = copy_key(&model->keys[node->first_key + j], key);
+            asset->seconds = key->time > asset->seconds ? key->time : asset->seconds;
+        }
+    }
+    asset->first_keys[model->node_count + 1] = count;
+    return ok;
+}
+
+/* The greatest distance of a vertex from a place, at one time. */
+static double reach(const struct model *model, double time, const double from[3],
+                    double (*world)[3][4])
+{
+    double most = 0.0;
+    model_pose(model, time, world);
+    for (size_t i = 0; i < model->vertex_count; i++) {
+        const struct model_vertex *vertex = &model->vertices[i];
+        double at[3], sum = 0.0;
+        model_vertex_at((const double(*)[4])world[vertex->node], vertex, at);
+        for (int axis = 0; axis < 3; axis++) {
+            sum += (at[axis] - from[axis]) * (at[axis] - from[axis]);
+        }
+        most = fmax(most, sum);
+    }
+    return sqrt(most);
+}
+
+/* A sphere about the middle of the box, over the whole animation in so many steps. */
+static bool set_bounds(struct asset *asset, const struct model *model)
+{
+    enum { STEPS = 32 };
+    const struct model_box box = model_bounds(model);
+    const int steps = asset->seconds > 0 ? STEPS : 0;
+    double middle[3], most = 0.0;
+    double(*world)[3][4] = malloc((model->node_count + 1) * sizeof *world);
+    if (world == NULL) {
+        return false;
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        middle[axis] = (box.low[axis] + box.high[axis]) / 2.0;
+    }
+    for (int i = 0; i <= steps; i++) {
+        const double time = asset->seconds / ONE * i / STEPS;
+        most = fmax(most, reach(model, time, middle, world));
+    }
+    free(world);
+    asset->center.x = q16_of(middle[0]);
+    asset->center.y = q16_of(middle[1]);
+    asset->center.z = q16_of(middle[2]);
+    asset->radius = (q16)ceil(fmin(most * ONE, 2147483647.0));
+    return true;
+}
+
+bool asset_add_motion(struct asset *asset, const char *path, const struct model *model,
+                      struct text_error *error)
+{
+    if (model->node_count > INT16_MAX - 1) {
+        return fail(error, path, "more than 32766 parts that move");
+    }
+    if (model->node_count > 0) {
+        asset->keys = calloc(model->key_count + 1, sizeof *asset->keys);
+        asset->first_keys = calloc(model->node_count + 2, sizeof *asset->first_keys);
+        asset->parents = calloc(model->node_count + 1, sizeof *asset->parents);
+        if (asset->keys == NULL || asset->first_keys == NULL || asset->parents == NULL) {
+            return fail(error, path, "out of memory");
+        }
+        if (!copy_nodes(asset, model)) {
+            return fail(error, path, "moves beyond 32767, Q16.16's end; --fit makes it smaller");
+        }
+    }
+    return set_bounds(asset, model) || fail(error, path, "out of memory");
+}
+
+void asset_pose(const struct asset *asset, const qtri_transform *pose, q16 time,
+                qtri_transform *poses)
+{
+    poses[0] = *pose;
+    for (size_t i = 1; i < asset->node_count; i++) {
+        const size_t first = asset->first_keys[i];
+        const qtri_key key =
+            qtri_keys_at(&asset->keys[first], (int32_t)(asset->first_keys[i + 1] - first), time);
+        qtri_transform_identity(&poses[i]);
+        qtri_transform_key(&poses[i], &key);
+    }
+    if (asset->node_count > 0) {
+        qtri_poses_compose(poses, poses, asset->parents, (int32_t)asset->node_count);
+    }
+}
+
+/* ---- Materials ---- */
+
+qtri_material asset_material(const struct asset_part *part)
+{
+    qtri_material material = qtri_material_default();
+    material.color.r = part->material.color[0];
+    material.color.g = part->material.color[1];
+    material.color.b = part->material.color[2];
+    if (part->material.two_sided) {
+        material.cull = QTRI_CULL_NONE;
+    }
+    if (part->material.opacity < 255) {
+        material.blend = &qtri_blend_alpha;
+        material.alpha = part->material.opacity;
+        material.depth_read_only = true;
+    }
+    return material;
+}

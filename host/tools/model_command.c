@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "../assets/asset_model.h"
+#include "commands.h"
+#include "mesh_faces.h"
+#include "mesh_make.h"
+
+/* Materials that name no picture have the one of --texture. */
+static bool set_skin(const struct mesh_options *options, struct model *model,
+                     struct text_error *error)
+{
+    if (options->skin == NULL) {
+        return true;
+    }
+    if (strlen(options->skin) >= sizeof model->materials[0].texture) {
+        text_error_set(error, options->skin, 0, "the name of the picture is too long");
+        return false;
+    }
+    if (!model->has_uvs) {
+        text_error_set(error, options->input, 0,
+                       "has no texture coordinates, without which --texture cannot be seen");
+        return false;
+    }
+    for (size_t i = 0; i < model->material_count; i++) {
+        struct model_material *material = &model->materials[i];
+        if (material->texture[0] == '\0') {
+            (void)snprintf(material->texture, sizeof material->texture, "%s", options->skin);
+        }
+    }
+    return true;
+}
+
+static bool build(const struct mesh_options *options, struct model *model, struct asset *asset,
+                  struct text_error *error)
+{
+    const struct asset_options wanted = {
+        .compact = options->compact,
+        .merged = true,
+        .normals = options->normals != MODEL_NORMALS_NONE,
+        .make_faces = options->no_faces ? NULL : mesh_faces_make,
+    };
+    const char *path = options->input;
+    if (!set_skin(options, model, error)) {
+        return false;
+    }
+    if (!model_merge_materials(model)) {
+        text_error_set(error, path, 0, "too many materials and moving parts");
+        return false;
+    }
+    if (!asset_make(path, model, &wanted, asset, error)) {
+        return false;
+    }
+    if (!asset_add_textures(asset, path, model, &options->most, error) ||
+        !asset_add_motion(asset, path, model, error)) {
+        asset_free(asset);
+        return false;
+    }
+    return true;
+}
+
+static bool write_c(const struct mesh_options *options, const struct asset *asset,
+                    struct text_error *error)
+{
+    struct asset_files files;
+    if (!asset_files_open(&files, options->output, options->split, error)) {
+        return false;
+    }
+    asset_write_model(asset, options->name, files.header_name, files.header.stream,
+                      files.source.stream);
+    return asset_files_commit(&files, error);
+}
+
+static void report(const struct mesh_options *options, const struct asset *asset, FILE *out)
+{
+    mesh_report(options, asset, out);
+    for (size_t i = 0; i < asset->texture_count; i++) {
+        const struct texture *texture = &asset->textures[i];
+        fprintf(out, "texture %zu: %d x %d, %s, %zu bytes\n", i, texture->width, texture->height,
+                texture_format_names[texture->format], texture_flash_bytes(texture));
+    }
+    if (asset->node_count > 0) {
+        fprintf(out, "motion: %zu nodes, %zu keys, %.2f seconds\n", asset->node_count - 1,
+                asset->first_keys[asset->node_count], asset->seconds / 65536.0);
+    }
+}
+
+static bool run(struct mesh_options *options, struct text_error *error)
+{
+    struct model model;
+    struct asset asset;
+    if (!mesh_read(options, options->plain ? MODEL_SHAPE : MODEL_ALL, &model, error)) {
+        return false;
+    }
+    bool ok = build(options, &model, &asset, error);
+    model_free(&model);
+    if (ok) {
+        ok = mesh_check_budget(options, &asset, error) &&
+             mesh_write_preview(options, &asset, error) && write_c(options, &asset, error);
+        if (ok) {
+            report(options, &asset, mesh_is_piped(options) ? stderr : stdout);
+        }
+        asset_free(&asset);
+    }
+    return ok;
+}
+
+int model_main(int argc, char **argv)
+{
+    struct mesh_options options;
+    struct text_error error;
+    if (options_ask_help(argc, argv)) {
+        mesh_options_help(true, stdout);
+        return 0;
+    }
+    if (!mesh_options_parse(argc, argv, true, &options)) {
+        return 2;
+    }
+    if (!run(&options, &error)) {
+        fprintf(stderr, "qtri model: %s\n", error.message);
+        return 1;
+    }
+    return 0;
+}
