@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What the examples ask of what they run on: two functions. board.c has them for the emulated
- * boards, host.c for this computer; for a board of one's own they are a dozen lines, see README.md.
+ * boards, display.c and host.c for this computer; for a board of one's own they are a dozen lines,
+ * see README.md.
  */
 #ifndef QTRI_EXAMPLE_H
 #define QTRI_EXAMPLE_H

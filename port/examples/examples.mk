@@ -27,7 +27,7 @@ EXAMPLE_DIR := $(BUILD)/examples
 EXAMPLE_RUN := $(foreach e,$(EXAMPLES),$(if $(filter $(call example_target,$e),$(DISPLAY_RUN)),$e))
 
 define example_rules
-$(EXAMPLE_DIR)/$1/host: $(call objects,$(call example_sources,$1) port/examples/host.c) $(HOST) $(LIBRARY)
+$(EXAMPLE_DIR)/$1/host: $(call objects,$(call example_sources,$1) port/examples/host.c port/examples/display.c) $(HOST) $(LIBRARY)
 	@mkdir -p $$(@D)
 	$$(call run,link $$@)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ -lm
 

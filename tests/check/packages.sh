@@ -150,7 +150,7 @@ glue lvgl mesh lvgl
 # The first example with a model, as `make examples MODEL=knot` makes it.
 quiet "a model" build/qtri model knot -o "$work/model.h"
 quiet "the example with a model" gcc -std=c99 $glue_flags -Ihost -I"$work" -DQTRI_EXAMPLE_MODEL -o "$work/model" port/examples/mesh/mesh.c \
-    port/examples/host.c $glue_libraries && quiet "the example with a model runs" "$work/model" lcd "$work"
+    port/examples/host.c port/examples/display.c $glue_libraries && quiet "the example with a model runs" "$work/model" lcd "$work"
 
 if has g++ "glue of Arduino's libraries"; then
     quiet "glue, the example" gcc -std=c11 $glue_flags -c -o "$work/example.o" port/examples/mesh/mesh.c
