@@ -296,6 +296,93 @@ static void diffusion_order(void **state)
     assert_int_equal(qtri_diffusion_init(&d, W + 1, error, W), QTRI_ERROR_MEMORY);
 }
 
+static void dither_565(qtri_dither kind, int32_t x, int32_t y, const uint32_t *rgb, int32_t count,
+                       uint16_t *pixels)
+{
+    memset(pixels, 0xAA, (size_t)count * sizeof *pixels);
+    qtri_dither_row_565(kind, x, y, rgb, count, pixels);
+}
+
+/* Colours of RGB565 come out as they are at every pixel of a field. */
+static void colors_of_565_stay(void **state)
+{
+    (void)state;
+    static uint32_t rgb[65536];
+    static uint16_t pixels[65536];
+    for (uint32_t c = 0; c < 65536; c++) {
+        rgb[c] = qtri_decode_rgb565(c) | 0xA5000000u; /* the top byte does not count */
+    }
+    for (size_t kind = 0; kind < LENGTH_OF(kinds); kind++) {
+        for (int32_t n = 0; n < 64; n++) {
+            dither_565(kinds[kind], n % 8, n / 8 - 8, rgb, 65536, pixels);
+            for (uint32_t c = 0; c < 65536; c++) {
+                assert_int_equal(pixels[c], c);
+            }
+        }
+    }
+}
+
+/* Means of the three channels over a field, against double; a channel looks at itself alone. */
+static void means_of_565(void **state)
+{
+    (void)state;
+    double worst = 0, worst_nearest = 0;
+    for (size_t kind = 0; kind < LENGTH_OF(kinds); kind++) {
+        for (uint32_t c = 0; c < 256; c++) {
+            const uint32_t values[3] = {c, 255 - c, (c * 7) & 255};
+            uint32_t rgb[8];
+            double sum[3] = {0, 0, 0};
+            for (int i = 0; i < 8; i++) {
+                rgb[i] = values[0] << 16 | values[1] << 8 | values[2];
+            }
+            for (int32_t y = 0; y < 8; y++) {
+                uint16_t pixels[8];
+                dither_565(kinds[kind], INT32_MAX - 3, INT32_MIN + y, rgb, 8, pixels);
+                for (int i = 0; i < 8; i++) {
+                    sum[0] += (pixels[i] >> 11) * 255.0 / 31;
+                    sum[1] += (pixels[i] >> 5 & 63) * 255.0 / 63;
+                    sum[2] += (pixels[i] & 31) * 255.0 / 31;
+                }
+            }
+            for (int i = 0; i < 3; i++) {
+                const double error = fabs(sum[i] / 64 - values[i]);
+                double *most = kinds[kind] == QTRI_DITHER_NEAREST ? &worst_nearest : &worst;
+                *most = fmax(*most, error);
+            }
+        }
+    }
+    print_message("565: mean within %.3f of 255, to nearest %.3f\n", worst, worst_nearest);
+    assert_true(worst < 0.78 && worst_nearest < 4.13);
+}
+
+/* Pieces of a row, in any order, are the row. */
+static void pieces_of_565(void **state)
+{
+    (void)state;
+    uint64_t random = 8;
+    uint32_t rgb[64];
+    uint16_t whole[64], pieces[64];
+    for (int n = 0; n < 300; n++) {
+        const int32_t y = random_in(&random, -20, 20);
+        const qtri_dither kind = (qtri_dither)(n % 5);
+        for (int i = 0; i < 64; i++) {
+            rgb[i] = (uint32_t)random64(&random);
+        }
+        dither_565(kind, -5, y, rgb, 64, whole);
+        for (int32_t at = 0; at < 64;) {
+            const int32_t length = random_in(&random, 0, 64 - at);
+            qtri_dither_row_565(kind, at - 5, y, rgb + at, length, pieces + at);
+            at += length;
+        }
+        assert_memory_equal(whole, pieces, sizeof whole);
+        if (n % 5 > 2) { /* no dither: to nearest */
+            qtri_dither_row_565(QTRI_DITHER_NEAREST, -5, y, rgb, 64, pieces);
+            assert_memory_equal(whole, pieces, sizeof whole);
+        }
+    }
+    qtri_dither_row_565(QTRI_DITHER_BAYER8, 0, 0, NULL, -1, NULL);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -307,6 +394,9 @@ int main(void)
         cmocka_unit_test(diffusion_means),
         cmocka_unit_test(diffusion_weights),
         cmocka_unit_test(diffusion_order),
+        cmocka_unit_test(colors_of_565_stay),
+        cmocka_unit_test(means_of_565),
+        cmocka_unit_test(pieces_of_565),
     };
     return cmocka_run_group_tests_name("core dither", tests, NULL, NULL);
 }

@@ -291,6 +291,46 @@ static void framebuffers(void **state)
     }
 }
 
+/* Surfaces of more bits, dithered: bands of any height and rectangles are the whole frame. */
+static void dithered_colors(void **state)
+{
+    (void)state;
+    static setup s;
+    static const qtri_format *const wide[2] = {&qtri_xrgb8888, &qtri_rgb888};
+    for (int rotation = 0; rotation < 4; rotation++) {
+        setup_init(&s, 15);
+        assert_int_equal(setup_start(&s, (qtri_rotation)rotation, true), QTRI_OK);
+        s.panel.dither_565 = qtri_dither_row_565;
+        const int32_t w = qtri_panel_width(&s.panel), h = qtri_panel_height(&s.panel);
+        canvas whole = canvas_new(wide[rotation % 2], w, h);
+        draw_picture(&whole.surface, 4);
+        uint32_t *expected = (uint32_t *)malloc((size_t)w * (size_t)h * sizeof *expected);
+        assert_non_null(expected);
+        long dots = 0;
+        for (int32_t i = 0; i < w * h; i++) {
+            const qtri_rgb c = qtri_surface_pixel(&whole.surface, i % w, i / w);
+            const uint32_t rgb = (uint32_t)c.r << 16 | (uint32_t)c.g << 8 | c.b;
+            uint16_t pixel, nearest;
+            qtri_dither_row_565(QTRI_DITHER_BAYER8, i % w, i / w, &rgb, 1, &pixel);
+            qtri_dither_row_565(QTRI_DITHER_NEAREST, i % w, i / w, &rgb, 1, &nearest);
+            expected[i] = qtri_decode_rgb565(pixel);
+            dots += pixel != nearest;
+        }
+        assert_true(dots > w * h / 4);
+        const int32_t heights[] = {h, 16, 7, 1};
+        for (size_t i = 0; i < LENGTH_OF(heights); i++) {
+            send_bands(&s, wide[rotation % 2], heights[i], 4);
+            assert_seen(&s, expected);
+        }
+        const qtri_rect rect = {3, 5, 50, 60};
+        assert_int_equal(qtri_panel_write_rect(&s.panel, &whole.surface, rect), QTRI_OK);
+        assert_seen(&s, expected);
+        free(expected);
+        canvas_free(&whole);
+        setup_end(&s);
+    }
+}
+
 /* Native order sends RGB565 from the surface itself: a bus of 16-bit words. */
 static void native_order(void **state)
 {
@@ -366,9 +406,15 @@ static void swapped(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(dark),         cmocka_unit_test(bands),     cmocka_unit_test(least_memory),
-        cmocka_unit_test(rectangles),   cmocka_unit_test(diffusion), cmocka_unit_test(framebuffers),
-        cmocka_unit_test(native_order), cmocka_unit_test(swapped),
+        cmocka_unit_test(dark),
+        cmocka_unit_test(bands),
+        cmocka_unit_test(least_memory),
+        cmocka_unit_test(rectangles),
+        cmocka_unit_test(diffusion),
+        cmocka_unit_test(framebuffers),
+        cmocka_unit_test(native_order),
+        cmocka_unit_test(swapped),
+        cmocka_unit_test(dithered_colors),
     };
     return cmocka_run_group_tests_name("panel show", tests, NULL, NULL);
 }

@@ -130,6 +130,38 @@ void qtri_dither_row(qtri_dither dither, uint8_t max_level, int32_t x, int32_t y
     }
 }
 
+/* The rank 0..63 of a pixel's threshold; 4 x 4 fields have every fourth one. */
+static uint32_t rank_of(qtri_dither dither, uint32_t x, uint32_t y)
+{
+    return dither == QTRI_DITHER_BAYER4 ? bayer8[y & 3][x & 3] | 2u : bayer8[y & 7][x & 7];
+}
+
+/*
+ * A channel c becomes floor((c m + t) / 2^s), where c m / 2^s is c 31 / 255 or c 63 / 255 (249 and
+ * 11, 253 and 10), and t is 2^(s-1) or so to nearest. A colour of RGB565, widened to 8 bits, lies
+ * within -118..125 / 2048 and -120..123 / 1024 of its level: thresholds of 137..1901 and 123..879
+ * keep it there.
+ */
+void qtri_dither_row_565(qtri_dither dither, int32_t x, int32_t y, const uint32_t *rgb,
+                         int32_t count, uint16_t *pixels)
+{
+    QTRI_ASSERT((rgb != NULL && pixels != NULL) || count <= 0);
+    const bool is_ordered = dither == QTRI_DITHER_BAYER4 || dither == QTRI_DITHER_BAYER8;
+    uint16_t narrow[8], wide[8]; /* thresholds of green, of red and blue */
+    for (uint32_t i = 0; i < 8; i++) {
+        const uint32_t rank = rank_of(dither, i, (uint32_t)y);
+        narrow[i] = (uint16_t)(is_ordered ? 123 + 12 * rank : 505);
+        wide[i] = (uint16_t)(is_ordered ? 137 + 28 * rank : 1014);
+    }
+    for (int32_t i = 0; i < count; i++) { /* 255 * 249 + 1901 < 2^16: white stays 31 */
+        const uint32_t c = rgb[i], at = ((uint32_t)x + (uint32_t)i) & 7;
+        const uint32_t r = ((c >> 16 & 255) * 249 + wide[at]) >> 11;
+        const uint32_t g = ((c >> 8 & 255) * 253 + narrow[at]) >> 10;
+        const uint32_t b = ((c & 255) * 249 + wide[at]) >> 11;
+        pixels[i] = (uint16_t)(r << 11 | g << 5 | b);
+    }
+}
+
 enum qtri_error qtri_diffusion_init(qtri_diffusion *diffusion, int32_t width, int16_t *error,
                                     size_t count)
 {

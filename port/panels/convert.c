@@ -41,8 +41,8 @@ bool qtri_panel_is_in_place(const qtri_surface *surface, qtri_byte_order order)
                                        : qtri_panel_is_swapped_565(surface);
 }
 
-void qtri_panel_row_565(const qtri_surface *surface, int32_t x, int32_t y, int32_t count,
-                        uint16_t *pixels)
+void qtri_panel_row_565(const qtri_panel *panel, const qtri_surface *surface, int32_t x, int32_t y,
+                        int32_t count, uint16_t *pixels)
 {
     const qtri_format *format = surface->format;
     const uint8_t *from = at(surface, x, y);
@@ -53,6 +53,10 @@ void qtri_panel_row_565(const qtri_surface *surface, int32_t x, int32_t y, int32
         for (int32_t i = 0; i < count; i++) {
             pixels[i] = (uint16_t)(swapped[i] << 8 | swapped[i] >> 8);
         }
+    } else if (panel->dither_565 != NULL) {
+        uint32_t rgb[QTRI_PANEL_PIECE];
+        qtri_panel_row_8888(surface, x, y, count, rgb);
+        panel->dither_565(panel->dither, x, y, rgb, count, pixels);
     } else {
         for (int32_t i = 0; i < count; i++, from += format->pixels->bytes) {
             uint32_t c = format->decode(format->pixels->load(from));

@@ -4,8 +4,6 @@
 
 #include <string.h>
 
-enum { PIECE = 32 }; /* pixels converted at a time */
-
 /* Bytes one by one: a framebuffer is aligned as it may be. */
 static void store_bytes(uint8_t *at, uint32_t pixel, int32_t bytes, bool low_first)
 {
@@ -39,11 +37,11 @@ static void store_piece(const qtri_panel *panel, const qtri_surface *surface, in
     const bool native = qtri_panel_is_native(order);
     const bool low_first = native == qtri_panel_is_native(QTRI_ORDER_LITTLE);
     if (panel->description->format == QTRI_PANEL_RGB565) {
-        uint16_t pixels[PIECE];
-        qtri_panel_row_565(surface, x, y, count, pixels);
+        uint16_t pixels[QTRI_PANEL_PIECE];
+        qtri_panel_row_565(panel, surface, x, y, count, pixels);
         store_halves(pixels, count, at, step, low_first);
     } else {
-        uint32_t pixels[PIECE];
+        uint32_t pixels[QTRI_PANEL_PIECE];
         qtri_panel_row_8888(surface, x, y, count, pixels);
         for (int32_t i = 0; i < count; i++, at += step) {
             store_bytes(at, pixels[i], 4, low_first);
@@ -68,8 +66,8 @@ enum qtri_error qtri_panel_write_mapped(qtri_panel *panel, const qtri_surface *s
             memcpy(at, row + rect.x0 * pixel, (size_t)((rect.x1 - rect.x0) * pixel));
             continue;
         }
-        for (int32_t x = rect.x0; x < rect.x1; x += PIECE) {
-            int32_t n = rect.x1 - x < PIECE ? rect.x1 - x : PIECE;
+        for (int32_t x = rect.x0; x < rect.x1; x += QTRI_PANEL_PIECE) {
+            int32_t n = rect.x1 - x < QTRI_PANEL_PIECE ? rect.x1 - x : QTRI_PANEL_PIECE;
             store_piece(panel, surface, x, y, n, at, step);
             at += n * step;
         }

@@ -30,9 +30,11 @@ qtri_walk qtri_panel_walk(const qtri_panel *panel, int32_t y);
 bool qtri_panel_is_565(const qtri_surface *surface);
 bool qtri_panel_is_swapped_565(const qtri_surface *surface);
 
+enum { QTRI_PANEL_PIECE = 32 }; /* the most pixels that are converted at a time */
+
 /* Pixels (x, y) .. (x + count - 1, y) in the format of the display; the surface holds them all. */
-void qtri_panel_row_565(const qtri_surface *surface, int32_t x, int32_t y, int32_t count,
-                        uint16_t *pixels);
+void qtri_panel_row_565(const qtri_panel *panel, const qtri_surface *surface, int32_t x, int32_t y,
+                        int32_t count, uint16_t *pixels);
 void qtri_panel_row_8888(const qtri_surface *surface, int32_t x, int32_t y, int32_t count,
                          uint32_t *pixels);
 

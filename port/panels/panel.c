@@ -213,9 +213,12 @@ enum qtri_error qtri_panel_init_module(qtri_panel *panel, const qtri_panel_descr
     /* A panel without pixels: no surface fits it. */
     static const qtri_panel_description nothing = {.width = 0, .height = 0};
     static const qtri_module as_described = {false, false, false, false, 0, 0};
-    qtri_panel fresh = {description, bus,  rotation, (uint8_t *)memory,  bytes, as_described,
-                        0,           0,    0,        QTRI_DITHER_BAYER8, NULL,  false,
-                        false,       false};
+    const qtri_panel fresh = {.description = description,
+                              .bus = bus,
+                              .rotation = rotation,
+                              .memory = (uint8_t *)memory,
+                              .bytes = bytes,
+                              .dither = QTRI_DITHER_BAYER8};
     *panel = fresh;
     panel->module = module != NULL ? *module : as_described;
     panel->orientation = orientation_of(panel);
@@ -223,9 +226,7 @@ enum qtri_error qtri_panel_init_module(qtri_panel *panel, const qtri_panel_descr
     panel->row = description->first_row + (int32_t)panel->module.row;
     enum qtri_error error = check(panel);
     if (error != QTRI_OK) {
-        qtri_panel unusable = {
-            &nothing, NULL, QTRI_ROTATE_0,      NULL, 0,     as_described, 0,
-            0,        0,    QTRI_DITHER_BAYER8, NULL, false, false,        false};
+        const qtri_panel unusable = {.description = &nothing, .dither = QTRI_DITHER_BAYER8};
         *panel = unusable;
         return error;
     }

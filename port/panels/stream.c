@@ -2,8 +2,6 @@
 /* Colours over a bus: whole pixels, row by row, into a window of the controller's memory. */
 #include "internal.h"
 
-enum { PIECE = 32 }; /* pixels converted at a time */
-
 /* count pixels into bytes. RGB565 surfaces are read in place. */
 static void convert(const qtri_panel *panel, const qtri_surface *surface, int32_t x, int32_t y,
                     int32_t count, uint8_t *bytes)
@@ -11,7 +9,7 @@ static void convert(const qtri_panel *panel, const qtri_surface *surface, int32_
     qtri_byte_order order = panel->description->order;
     bool low_first = order == QTRI_ORDER_NATIVE ? qtri_panel_is_native(QTRI_ORDER_LITTLE)
                                                 : order == QTRI_ORDER_LITTLE;
-    uint16_t piece[PIECE];
+    uint16_t piece[QTRI_PANEL_PIECE];
     while (count > 0) {
         const uint16_t *pixels = piece;
         int32_t n = count;
@@ -20,8 +18,8 @@ static void convert(const qtri_panel *panel, const qtri_surface *surface, int32_
                                                       (y - surface->first_row) * surface->pitch) +
                      x;
         } else {
-            n = n < PIECE ? n : PIECE;
-            qtri_panel_row_565(surface, x, y, n, piece);
+            n = n < QTRI_PANEL_PIECE ? n : QTRI_PANEL_PIECE;
+            qtri_panel_row_565(panel, surface, x, y, n, piece);
         }
         uint8_t *low = bytes + (low_first ? 0 : 1);
         uint8_t *high = bytes + (low_first ? 1 : 0);
@@ -86,8 +84,8 @@ static void convert_666(const qtri_surface *surface, int32_t x, int32_t y, int32
                         uint8_t *bytes)
 {
     while (count > 0) {
-        uint32_t piece[PIECE];
-        const int32_t n = count < PIECE ? count : PIECE;
+        uint32_t piece[QTRI_PANEL_PIECE];
+        const int32_t n = count < QTRI_PANEL_PIECE ? count : QTRI_PANEL_PIECE;
         qtri_panel_row_8888(surface, x, y, n, piece);
         for (int32_t i = 0; i < n; i++, bytes += 3) {
             for (int32_t c = 0; c < 3; c++) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Dithering: from the pixels of a surface to the few levels of gray that a display can show.
+ * Dithering: from the pixels of a surface to the few levels of gray or colours that a display can
+ * show.
  *
  * Levels run from 0, black, to max_level, white: 1 for an OLED or e-paper with one bit a pixel, 15
  * for four bits. Black and white come out exactly; so does every gray that a level equals.
@@ -43,6 +44,15 @@ void qtri_surface_gray(const qtri_surface *surface, int32_t x, int32_t y, int32_
  */
 void qtri_dither_row(qtri_dither dither, uint8_t max_level, int32_t x, int32_t y,
                      const uint8_t *gray, int32_t count, uint8_t *level);
+
+/*
+ * Colours 0x00RRGGBB of pixels (x, y) .. (x + count - 1, y) as RGB565: smooth shading without
+ * bands. Any x, y; what is no qtri_dither is NEAREST, and BAYER4 and BAYER8 have thresholds as
+ * above, one for the three channels. Colours that RGB565 has come out exactly, black and white
+ * among them; the mean of a channel over a field is within .78 of 255.
+ */
+void qtri_dither_row_565(qtri_dither dither, int32_t x, int32_t y, const uint32_t *rgb,
+                         int32_t count, uint16_t *pixels);
 
 /* What error diffusion carries from pixel to pixel and row to row: 2 bytes a column. */
 typedef struct qtri_diffusion {

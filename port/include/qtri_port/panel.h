@@ -201,9 +201,15 @@ struct qtri_panel {
     uint8_t orientation; /* the parameter that was sent */
     int32_t column, row; /* of the glass in the controller's memory */
 
-    /* For the user to set between frames; BAYER8 and NULL after init. GRAY1 and GRAY4 only. */
+    /* For the user to set between frames; BAYER8 and NULL after init. diffusion: GRAY1 and GRAY4.
+     */
     qtri_dither dither;
     qtri_diffusion *diffusion; /* instead, if not NULL: bands in order; needs an image */
+
+    /* RGB565: what surfaces of more bits are sent with, qtri_dither_row_565, which smooths the
+       bands of smooth shading. NULL after init: each pixel to nearest. */
+    void (*dither_565)(qtri_dither dither, int32_t x, int32_t y, const uint32_t *rgb, int32_t count,
+                       uint16_t *pixels);
 
     bool sending;  /* between data_start and data_finish */
     bool is_shown; /* partial: the controller knows what it shows */
