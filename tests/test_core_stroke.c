@@ -109,6 +109,30 @@ static void coverage(void **state)
     coverage_of(4, POINTS, 300, 1.0 / 32);
 }
 
+/* Points that take the short way, and the first that are too large for it. */
+static void points_of_all_sizes(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    uint64_t seed = 31;
+    double worst = 0.0;
+    for (int n = 0; n < random_cases(1500); n++) {
+        scene s = {.count = 1, .stroke = qtri_stroke_default()};
+        s.v[0] = screen_at(random_in(&seed, 0, WIDTH * 256), random_in(&seed, 0, HEIGHT * 256));
+        s.stroke.width = random_in(&seed, 1, n % 2 == 0 ? 33 * 128 : 8 * 128) * 512;
+        s.stroke.cap = n % 3 == 0 ? QTRI_CAP_SQUARE : QTRI_CAP_ROUND;
+        const double error = worst_error(&c, &s);
+        const bool is_short = s.stroke.width <= Q16(32);
+        if (error > (is_short ? 1.0 / 64 : 1.0 / 32)) {
+            fail_msg("width %d at %d, %d: off by %.4f", (int)s.stroke.width, (int)s.v[0].x_24p8,
+                     (int)s.v[0].y_24p8, error);
+        }
+        worst = is_short ? fmax(worst, error) : worst;
+    }
+    print_message("coverage of points: off by %.4f at most\n", worst);
+    canvas_free(&c);
+}
+
 /*
  * Ends shorter than half a width: the disc of the joint reaches out of a flat end, beside which the
  * corners of the end stick out of the disc.
@@ -864,6 +888,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(coverage),
+        cmocka_unit_test(points_of_all_sizes),
         cmocka_unit_test(short_ends),
         cmocka_unit_test(a_notch_beside_a_butt_end_is_not_filled),
         cmocka_unit_test(hard),

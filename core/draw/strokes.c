@@ -10,6 +10,8 @@
 #include "checked.h"
 #include "mesh_job.h"
 
+enum { VERTICES = 8 }; /* on their way together */
+
 /* Corners of one draw call on their way to the screen. */
 typedef struct stroke_job {
     qtri_projector projector;
@@ -34,8 +36,13 @@ static void job_init(stroke_job *job, const qtri_view *view, const qtri_transfor
     job->kept = 0;
 }
 
-/* A corner on the screen; outside of a plane it is marked as vertices of meshes are. */
-static void job_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out)
+static bool is_inside(const qtri_vertex *v)
+{
+    return (v->depth_16p8 & QTRI_VERTEX_OUTSIDE) == 0;
+}
+
+/* A corner on the screen, as below, of any w. */
+static void any_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out)
 {
     const qtri_vec4 *const position[1] = {&job->corners[corner].position};
     qtri_clip_vertex clip;
@@ -51,6 +58,38 @@ static void job_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out)
         out->at.y_24p8 = screen.y_24p8;
         out->depth_16p8 = screen.depth_16p16 & ~0xFFu;
     }
+}
+
+/*
+ * Corners `first` .. first+count-1 on the screen, at most VERTICES. One that is outside of a plane
+ * is marked as vertices of meshes are. Where w is 1 they take the way of these, to the same bits.
+ */
+static void job_vertices(const stroke_job *job, uint32_t first, uint32_t count, qtri_vertex *out)
+{
+    qtri_vec3 p[VERTICES];
+    bool have_no_w = true;
+    for (uint32_t i = 0; i < count; i++) {
+        const qtri_vec4 *position = &job->corners[first + i].position;
+        p[i].x = position->x;
+        p[i].y = position->y;
+        p[i].z = position->z;
+        have_no_w = have_no_w && position->w == Q16_ONE;
+    }
+    if (have_no_w) {
+        (void)qtri_projector_vertices(&job->projector, p, count, out, false);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        if (!have_no_w) {
+            any_vertex(job, first + i, &out[i]);
+        } else if (is_inside(&out[i])) {
+            out[i].depth_16p8 &= ~0xFFu;
+        }
+    }
+}
+
+static void job_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out)
+{
+    job_vertices(job, corner, 1, out);
 }
 
 /* The two corners of a part. */
@@ -80,11 +119,6 @@ static bool clip_part(const stroke_job *job, const uint32_t corner[2], qtri_clip
     const unsigned first = qtri_clip_outcode(&v[0]);
     const unsigned second = qtri_clip_outcode(&v[1]);
     return (first & second) == 0 && qtri_clip_line(v, first | second) != 0;
-}
-
-static bool is_inside(const qtri_vertex *v)
-{
-    return (v->depth_16p8 & QTRI_VERTEX_OUTSIDE) == 0;
 }
 
 /* The corners' parts, one after the other. */
@@ -285,7 +319,6 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
     qtri_stroker stroker;
     qtri_vec3 half = {0, 0, 0};
     qtri_stroke_place place;
-    qtri_stroke_end end[2];
     if (!qtri_stroker_init(&stroker, surface, material, stroke)) {
         return;
     }
@@ -296,20 +329,21 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
     place.radius_24p8 = stroker.radius;
     place.caps[0] = stroker.cap == QTRI_CAP_ROUND ? QTRI_CAP_ROUND : QTRI_CAP_SQUARE;
     place.caps[1] = place.caps[0];
+    qtri_vertex vertices[VERTICES];
     for (uint32_t i = 0; i < corner_count; i++) {
-        qtri_vertex v;
-        job_vertex(&job, i, &v);
-        if ((v.depth_16p8 & QTRI_VERTEX_OUTSIDE) != 0) {
+        const qtri_vertex *v = &vertices[i % VERTICES];
+        if (i % VERTICES == 0) {
+            const uint32_t left = corner_count - i;
+            job_vertices(&job, i, left < VERTICES ? left : VERTICES, vertices);
+        }
+        if (!is_inside(v)) {
             continue;
         }
-        place.end[0] = v.at;
-        place.end[1] = v.at;
-        end[0].depth_16p8 = v.depth_16p8;
-        set_end_color(&end[0], &corners[i].color);
-        end[1] = end[0];
-        qtri_stroke_look_init(&stroker.look, end);
+        place.end[0] = v->at;
+        place.end[1] = v->at;
+        qtri_stroke_look_set_level(&stroker.look, v->depth_16p8, &corners[i].color);
         if (stroke->in_space) {
-            place.radius_24p8 = radius_in_space(&job, &corners[i].position, &half, &v.at);
+            place.radius_24p8 = radius_in_space(&job, &corners[i].position, &half, &v->at);
         }
         qtri_stroker_draw_part(&stroker, &place);
     }

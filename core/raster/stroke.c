@@ -22,6 +22,7 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
     stroker->radius = radius_of(stroke->width);
     stroker->cap = (uint8_t)(is_flat ? stroke->cap : QTRI_CAP_ROUND);
     stroker->ring.radius = 0;
+    stroker->disc.radius = 0;
     memset(stroker->window.coverage.sum, 0, sizeof stroker->window.coverage.sum);
     return stroke->alpha != 0 && stroke->width > 0 && (stroker->radius > 0 || stroke->in_space) &&
            qtri_stroke_target_init(&stroker->to, surface, material, qtri_stroke_pipelines,
@@ -90,8 +91,8 @@ static void draw_span(qtri_stroker *stroker, const qtri_stroke_shape *s, int32_t
 {
     uint16_t share[QTRI_COVERAGE_WINDOW];
     const int32_t row = stroker->window.row;
-    const qtri_stroke_span span = {&stroker->to.state, &stroker->look, first, row,
-                                   end - first,        weight,         share, false};
+    const qtri_stroke_span span = {
+        &stroker->to.state, &stroker->look, first, row, end - first, 1, weight, share};
     if (!stroker->look.is_level) {
         qtri_stroke_shape_shares(s, first, row, end - first, share);
     }
@@ -233,9 +234,23 @@ static qtri_stroke_box clip_box(const qtri_stroker *stroker, const qtri_stroke_b
     return inside;
 }
 
+/* Whether a part by itself has no length, and its ends no joints. */
+static bool is_point(const qtri_stroke_place *place)
+{
+    return place->end[0].x_24p8 == place->end[1].x_24p8 &&
+           place->end[0].y_24p8 == place->end[1].y_24p8 &&
+           place->radius_24p8 <= QTRI_STROKE_POINT_RADIUS && place->caps[0] == place->caps[1] &&
+           place->caps[0] != QTRI_CAP_BUTT;
+}
+
 void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *place)
 {
     qtri_stroke_window *w = &stroker->window;
+    if (is_point(place)) {
+        qtri_stroker_draw_point(stroker, &place->end[0], place->radius_24p8,
+                                place->caps[0] == QTRI_CAP_ROUND);
+        return;
+    }
     qtri_stroke_box box = qtri_stroke_box_of(place);
     box = clip_box(stroker, &box);
     qtri_stroker_init_shape(stroker, &stroker->shape[0], place);

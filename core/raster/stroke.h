@@ -56,6 +56,23 @@ typedef struct qtri_stroke_window {
     bool is_complete; /* these are all that the row has */
 } qtri_stroke_window;
 
+/* What the points of one size share; see stroke_point.c. */
+typedef struct qtri_stroke_disc {
+    int32_t radius;       /* 24.8; 0: not set */
+    int32_t down;         /* 2^-down: from the square times 2^-16 to an area */
+    uint32_t inverse_q30; /* of the radius: 2^30 / radius */
+    uint32_t square;      /* of the radius, with 16 bits */
+    int32_t area;         /* of a quarter */
+} qtri_stroke_disc;
+
+#define QTRI_STROKE_POINT_RADIUS 4096 /* 24.8: of points that are drawn without a union */
+
+/* Pixels, from the point's centre to their left and upper sides: 24.8. */
+typedef struct qtri_stroke_block {
+    int32_t x, y, count, rows;
+    bool is_round;
+} qtri_stroke_block;
+
 typedef struct qtri_stroker {
     const qtri_stroke_source *source;
     const qtri_stroke_edges *edges;
@@ -65,6 +82,7 @@ typedef struct qtri_stroker {
     bool has_one_look;
     qtri_stroke_look look; /* of all parts, or of the one that is drawn */
     qtri_stroke_ring ring; /* of smooth edges */
+    qtri_stroke_disc disc;
     qtri_stroke_shape shape[QTRI_STROKE_SHAPES];
     uint32_t next_shape; /* the one to be replaced where all are in use */
     qtri_stroke_near near[QTRI_STROKE_NEAR];
@@ -79,6 +97,10 @@ struct qtri_stroke_edges {
     void (*set_ring)(qtri_stroke_ring *ring, int32_t radius);
     /* Adds what the row's shapes cover together to the window. */
     void (*cover)(qtri_stroker *stroker);
+    /* Points: what their size says, and what they cover of a block, row by row. */
+    void (*set_disc)(qtri_stroke_disc *disc, int32_t radius);
+    void (*cover_point)(const qtri_stroke_disc *disc, const qtri_stroke_block *block,
+                        uint32_t alpha_q16, uint16_t *weight);
     qtri_line_draws line; /* thin ones, each by itself: see line.h */
 };
 
@@ -89,6 +111,13 @@ void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source);
 
 /* One part by itself, of stroker->look. */
 void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *place);
+
+/* stroke_point.c: a disc or a square of at most QTRI_STROKE_POINT_RADIUS, of stroker->look. */
+void qtri_stroker_draw_point(qtri_stroker *stroker, const qtri_screen_point *center, int32_t radius,
+                             bool is_round);
+void qtri_stroke_disc_init(qtri_stroke_disc *disc, int32_t radius);
+void qtri_stroke_point_cover(const qtri_stroke_disc *disc, const qtri_stroke_block *block,
+                             uint32_t alpha_q16, uint16_t *weight);
 
 #define QTRI_STROKE_NONE UINT32_MAX
 

@@ -180,10 +180,10 @@ static void draw_any(const wire *w, const cells *c)
                                    &w->look,
                                    w->steep ? c->across : c->along,
                                    w->steep ? c->along : c->across,
-                                   count,
+                                   w->steep ? count : 1,
+                                   w->steep ? 1 : count,
                                    weight,
-                                   share_q16,
-                                   !w->steep};
+                                   share_q16};
     qtri_stroke_target_draw(to, &span);
 }
 

@@ -76,13 +76,15 @@ QTRI_NOINLINE static void draw_samples(qtri_stroke_target *to, const qtri_stroke
 {
     qtri_stroke_span one = *all;
     one.count = 1;
-    for (int32_t i = 0; i < all->count; i++, one.weight++, one.share++) {
-        qtri_stroke_sample sample;
-        one.y = all->is_upright ? all->y + i : all->y;
-        qtri_stroke_sample_begin(&sample, to, all->is_upright ? all->x : all->x + i, one.y);
-        one.x = sample.x;
-        to->state.pipeline->span(&one);
-        qtri_stroke_sample_end(&sample, to);
+    one.rows = 1;
+    for (; one.y < all->y + all->rows; one.y++) {
+        for (int32_t x = all->x; x < all->x + all->count; x++, one.weight++, one.share++) {
+            qtri_stroke_sample sample;
+            qtri_stroke_sample_begin(&sample, to, x, one.y);
+            one.x = sample.x;
+            to->state.pipeline->span(&one);
+            qtri_stroke_sample_end(&sample, to);
+        }
     }
 }
 

@@ -37,10 +37,9 @@ typedef struct qtri_stroke_look {
 typedef struct qtri_stroke_span {
     const qtri_draw_state *state;
     const qtri_stroke_look *look;
-    int32_t x, y, count;    /* inside the state's bounds */
-    const uint16_t *weight; /* 256: all of a pixel; 0: nothing of it is drawn */
-    const uint16_t *share;  /* of a level part it is not read */
-    bool is_upright;        /* pixels follow each other down a column, not along a row */
+    int32_t x, y, count, rows; /* inside the state's bounds; row by row: */
+    const uint16_t *weight;    /* 256: all of a pixel; 0: nothing of it is drawn */
+    const uint16_t *share;     /* of a level part it is not read */
 } qtri_stroke_span;
 
 /* What covers a whole pixel: 256 of a height by 512 halves of 1/256 of a width. */
@@ -97,6 +96,18 @@ static inline void qtri_stroke_look_set_depth(qtri_stroke_look *look, uint32_t f
     look->z_high = (int32_t)((to >> 16) - (from >> 16)) - ((to & 0xFFFFu) < (from & 0xFFFFu));
 }
 
+/* One colour and depth. */
+static inline void qtri_stroke_look_set_level(qtri_stroke_look *look, uint32_t depth_16p16,
+                                              const qtri_rgb *color)
+{
+    look->z_16p16 = depth_16p16;
+    look->color_8p8[0] = color->r << 8;
+    look->color_8p8[1] = color->g << 8;
+    look->color_8p8[2] = color->b << 8;
+    look->is_even = look->is_level = true;
+    look->tints = NULL;
+}
+
 /* A share as it is used: that of the last end is 2^16. */
 QTRI_BODY uint32_t qtri_stroke_share(uint32_t share_q16)
 {
@@ -130,20 +141,72 @@ QTRI_BODY uint32_t qtri_stroke_look_tint(const qtri_stroke_look *look, uint32_t 
     return look->tints[((uint32_t)light + ((uint32_t)1 << 21)) >> 22];
 }
 
+/* Depth and colour of a pixel whose part is not level. */
+QTRI_BODY uint32_t qtri_stroke_pixel_look(const qtri_options *o, qtri_pixel_walk *w,
+                                          const qtri_stroke_look *look, uint32_t share_q16)
+{
+    const uint32_t at = qtri_stroke_share(share_q16);
+    if (look->tints != NULL) {
+        w->color = qtri_stroke_look_tint(look, at);
+    } else if (!look->is_even) {
+        w->color = qtri_walk_color(o, w->state->surface, qtri_stroke_look_color(look, at));
+    }
+    return qtri_stroke_look_depth(look, at);
+}
+
+/* From the walk's pixel on. A pipeline has a loop of its own for parts that are level. */
+QTRI_BODY void qtri_stroke_rows(const qtri_options *o, qtri_pixel_walk *w,
+                                const qtri_stroke_span *span, bool is_level)
+{
+    const qtri_draw_state *state = span->state;
+    const qtri_stroke_look *look = span->look;
+    const ptrdiff_t step = (ptrdiff_t)qtri_pixel_bytes(o);
+    const ptrdiff_t depth_step = (ptrdiff_t)qtri_depth_size(o, state->surface);
+    const uint16_t *weight = span->weight;
+    const uint16_t *share = span->share;
+    uint32_t z = look->z_16p16;
+    for (int32_t rows = span->rows; rows > 0; rows--) {
+        const uint16_t *const end = weight + span->count;
+        for (; weight != end; weight++) {
+            if (*weight != 0) {
+                if (!is_level) {
+                    z = qtri_stroke_pixel_look(o, w, look, *share);
+                }
+                if (qtri_needs_depth(o)) {
+                    w->z = z + QTRI_DEPTH_HALF;
+                }
+                if (o->covered) {
+                    w->cover = *weight & 0x1FFu;
+                    w->cover_writes = *weight >= QTRI_STROKE_WRITES;
+                }
+                if (o->fog) {
+                    w->fog = qtri_fog_share(state->fog, z + 0x8000u);
+                }
+                qtri_pixel_at(o, w, false, w->pixel, w->depth);
+            } else {
+                w->x++;
+            }
+            share += !is_level;
+            w->pixel += step;
+            if (qtri_tests_depth(o)) {
+                w->depth += depth_step;
+            }
+        }
+        w->x = span->x;
+        w->y++;
+        w->pixel += state->surface->pitch - span->count * step;
+        if (qtri_tests_depth(o)) {
+            w->depth += state->depth_pitch - span->count * depth_step;
+        }
+    }
+}
+
 QTRI_BODY void qtri_stroke_span_draw(const qtri_options *o, const qtri_stroke_span *span)
 {
     const qtri_draw_state *state = span->state;
     const qtri_surface *surface = state->surface;
     const qtri_stroke_look *look = span->look;
     const ptrdiff_t row = span->y - surface->first_row;
-    const uint16_t *weight = span->weight;
-    const uint16_t *const end = weight + span->count;
-    const uint16_t *share = span->share;
-    const bool is_level = look->is_level;
-    const bool is_upright = span->is_upright;
-    const ptrdiff_t step = is_upright ? surface->pitch : (ptrdiff_t)qtri_pixel_bytes(o);
-    const ptrdiff_t depth_step =
-        is_upright ? state->depth_pitch : (ptrdiff_t)qtri_depth_size(o, surface);
     qtri_pixel_walk w = QTRI_BODY_ZERO;
     qtri_walk_begin(o, &w, state);
     w.pixel = surface->pixels + row * surface->pitch +
@@ -154,44 +217,16 @@ QTRI_BODY void qtri_stroke_span_draw(const qtri_options *o, const qtri_stroke_sp
     }
     w.x = span->x;
     w.y = span->y;
-    uint32_t z = look->z_16p16;
     if (look->is_even) {
         w.color = qtri_walk_color(o, surface, qtri_stroke_look_color(look, 0));
     }
-    for (; weight != end; weight++, share++) {
-        if (*weight != 0) {
-            if (!is_level) {
-                const uint32_t at = qtri_stroke_share(*share);
-                z = qtri_stroke_look_depth(look, at);
-                if (look->tints != NULL) {
-                    w.color = qtri_stroke_look_tint(look, at);
-                } else if (!look->is_even) {
-                    w.color = qtri_walk_color(o, surface, qtri_stroke_look_color(look, at));
-                }
-            }
-            if (qtri_needs_depth(o)) {
-                w.z = z + QTRI_DEPTH_HALF;
-            }
-            if (o->covered) {
-                w.cover = *weight & 0x1FFu;
-                w.cover_writes = *weight >= QTRI_STROKE_WRITES;
-            }
-            if (o->fog) {
-                w.fog = qtri_fog_share(state->fog, z + 0x8000u);
-            }
-            qtri_pixel_at(o, &w, false, w.pixel, w.depth);
-        } else {
-            w.x++;
-        }
-        if (qtri_needs_place(o) && is_upright) { /* it was stepped along a row */
-            w.x--;
-            w.y++;
-        }
-        w.pixel += step;
-        if (qtri_tests_depth(o)) {
-            w.depth += depth_step;
-        }
+#if !defined(QTRI_PIPELINE_IS_ANY)
+    if (look->is_level) {
+        qtri_stroke_rows(o, &w, span, true);
+        return;
     }
+#endif
+    qtri_stroke_rows(o, &w, span, look->is_level);
 }
 
 #endif

@@ -220,7 +220,13 @@ static void cover(qtri_stroker *stroker)
     }
 }
 
-const qtri_stroke_edges qtri_stroke_smooth = {qtri_stroke_ring_init, cover, qtri_stroke_line_draw};
+const qtri_stroke_edges qtri_stroke_smooth = {
+    .set_ring = qtri_stroke_ring_init,
+    .cover = cover,
+    .set_disc = qtri_stroke_disc_init,
+    .cover_point = qtri_stroke_point_cover,
+    .line = qtri_stroke_line_draw,
+};
 
 /* The stroke of an application that has chosen nothing -----------------------------------------
  */
