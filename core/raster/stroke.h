@@ -113,7 +113,7 @@ void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source);
 void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *place);
 
 /* stroke_point.c: a disc or a square of at most QTRI_STROKE_POINT_RADIUS, of stroker->look. */
-void qtri_stroker_draw_point(qtri_stroker *stroker, const qtri_screen_point *center, int32_t radius,
+void qtri_stroker_draw_point(qtri_stroker *stroker, const qtri_point *center, int32_t radius,
                              bool is_round);
 void qtri_stroke_disc_init(qtri_stroke_disc *disc, int32_t radius);
 void qtri_stroke_point_cover(const qtri_stroke_disc *disc, const qtri_stroke_block *block,

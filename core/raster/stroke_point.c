@@ -162,7 +162,7 @@ static void cover_centers(int32_t radius, const qtri_stroke_block *b, uint16_t a
     }
 }
 
-void qtri_stroker_draw_point(qtri_stroker *stroker, const qtri_screen_point *center, int32_t radius,
+void qtri_stroker_draw_point(qtri_stroker *stroker, const qtri_point *center, int32_t radius,
                              bool is_round)
 {
     const qtri_rect *bounds = &stroker->to.state.bounds;
