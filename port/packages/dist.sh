@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: MIT
 # Makes from the tree what is handed out in other shapes:   dist.sh FOLDER
 #   FOLDER/single/qtri.h qtri.c      the amalgamation: core and panels in two files
-#   FOLDER/arduino/qtri/             a library for the Arduino IDE
+#   FOLDER/arduino/qtri/             a library for the Arduino IDE, as the Library Manager wants it
+# QTRI_URL is where the library can be had, for library.properties; else the checkout's origin, where it is https.
 set -eu
 out=${1:?usage: dist.sh FOLDER}
 version=$(sh port/packages/version.sh)
+url=${QTRI_URL:-$(git config --get remote.origin.url 2>/dev/null | grep '^https://' || true)}
 part=$out.part
 rm -rf "$part"
 mkdir -p "$part/single" "$part/arduino/qtri"
@@ -23,7 +25,8 @@ cp LICENSE "$part/single/"
 
 library=$part/arduino/qtri
 mkdir -p "$library/src/qtri" "$library/src/qtri_port" "$library/examples"
-cp LICENSE README.md CHANGELOG.md "$library/"
+cp LICENSE CHANGELOG.md "$library/"
+cp port/packages/arduino/README.md "$library/"
 cp core/include/qtri.h "$library/src/"
 mkdir -p "$library/src/qtri/body"
 cp core/include/qtri/*.h "$library/src/qtri/"
@@ -47,17 +50,21 @@ for example in port/packages/arduino/*/*.ino; do
     mkdir -p "$library/examples/$name"
     cp "$example" "$library/examples/$name/"
 done
+# What the Library Manager reads. Architectures are those whose int has 32 bits: qtri/config.h refuses AVR and megaAVR.
 cat >"$library/library.properties" <<END
 name=qtri
 version=$version
 author=the qtri authors
 maintainer=the qtri authors
 sentence=Fixed-point 3D renderer for microcontroller displays.
-paragraph=Meshes, textures, lines and light, drawn in bands of a few rows into RGB565 or gray: no malloc, no float. With drivers for ILI9341, ST7789, SSD1306 and others.
+paragraph=Meshes, textures, lines and light, drawn in bands of a few rows into RGB565 or gray: no malloc, no float. With drivers for ILI9341, ST7789, SSD1306 and others, or into TFT_eSPI and LVGL.
 category=Display
-architectures=*
+url=$url
+architectures=esp32,esp8266,rp2040,mbed,mbed_rp2040,mbed_nano,mbed_giga,mbed_portenta,samd,sam,stm32,STM32F1,STM32F4,teensy,nrf52,renesas_uno,renesas_portenta,silabs
 includes=qtri.h
 END
+[ -n "$url" ] || sed -i '/^url=$/d' "$library/library.properties"
+
 # Types and functions of the public headers, for the editor's colours; fields are separated by tabs.
 cat $headers | awk '
     /^ *(\/\*|\*)/ { next }

@@ -2,6 +2,7 @@
 # Packages: what is installed, what is made for others to copy. Included by the main Makefile.
 
 PREFIX     ?= /usr/local
+export QTRI_URL
 LIBDIR     ?= $(PREFIX)/lib
 INCLUDEDIR ?= $(PREFIX)/include
 DIST       := $(BUILD)/dist
@@ -10,7 +11,7 @@ DIST       := $(BUILD)/dist
 QTRI_VERSION := $(shell sh port/packages/version.sh)
 QTRI_OPTIONS := $(filter -DQTRI_WITH_%,$(CFLAGS))
 
-.PHONY: install uninstall dist
+.PHONY: install uninstall dist dist-arduino
 install: $(LIBRARY) ## Install library, headers and qtri.pc below PREFIX (and DESTDIR)
 	@mkdir -p $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(INCLUDEDIR)/qtri $(DESTDIR)$(INCLUDEDIR)/qtri_port
 	cp $(LIBRARY) $(DESTDIR)$(LIBDIR)/
@@ -29,3 +30,8 @@ uninstall: ## Remove what `make install` put there
 
 dist: ## Make build/dist: the library as one qtri.h and qtri.c, and as a library for the Arduino IDE
 	@sh port/packages/dist.sh $(DIST)
+
+dist-arduino: ## Make build/dist/arduino/qtri, and check what the Library Manager asks for: QTRI_URL=https://...
+	@sh port/packages/dist.sh $(DIST)
+	@grep -q '^url=https://' $(DIST)/arduino/qtri/library.properties || \
+	    { echo "library.properties: no url: make dist-arduino QTRI_URL=https://..."; exit 1; }

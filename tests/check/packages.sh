@@ -118,19 +118,37 @@ grep -q "^version=$(sh port/packages/version.sh)$" "$arduino/library.properties"
 awk -F '\t' 'NF != 2 || $2 !~ /^(KEYWORD1|KEYWORD2|LITERAL1)$/ { exit 1 }' "$arduino/keywords.txt" || fail "keywords.txt"
 [ "$(grep -c -e '^qtri_draw_mesh.KEYWORD2$' -e '^qtri_mesh.KEYWORD1$' "$arduino/keywords.txt")" = 2 ] || fail "keywords.txt lacks names"
 find "$arduino/src" -name '*.c' -exec gcc -std=gnu11 -w -I"$arduino/src" -fsyntax-only {} + || fail "Arduino: sources"
+# sketch NAME SOURCE...: the sketch with stand-ins of what it calls
+sketch()
+{
+    name=$1
+    shift
+    quiet "Arduino, $name" g++ -std=gnu++11 -Wall -Wextra -I"$arduino/src" -Ihost -Itests/packages/arduino -Itests/packages/tft_espi -Itests/packages/lvgl \
+        -include Arduino.h -o "$work/$name" -x c++ "$arduino/examples/$name/$name.ino" "$@" -x none "$work/glue-display.o" $glue_libraries &&
+        quiet "Arduino, $name runs" timeout 60 "$work/$name"
+}
+
+glue_libraries="build/libqtri-host.a build/libqtri.a -lm $(make -s host-libs)"
+for file in README.md examples keywords.txt; do
+    [ -e "$arduino/$file" ] || fail "the Arduino library has no $file"
+done
+for field in name version author maintainer sentence paragraph category architectures includes; do
+    grep -q "^$field=." "$arduino/library.properties" || fail "library.properties: no $field"
+done
 if has g++ "Arduino sketches"; then
-    for sketch in "$arduino"/examples/*/*.ino; do
-        name=$(basename "$sketch" .ino)
-        quiet "Arduino, $name" g++ -std=gnu++11 -Wall -Wextra -I"$arduino/src" -Itests/packages/arduino -include Arduino.h \
-            -o "$work/$name" -x c++ "$sketch" tests/packages/arduino/core.cpp -x none build/libqtri.a &&
-            quiet "Arduino, $name runs" "$work/$name"
+    quiet "Arduino, the display" gcc -std=c11 -Ihost -c -o "$work/glue-display.o" tests/packages/glue/display.c
+    quiet "Arduino, LVGL" gcc -std=c11 -Itests/packages/lvgl -c -o "$work/lvgl.o" tests/packages/lvgl/lvgl.c
+    for name in TexturedModel OledWireframe Gauge; do
+        sketch $name tests/packages/arduino/core.cpp
     done
+    sketch TftEspi tests/packages/tft_espi/glue.cpp
+    sketch Lvgl tests/packages/arduino/run.cpp -x none "$work/lvgl.o"
+    [ "$(ls -d "$arduino"/examples/*/ | wc -l)" = 5 ] || fail "not all of the Arduino library's sketches are tried"
 fi
 
 # The glue of the examples, with stand-ins of what it calls: frames arrive at a simulated controller -------------------
 
 glue_flags='-O1 -Wall -Wextra -Werror -Icore/include -Iport/include'
-glue_libraries="build/libqtri-host.a build/libqtri.a -lm $(make -s host-libs)"
 
 # glue NAME EXAMPLE FOLDER: port/examples/glue/NAME.c with the stand-ins of tests/packages/FOLDER
 glue()
@@ -184,6 +202,7 @@ consumer()
 if has cmake "CMake, ESP-IDF, Pico SDK and Zephyr"; then
     quiet "cmake, configured" cmake -S . -B "$work/cmake" -DCMAKE_INSTALL_PREFIX="$work/cmake-prefix" &&
         quiet "cmake, built" cmake --build "$work/cmake" -j "$jobs" --target install
+    grep -q '^CMAKE_BUILD_TYPE:STRING=Release$' "$work/cmake/CMakeCache.txt" || fail "cmake: not a Release without a type of build"
     consumer package -DCMAKE_PREFIX_PATH="$work/cmake-prefix" -DWANTED="$(sh port/packages/version.sh)" &&
         same "find_package" "$work/cmake-package/consumer"
     # Another minor version must not be found.

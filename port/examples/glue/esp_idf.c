@@ -7,10 +7,9 @@
  *   MOSI      GPIO23      RESET   GPIO4
  *   CS        GPIO5       LED     3V3, by the module's resistor
  *
- * qtri as a component (port/packages/README.md); in main/CMakeLists.txt:
- *
- *   idf_component_register(SRCS qtri/port/examples/mesh/mesh.c qtri/port/examples/glue/esp_idf.c
- *                          REQUIRES qtri driver)
+ * The whole project is port/packages/esp_idf. In one of your own, with qtri as a component
+ * (port/packages/README.md), main/CMakeLists.txt has these two files and REQUIRES qtri driver; from
+ * ESP-IDF 5.3 on qtri esp_driver_spi esp_driver_gpio.
  *
  * The watchdog of the idle task looks on: example_next_frame() gives it a tick.
  */

@@ -10,10 +10,13 @@
 #define HIGH     0x1
 #define OUTPUT   0x1
 #define MSBFIRST 1
+#define A0       14
 
 void pinMode(uint8_t pin, uint8_t mode);
 void digitalWrite(uint8_t pin, uint8_t value);
 void delay(unsigned long ms);
+unsigned long millis();
+int analogRead(uint8_t pin);
 
 void setup();
 void loop();

@@ -55,5 +55,7 @@ void delay(unsigned long)
 int main()
 {
     setup();
-    return 1; /* frames end it */
+    for (;;) { /* frames end it */
+        loop();
+    }
 }

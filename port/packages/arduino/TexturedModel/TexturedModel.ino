@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A cube that turns on a 240x320 ILI9341 display, 16 rows at a time, lit from the front.
+// A textured, lit torus that turns on a 240x320 ILI9341 display, 16 rows at a time. A model of your own takes its
+// place: `qtri model car.glb -o car.h`.
 #include <SPI.h>
 #include <qtri.h>
 #include <qtri_port/ili9341.h>
@@ -40,21 +41,27 @@ static void resetDisplay(void *, bool active)
 
 static const qtri_bus bus = {NULL, sendCommand, sendData, NULL, NULL, waitMs, resetDisplay, NULL, 0};
 
-static const qtri_vec3 corners[8] = {
-    {-Q16(1), -Q16(1), -Q16(1)}, {Q16(1), -Q16(1), -Q16(1)}, {-Q16(1), Q16(1), -Q16(1)}, {Q16(1), Q16(1), -Q16(1)},
-    {-Q16(1), -Q16(1), Q16(1)},  {Q16(1), -Q16(1), Q16(1)},  {-Q16(1), Q16(1), Q16(1)},  {Q16(1), Q16(1), Q16(1)}};
-// Counter-clockwise, as seen from outside.
-static const uint16_t faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+enum { SLICES = 24, RINGS = 12, VERTICES = QTRI_TORUS_VERTICES(SLICES, RINGS), TRIANGLES = QTRI_TORUS_TRIANGLES(SLICES, RINGS) };
+static qtri_vec3 positions[VERTICES];
+static qtri_normal normals[VERTICES];
+static qtri_vec2 uvs[VERTICES];
+static uint16_t triangles[TRIANGLES][3];
+static qtri_vertex vertices[VERTICES];
+
+// Bricks of 8 x 8 texels, red and mortar.
+#define R 0xB2A6
+#define M 0xCE59
+static const uint16_t bricks[64] = {R, R, R, M, R, R, R, R, R, R, R, M, R, R, R, R, R, R, R, M, R, R,
+                                    R, R, M, M, M, M, M, M, M, M, R, R, R, R, R, R, R, M, R, R, R, R,
+                                    R, R, R, M, R, R, R, R, R, R, R, M, M, M, M, M, M, M, M, M};
 
 static uint8_t screenMemory[QTRI_SCREEN_BYTES(240, 16, QTRI_RGB565_BYTES)];
-static qtri_vertex vertices[8];
-
 static qtri_screen screen;
 static qtri_view view;
-static qtri_mesh cube;
+static qtri_mesh torus;
+static qtri_texture texture;
 static qtri_material material;
-static const qtri_light light = {.towards = {Q16(0.4), Q16(0.6), Q16(0.7)}, .ambient = Q16(0.2), .diffuse = Q16(0.8)};
+static qtri_light light;
 
 void setup()
 {
@@ -65,20 +72,29 @@ void setup()
     SPI.begin();
     SPI.beginTransaction(SPISettings(24000000, MSBFIRST, SPI_MODE0));
 
-    cube.positions = corners;
-    cube.vertex_count = 8;
-    cube.triangles = faces;
-    cube.triangle_count = 12;
+    const qtri_shape_memory memory = {positions, normals, uvs, triangles, VERTICES, TRIANGLES};
+    qtri_shape_torus(&torus, &memory, Q16(1), Q16(0.45), SLICES, RINGS);
+    for (int i = 0; i < VERTICES; i++) { // the texture eight times around
+        uvs[i].x *= 8;
+        uvs[i].y *= 4;
+    }
+    texture.texels = bricks;
+    texture.format = &qtri_texel_rgb565;
+    texture.width_log2 = texture.height_log2 = 3;
     material = qtri_material_default();
-    material.color = {240, 150, 40};
+    material.texture = &texture;
 
-    const qtri_vec3 eye = {0, 0, Q16(5)}, center = {0, 0, 0}, up = {0, Q16(1), 0};
+    const qtri_vec3 eye = {0, Q16(1.4), Q16(3)}, center = {0, 0, 0}, up = {0, Q16(1), 0};
+    const qtri_vec3 towardsLight = {Q16(0.4), Q16(0.6), Q16(0.7)};
     qtri_view_init(&view, 240, 320);
     qtri_view_look_at(&view, eye, center, up);
     qtri_view_perspective(&view, Q16(60), Q16(0.1), Q16(100));
+    light.towards = towardsLight;
+    light.ambient = Q16(0.2);
+    light.diffuse = Q16(0.8);
     view.light = &light;
     view.vertices = vertices;
-    view.vertex_count = 8;
+    view.vertex_count = VERTICES;
 
     qtri_screen_init(&screen, &qtri_ili9341, &bus, QTRI_ROTATE_0, &qtri_rgb565, 16, screenMemory, sizeof screenMemory);
     screen.background = {24, 32, 48};
@@ -90,10 +106,10 @@ void loop()
     angle = q16_mod(angle + Q16(2), Q16(360));
     qtri_transform pose;
     qtri_transform_identity(&pose);
-    qtri_transform_rotate_x(&pose, Q16(25));
+    qtri_transform_rotate_x(&pose, angle);
     qtri_transform_rotate_y(&pose, angle);
     qtri_surface band;
     while (qtri_screen_next(&screen, &band)) {
-        qtri_draw_mesh(&band, &view, &pose, &cube, &material);
+        qtri_draw_mesh(&band, &view, &pose, &torus, &material);
     }
 }
