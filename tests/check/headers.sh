@@ -23,12 +23,12 @@ for header in $headers; do
     done
 done
 
-# A step of a panel with 15 parameters compiles, one with 16 does not, in neither language.
-for count in 15 16; do
+# A step of a panel with 16 parameters compiles, one with 17 does not, in neither language.
+for count in 16 17; do
     echo '#include "qtri_port/panel.h"' >"$work/step.c"
     echo "extern const qtri_panel_step step; const qtri_panel_step step = QTRI_STEP(0xE0, 0$(seq -s '' -f ', %g' $count));" >>"$work/step.c"
     for compiler in 'gcc -std=c99 -x c' 'g++ -std=c++11 -x c++'; do
-        $compiler $flags -fsyntax-only "$work/step.c" 2>/dev/null && compiles=15 || compiles=16
+        $compiler $flags -fsyntax-only "$work/step.c" 2>/dev/null && compiles=16 || compiles=17
         [ "$compiles" = "$count" ] || { echo "qtri_port/panel.h: a step of $count parameters, ${compiler%% *}"; status=1; }
     done
 done
