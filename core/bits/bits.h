@@ -9,24 +9,14 @@
  * - QTRI_LONG_DIVIDE: 1 where 64 / 64 bits is one
  *
  * They may be set from outside, as the tests do to run the narrow code on the host.
+ * What is long on a core of 32 bits, shared.inc, is in shared.c alone with QTRI_SHARE, otherwise in
+ * every file.
  */
 #ifndef QTRI_BITS_H
 #define QTRI_BITS_H
 
 #include <stdbool.h>
 #include <stdint.h>
-
-/*
- * 1 where a compiler was asked for small code: what is long on a core of 32 bits, shared.inc, is
- * then called in shared.c. Otherwise every file would have a copy.
- */
-#ifndef QTRI_SHARE
-#if defined(__OPTIMIZE_SIZE__) && !defined(QTRI_LONG_MULTIPLY)
-#define QTRI_SHARE 1
-#else
-#define QTRI_SHARE 0
-#endif
-#endif
 
 #include "qtri/body/arithmetic.h"
 
@@ -212,6 +202,13 @@ uint32_t qtri_sqrt32_round(uint32_t x);
  * (2^30, 2^31]; a power of two gives an exact one. x below 2^31 is taken as 2^31.
  */
 uint32_t qtri_reciprocal_q62(uint32_t x);
+
+/* n / divisor towards zero, as C has it: one function of the compiler's serves all divisions. */
+static inline int32_t qtri_divide32(int32_t n, uint32_t divisor)
+{
+    const uint32_t quotient = qtri_magnitude32(n) / divisor;
+    return (int32_t)(n < 0 ? 0 - quotient : quotient);
+}
 
 /* A word, rotated to the right by the low five bits of a number, which need no mask. */
 static inline uint32_t qtri_rotated(uint32_t word, uint32_t by)

@@ -669,8 +669,8 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
     }
     /* Rows of one band of the frame, and its overlap, have a list; others look at all triangles. */
     const uint32_t count = prepared->mesh->triangle_count;
-    const int32_t number = (bounds.y0 + prepared->overlap) / prepared->rows;
-    const uint32_t band = (uint32_t)number;
+    const uint32_t band = (uint32_t)(bounds.y0 + prepared->overlap) / (uint32_t)prepared->rows;
+    const int32_t number = (int32_t)band;
     const bool by_list = prepared->listed > 0 && number * prepared->rows < prepared->height &&
                          bounds.y1 <= (number + 1) * prepared->rows + prepared->overlap;
     const uint32_t first = by_list ? prepared->listed : 0;

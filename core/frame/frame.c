@@ -129,8 +129,9 @@ static bool is_wanted(const qtri_frame *frame, int32_t row)
     if (frame->kept != NULL) {
         return true;
     }
-    int32_t band = row / frame->rows - frame->first_band;
-    if (band < 0 || band % frame->every != 0) {
+    /* Without a sign: small cores have a function for either kind of division. */
+    const int32_t band = (int32_t)((uint32_t)row / (uint32_t)frame->rows) - frame->first_band;
+    if (band < 0 || (uint32_t)band % (uint32_t)frame->every != 0) {
         return false;
     }
     return !frame->only_changes ||

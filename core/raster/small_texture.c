@@ -142,8 +142,9 @@ static bool set_curvature(curvature *c, const qtri_small_place *p, const qtri_sm
     find_e(e, p, t);
     c->k_q18[0] = bend_of(e[0]);
     c->k_q18[1] = bend_of(e[1]);
-    qtri_small_ramp_set_at(&ramp, p, p->x + QTRI_SMALL_FAR, p->y - 256 * p->first, 0,
-                           c->k_q18[0] >> 1, c->k_q18[1] >> 1, -p->up);
+    QTRI_SMALL_SETUP(ramp_set_at)
+    (&ramp, p, p->x + QTRI_SMALL_FAR, p->y - 256 * p->first, 0, c->k_q18[0] >> 1, c->k_q18[1] >> 1,
+     -p->up);
     c->e = (int32_t)ramp.at >> (8 - p->up); /* Q25, 2^up less */
     c->ex = (int32_t)ramp.dx >> (8 - p->up);
     c->ey = (int32_t)ramp.dy >> (8 - p->up);
@@ -177,9 +178,9 @@ static void set_curve(qtri_small_curve *r, const qtri_small_place *p, const curv
     const int32_t x = p->x + QTRI_SMALL_FAR, y = p->y - 256 * p->first;
     const uint32_t rows = (uint32_t)p->first;
     qtri_small_ramp f, g;
-    qtri_small_ramp_set_at(&f, p, x, y, 0, f1, f2, -p->up);
-    qtri_small_ramp_set_at(&g, p, x, y, value, scaled(f1, c->k_q18[0]), scaled(f2, c->k_q18[1]),
-                           up);
+    QTRI_SMALL_SETUP(ramp_set_at)(&f, p, x, y, 0, f1, f2, -p->up);
+    QTRI_SMALL_SETUP(ramp_set_at)
+    (&g, p, x, y, value, scaled(f1, c->k_q18[0]), scaled(f2, c->k_q18[1]), up);
     const int32_t at = (int32_t)f.at, fx = (int32_t)f.dx, fy = (int32_t)f.dy;
     up += p->up - 3; /* Q17 of E, and 14 bits that product() drops */
     const int32_t down = up < 0 ? -up : 0;

@@ -9,6 +9,12 @@
 #include "../geometry/lighting.h"
 #include "qtri/body/small_setup.h"
 
+void qtri_small_ramp_set_at(qtri_small_ramp *r, const qtri_small_place *p, int32_t x, int32_t y,
+                            uint32_t value, int32_t f1, int32_t f2, int32_t up)
+{
+    qtri_setup_ramp_set_at(r, p, x, y, value, f1, f2, up);
+}
+
 bool qtri_small_is_linear_by_range(uint32_t range, uint32_t q_range, uint32_t q_part)
 {
     return range * ((q_range >> 15) + 1) <= q_part;
@@ -148,5 +154,5 @@ uint32_t qtri_small_fog_step(uint32_t from, uint32_t to, int32_t count)
         return 0;
     }
     const int32_t difference = (int32_t)(to - from); /* |.| <= 2^24 */
-    return (uint32_t)(difference / (count - 1));
+    return (uint32_t)qtri_divide32(difference, (uint32_t)count - 1);
 }

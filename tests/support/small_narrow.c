@@ -19,6 +19,7 @@
 #define qtri_small_set_colors_gray    narrow_small_set_colors_gray
 #define qtri_small_find_uneven        narrow_small_find_uneven
 #define qtri_small_is_linear_by_range narrow_small_is_linear_by_range
+#define qtri_small_ramp_set_at        narrow_small_ramp_set_at
 #define qtri_small_turn               narrow_small_turn
 #define qtri_small_light_is_linear    narrow_small_light_is_linear
 #define qtri_small_set_linear_texture narrow_small_set_linear_texture

@@ -8,6 +8,16 @@
 
 #include <stdint.h>
 
+/* 1 where a compiler was asked for small code: for core/bits, which then has one copy of what is
+   long on a core of 32 bits. Before the next, which it asks whether tests have set it. */
+#ifndef QTRI_SHARE
+#if defined(__OPTIMIZE_SIZE__) && !defined(QTRI_LONG_MULTIPLY)
+#define QTRI_SHARE 1
+#else
+#define QTRI_SHARE 0
+#endif
+#endif
+
 /* Armv6-M, Armv8-M baseline, AVR, MSP430: no long multiply. */
 #ifndef QTRI_LONG_MULTIPLY
 #if (defined(__thumb__) && !defined(__thumb2__)) || defined(__ARM_ARCH_8M_BASE__) ||               \

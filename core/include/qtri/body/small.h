@@ -13,15 +13,6 @@
 extern "C" {
 #endif
 
-/* In place where code need not be small. */
-#if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(QTRI_PIPELINE_IS_ANY)
-#define QTRI_SMALL_IN_PLACE    true
-#define QTRI_SMALL_SETUP(name) qtri_setup_##name
-#else
-#define QTRI_SMALL_IN_PLACE    false
-#define QTRI_SMALL_SETUP(name) qtri_small_##name
-#endif
-
 /* What rows begin with. */
 typedef struct qtri_small_rows {
     qtri_small_ramp c, g, alpha, u, v;

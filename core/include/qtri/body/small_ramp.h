@@ -23,6 +23,15 @@ enum {
     QTRI_SMALL_ONE = 1 << 15   /* full light */
 };
 
+/* In place where code need not be small. */
+#if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(QTRI_PIPELINE_IS_ANY)
+#define QTRI_SMALL_IN_PLACE    true
+#define QTRI_SMALL_SETUP(name) qtri_setup_##name
+#else
+#define QTRI_SMALL_IN_PLACE    false
+#define QTRI_SMALL_SETUP(name) qtri_small_##name
+#endif
+
 /* What was stored before is read again after: GCC 12 would keep it in registers it has not. */
 #if defined(__GNUC__)
 #define QTRI_BODY_READ_AGAIN() __asm__ volatile("" ::: "memory")
@@ -99,11 +108,12 @@ QTRI_BODY uint32_t qtri_small_along(int32_t gx, int32_t x, int32_t gy, int32_t y
 
 /*
  * A ramp, from x and y of vertex 0 on, that is `value` there, and more by f1 and f2 at vertices 1
- * and 2, in units of 2^(8 + up) of it: |f| <= 2^16, of a wide place 2^15.
+ * and 2, in units of 2^(8 + up) of it: |f| <= 2^16, of a wide place 2^15. In small_values.c once.
  */
-QTRI_SMALL_PART void qtri_small_ramp_set_at(qtri_small_ramp *r, const qtri_small_place *p,
-                                            int32_t x, int32_t y, uint32_t value, int32_t f1,
-                                            int32_t f2, int32_t up)
+void qtri_small_ramp_set_at(qtri_small_ramp *r, const qtri_small_place *p, int32_t x, int32_t y,
+                            uint32_t value, int32_t f1, int32_t f2, int32_t up);
+QTRI_BODY void qtri_setup_ramp_set_at(qtri_small_ramp *r, const qtri_small_place *p, int32_t x,
+                                      int32_t y, uint32_t value, int32_t f1, int32_t f2, int32_t up)
 {
     const int32_t gx = qtri_small_quotient(p, f2 * p->dy1 - f1 * p->dy2);
     const int32_t gy = qtri_small_quotient(p, f1 * p->dx2 - f2 * p->dx1);
@@ -117,7 +127,7 @@ QTRI_SMALL_PART void qtri_small_ramp_set_at(qtri_small_ramp *r, const qtri_small
 QTRI_SMALL_PART void qtri_small_ramp_set(qtri_small_ramp *r, const qtri_small_place *p,
                                          uint32_t value, int32_t f1, int32_t f2, int32_t up)
 {
-    qtri_small_ramp_set_at(r, p, p->x, p->y, value, f1, f2, up);
+    QTRI_SMALL_SETUP(ramp_set_at)(r, p, p->x, p->y, value, f1, f2, up);
 }
 
 /* Rows ----------------------------------------------------------------------------------------- */

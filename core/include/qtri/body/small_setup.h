@@ -325,8 +325,9 @@ QTRI_SMALL_PART void qtri_small_channel_set(qtri_small_ramp *r, const qtri_small
                                             int32_t f0, int32_t f1, int32_t f2, int32_t full,
                                             uint32_t half)
 {
-    qtri_small_ramp_set_at(r, p, p->x + QTRI_SMALL_FAR, p->y - 256 * p->first,
-                           (uint32_t)(f0 * full * 2) + half, (f1 * full) >> 8, (f2 * full) >> 8, 1);
+    QTRI_SMALL_SETUP(ramp_set_at)
+    (r, p, p->x + QTRI_SMALL_FAR, p->y - 256 * p->first, (uint32_t)(f0 * full * 2) + half,
+     (f1 * full) >> 8, (f2 * full) >> 8, 1);
 }
 
 /* Back to the base: what is packed steps in rounded steps. */
