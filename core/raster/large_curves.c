@@ -112,9 +112,8 @@ static void set_lengths(qtri_large_job *job)
     }
     least -= job->t.is_true ? least >> 5 : 0;
     const int32_t log2 = length_for(job, least);
-    job->piece_max =
-        qtri_least32(job->run_log2, job->packing == QTRI_PACK_565 ? QTRI_LARGE_RUN_LOG2 - 1
-                                                                  : QTRI_LARGE_CHUNK_LOG2 - 1);
+    job->piece_max = qtri_least32(job->run_log2, job->rounds ? QTRI_LARGE_RUN_LOG2 - 1
+                                                             : QTRI_LARGE_CHUNK_LOG2 - 1);
     job->one_log2 = log2 >= job->piece_max                      ? job->piece_max
                     : log2 >= 0 && (job->t.pixels >> log2) == 0 ? log2
                                                                 : -1;
@@ -298,9 +297,6 @@ QTRI_NOINLINE bool qtri_large_begin_level(qtri_large_job *job)
         const int32_t rise = quotient_of(a->along.plane.s_step, job->zeros, reciprocal);
         a->at = (uint32_t)((int32_t)((uint32_t)from << a->at_left) >> a->at_right) + a->start;
         a->step = (uint32_t)((int32_t)((uint32_t)rise << a->step_left) >> a->step_right);
-    }
-    if (job->first_color != job->count) {
-        qtri_large_set_run_steps(job);
     }
     return true;
 }

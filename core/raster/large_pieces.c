@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Pieces of rows: colours are packed, attributes that are linear, and fog. */
+/* Pieces of rows along which attributes are linear, what bounds leave of pieces, and fog. */
 #include "large_setup.h"
 
 static uint32_t shifted(uint32_t x, int32_t up)
@@ -29,167 +29,45 @@ static inline void set_left(qtri_large_job *job)
     }
 }
 
-/* Colours: see qtri_pixel_walk -------------------------------------------------------------------
- */
-
-static uint32_t signed_shift(uint32_t x, int32_t by)
-{
-    return (uint32_t)((int32_t)x >> by);
-}
-
-/* Steps of lanes lose `down` bits. */
-static void lane_steps(uint32_t *c_step, uint32_t *g_step, const uint32_t *step, int32_t down)
-{
-    const uint32_t round = (uint32_t)1 << (down - 1);
-    *c_step = (signed_shift(step[0] + round, down) << 16) + signed_shift(step[2] + round, down);
-    *g_step = step[1];
-}
-
-/* A step to nearest 2^(bits - 16); to nearest zero of what is below 0, as all sums are unsigned. */
-static uint32_t rounded(uint32_t step, uint32_t bits)
-{
-    return (step + ((uint32_t)1 << (bits - 1))) & ~(((uint32_t)1 << bits) - 1);
-}
-
-static uint32_t word_step(const uint32_t step[3])
-{
-    return (step[0] >> 10 << 21) + step[2] + signed_shift(step[1], 11);
-}
-
-/*
- * Two steps in turn, whose sum is rounded; and what is added where n pixels start: half of what
- * that sums up to along them.
- */
-static inline void channel_steps(uint32_t *one, uint32_t *two, uint32_t *center, uint32_t step,
-                                 uint32_t bits, int32_t n)
-{
-    const uint32_t both = rounded(2 * step, bits);
-    *one = rounded(step, bits);
-    *two = both - *one;
-    *center = (uint32_t)(((int32_t)(2 * step - both) * (n - 1)) >> 2);
-}
-
-static void word_steps(uint32_t *even, uint32_t *odd, uint32_t center[3], const uint32_t *step,
-                       int32_t n)
-{
-    uint32_t one[3], two[3];
-    channel_steps(&one[0], &two[0], &center[0], step[0], 10, n);
-    channel_steps(&one[1], &two[1], &center[1], step[1], 11, n);
-    channel_steps(&one[2], &two[2], &center[2], step[2], 11, n);
-    *even = word_step(one);
-    *odd = word_step(two);
-}
-
-void qtri_large_pack_colors(int packing, qtri_large_piece *piece, const uint32_t *c,
-                            const uint32_t *step, int32_t n)
-{
-    if (packing == QTRI_PACK_ONE) {
-        piece->c = c[0];
-        piece->c_step = step[0];
-    } else if (packing == QTRI_PACK_565) {
-        uint32_t center[3];
-        word_steps(&piece->c_step, &piece->c_other, center, step, n);
-        piece->c = qtri_large_word(c[0] + center[0], c[1] + center[1], c[2] + center[2]);
-    } else if (packing != QTRI_PACK_NONE) {
-        const int32_t down = packing == QTRI_PACK_WEIGHTS ? 9 : 8;
-        lane_steps(&piece->c_step, &piece->g_step, step, down);
-        piece->c = (c[0] >> down << 16) + (c[2] >> down);
-        piece->g = c[1];
-    }
-}
+/* Pieces --------------------------------------------------------------------------------------- */
 
 void qtri_large_pack(const qtri_large_job *job, qtri_large_piece *piece,
                      const uint32_t at[QTRI_LARGE_ATTRIBUTES],
                      const uint32_t step[QTRI_LARGE_ATTRIBUTES], int32_t n)
 {
-    qtri_large_pack_colors(job->packing, piece, &at[job->first_color], &step[job->first_color], n);
+    if (job->packing != NULL) {
+        job->packing->pack(piece, &at[job->first_color], &step[job->first_color], n);
+    }
     if (job->alpha < job->count) {
         piece->alpha = at[job->alpha];
         piece->alpha_step = step[job->alpha];
     }
 }
 
-uint32_t qtri_large_begin_runs(qtri_large *t)
+void qtri_large_pack_linear(const qtri_large_job *job, qtri_large_piece *piece)
 {
-    qtri_large_job *job = qtri_large_job_of(t);
-    const uint32_t skipped = (uint32_t)(t->x0 - job->t.row_left);
-    const uint32_t start = skipped & ~(uint32_t)(QTRI_LARGE_RUN - 1);
-    const uint32_t x = (uint32_t)job->t.row_left + start, y = (uint32_t)t->y;
-    for (int i = 0; i < 3; i++) {
-        job->run[i] = job->run_at[i] + job->a[i].step * x + job->run_down[i] * y + job->center[i];
+    uint32_t at[QTRI_LARGE_ATTRIBUTES], step[QTRI_LARGE_ATTRIBUTES];
+    for (int i = job->first_color; i < job->count; i++) {
+        at[i] = job->a[i].at;
+        step[i] = job->a[i].step;
     }
-    return skipped - start;
-}
-
-void qtri_large_set_run_steps(qtri_large_job *job)
-{
-    const qtri_large_attribute *a = &job->a[job->first_color];
-    if (job->packing == QTRI_PACK_ONE) {
-        job->piece[0].c_step = a->step;
-    } else if (job->packing != QTRI_PACK_NONE) {
-        const uint32_t step[3] = {a[0].step, a[1].step, a[2].step};
-        if (job->packing == QTRI_PACK_565) {
-            word_steps(&job->run_even, &job->run_odd, job->center, step, QTRI_LARGE_RUN);
-        } else {
-            lane_steps(&job->piece[0].c_step, &job->piece[0].g_step, step,
-                       job->packing == QTRI_PACK_WEIGHTS ? 9 : 8);
-        }
-    }
-    if (job->alpha < job->count) {
-        job->piece[0].alpha_step = job->a[job->alpha].step;
-    }
-}
-
-void qtri_large_pack_linear(qtri_large_job *job, qtri_large_piece *piece)
-{
-    const qtri_large_attribute *a = &job->a[job->first_color];
-    if (job->packing == QTRI_PACK_ONE) {
-        piece->c = a->at;
-    } else if (job->packing == QTRI_PACK_565) {
-        piece->c = qtri_large_word(a[0].at + job->center[0], a[1].at + job->center[1],
-                                   a[2].at + job->center[2]);
-        piece->c_step = job->run_even;
-        piece->c_other = job->run_odd;
-    } else if (job->packing != QTRI_PACK_NONE) {
-        const int32_t down = job->packing == QTRI_PACK_WEIGHTS ? 9 : 8;
-        piece->c = (a[0].at >> down << 16) + (a[2].at >> down);
-        piece->g = a[1].at;
-    }
-    if (job->alpha < job->count) {
-        piece->alpha = job->a[job->alpha].at;
-    }
-}
-/* Pieces --------------------------------------------------------------------------------------- */
-
-void qtri_large_skip_colors(const qtri_options *o, qtri_large_piece *piece, uint32_t n)
-{
-    if (qtri_is_packed_565(o)) {
-        const uint32_t even = piece->c_step, odd = piece->c_other;
-        piece->c += even * ((n + 1) >> 1) + odd * (n >> 1);
-        piece->c_step = (n & 1) != 0 ? odd : even;
-        piece->c_other = (n & 1) != 0 ? even : odd;
-    } else {
-        piece->c += piece->c_step * n;
-    }
-    if (qtri_has_two_words(o)) {
-        piece->g += piece->g_step * n;
-    }
+    qtri_large_pack(job, piece, at, step, QTRI_LARGE_RUN);
 }
 
 /* What bounds cut off: goes on by n pixels. */
-static void skip(const qtri_options *o, qtri_large_piece *piece, uint32_t n)
+static void skip(const qtri_large_job *job, qtri_large_piece *piece, uint32_t n)
 {
-    if (qtri_is_textured(o)) {
+    if (job->first_color != 0) {
         const uint32_t bends = n * (n - 1) / 2;
         piece->u += piece->u_step * n + piece->u_bend * bends;
         piece->v += piece->v_step * n + piece->v_bend * bends;
         piece->u_step += piece->u_bend * n;
         piece->v_step += piece->v_bend * n;
     }
-    if (qtri_large_varies(o)) {
-        qtri_large_skip_colors(o, piece, n);
+    if (job->packing != NULL) {
+        qtri_large_skip_colors(piece, n);
     }
-    if (o->vertex_alpha) {
+    if (job->alpha < job->count) {
         piece->alpha += piece->alpha_step * n;
     }
 }
@@ -210,7 +88,7 @@ void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
         return;
     }
     if (first != x) {
-        skip(job->t.options, piece, (uint32_t)(first - x));
+        skip(job, piece, (uint32_t)(first - x));
     }
     piece->count = end - first;
 }
@@ -308,7 +186,8 @@ int32_t qtri_large_next_fog(qtri_large *t, int32_t count)
         const int32_t middle = (first + last) >> 1;
         const uint32_t f = fog_at(t, middle);
         const int32_t on_chord =
-            (int32_t)from + (int32_t)(to - from) / (last - first) * (middle - first);
+            (int32_t)from +
+            qtri_divide32((int32_t)(to - from), (uint32_t)(last - first)) * (middle - first);
         if (qtri_magnitude32(on_chord - (int32_t)f) <= FOG_ERROR) {
             break;
         }
@@ -321,7 +200,7 @@ int32_t qtri_large_next_fog(qtri_large *t, int32_t count)
         }
     }
     const int32_t n = last - first;
-    t->fog_step = n > 0 ? (uint32_t)((int32_t)(to - from) / n) : 0;
+    t->fog_step = n > 0 ? (uint32_t)qtri_divide32((int32_t)(to - from), (uint32_t)n) : 0;
     t->fog = from + 0x8000u + t->fog_step * (uint32_t)(x - first);
     const int32_t done = qtri_least32(count, last + 1 - x);
     t->fog_x = x + done;
@@ -330,5 +209,5 @@ int32_t qtri_large_next_fog(qtri_large *t, int32_t count)
 
 int32_t qtri_large_chord_bound_log2(const qtri_large_job *job)
 {
-    return job->packing != QTRI_PACK_565 && qtri_stores_565(job->t.options) ? 16 : 14;
+    return !job->rounds && qtri_stores_565(job->t.options) ? 16 : 14;
 }

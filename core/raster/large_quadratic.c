@@ -43,9 +43,9 @@ static uint32_t bound_of(const qtri_large_job *job)
    a texel. */
 static uint64_t limit_of(const qtri_large_job *job, int i)
 {
-    return i < job->first_color            ? (uint64_t)5 << job->axis[i].shift >> 6
-           : job->packing == QTRI_PACK_565 ? 3 * bound_of(job)
-                                           : 6 * bound_of(job);
+    return i < job->first_color ? (uint64_t)5 << job->axis[i].shift >> 6
+           : job->rounds        ? 3 * bound_of(job)
+                                : 6 * bound_of(job);
 }
 
 static bool is_near(const qtri_large_job *job)
@@ -126,13 +126,13 @@ static void set_polynomial(qtri_large_attribute *a, const qtri_large_job *job,
    curve m^2 / 4; of packed colours by 1/4. */
 static void set_length(qtri_large_job *job)
 {
-    const uint32_t limit = bound_of(job) * (job->packing == QTRI_PACK_565 ? 1 : 2);
+    const uint32_t limit = bound_of(job) * (job->rounds ? 1 : 2);
     uint32_t curve = 0;
     for (int i = job->first_color; i < job->count; i++) {
         curve |= qtri_magnitude32(job->a[i].along.quadratic.curve);
     }
     int32_t log2 = QTRI_LARGE_RUN_LOG2;
-    while (log2 > 0 && qtri_mul_u32(curve, (uint32_t)1 << 2 * log2) > limit) {
+    while (log2 > 0 && curve > limit >> 2 * log2) {
         log2--;
     }
     job->quadratic_log2 = (uint8_t)log2;

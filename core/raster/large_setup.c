@@ -31,33 +31,9 @@ QTRI_NOINLINE static int64_t along(int64_t b, int32_t distance)
     return (b >> 8) * (distance >> 16) + (b >> 24) * (distance & 0xFFFF);
 }
 
-/* What vertices' positions differ by: 1/256 pixel, and what is true of them besides, 2^-24. */
-typedef struct differences {
-    int32_t d[2][2], rest[2][2];
-} differences;
-
-static void find_differences(differences *s, const qtri_large *t, bool is_true)
-{
-    const qtri_large_vertex *v = t->in->v;
-    for (int i = 0; i < 2; i++) {
-        s->d[i][0] = t->corner_x[i + 1] - t->corner_x[0];
-        s->d[i][1] = t->corner_y[i + 1] - t->corner_y[0];
-        for (int k = 0; k < 2; k++) {
-            s->rest[i][k] = is_true ? v[i + 1].rest[k] - v[0].rest[k] : 0;
-        }
-    }
-}
-
 QTRI_NOINLINE static int64_t cross(const int32_t a[2], const int32_t b[2])
 {
     return qtri_mul_s32(a[0], b[1]) - qtri_mul_s32(a[1], b[0]);
-}
-
-/* 2^14 times the area; that of snapped vertices is exact. */
-static int64_t area_of(const differences *s, int64_t area)
-{
-    const int64_t once = cross(s->d[0], s->rest[1]) + cross(s->rest[0], s->d[1]);
-    return area * 16384 + (once >> 2) + (cross(s->rest[0], s->rest[1]) >> 18);
 }
 
 /* d 2^up r 2^-64, |d| 2^up < 2^62. */
@@ -80,25 +56,33 @@ static bool find_weights(qtri_large *t, bool is_true)
 {
     qtri_large_weights *w = &t->weights;
     const qtri_large_vertex *v = t->in->v;
-    differences s;
-    find_differences(&s, t, is_true);
-    const int64_t area = area_of(&s, t->area);
-    const uint64_t size = qtri_magnitude64(area);
+    const int32_t kept = is_true ? -1 : 0;
+    const int32_t rest_x = v[0].rest[0] & kept, rest_y = v[0].rest[1] & kept;
+    /* 1/256 pixel, and what is true of positions besides, 2^-24 */
+    int32_t snapped[2][2], rest[2][2];
     int64_t d[2][2];
     uint64_t all = 0;
     for (int i = 0; i < 2; i++) {
+        snapped[i][0] = t->corner_x[i + 1] - t->corner_x[0];
+        snapped[i][1] = t->corner_y[i + 1] - t->corner_y[0];
+        rest[i][0] = (v[i + 1].rest[0] & kept) - rest_x;
+        rest[i][1] = (v[i + 1].rest[1] & kept) - rest_y;
         for (int k = 0; k < 2; k++) {
-            d[i][k] = (int64_t)s.d[i][k] * 65536 + s.rest[i][k];
+            d[i][k] = (int64_t)snapped[i][k] * 65536 + rest[i][k];
             all |= qtri_magnitude64(d[i][k]);
         }
     }
+    /* 2^14 times the area; that of snapped vertices is exact. */
+    const int64_t once = cross(snapped[0], rest[1]) + cross(rest[0], snapped[1]);
+    const int64_t area = t->area * 16384 + (once >> 2) + (cross(rest[0], rest[1]) >> 18);
+    const uint64_t size = qtri_magnitude64(area);
     if (is_true && ((area ^ t->area) < 0 || size < all << 3)) {
         return false;
     }
     const int32_t zeros = qtri_clz64(size | 1), up = qtri_clz64(all | 1) - 2;
     const uint64_t r = reciprocal64(size << zeros);
-    const int32_t x = (128 - (t->corner_x[0] & 255)) * 65536 - (is_true ? v[0].rest[0] : 0);
-    const int32_t y = (128 - (t->corner_y[0] & 255)) * 65536 - (is_true ? v[0].rest[1] : 0);
+    const int32_t x = (128 - (t->corner_x[0] & 255)) * 65536 - rest_x;
+    const int32_t y = (128 - (t->corner_y[0] & 255)) * 65536 - rest_y;
     for (int i = 0; i < 2; i++) {
         int64_t *b = w->b[1 - i];
         b[0] = scaled(d[i][1], up, r, (area < 0) != (i == 0));
@@ -144,22 +128,33 @@ static int64_t product(int64_t f_q8, int64_t b)
  * a pixel by 2^n, by 2^(n - 32): all sums wrap, and at the pixels that the triangle covers they
  * lie between the vertices' values.
  */
-void qtri_large_plane_init(qtri_large_plane *p, const qtri_large *t, const int64_t f_q8[3],
-                           int32_t up)
+static void find_steps(uint64_t value[3], const qtri_large *t, const int64_t f_q8[3], int32_t up)
 {
     const qtri_large_weights *w = &t->weights;
     const int32_t down = w->fraction - 64 - up;
-    uint64_t value[3];
     for (int k = 0; k < 3; k++) {
         const int64_t sum =
             product(f_q8[1] - f_q8[0], w->b[0][k]) + product(f_q8[2] - f_q8[0], w->b[1][k]);
         value[k] = down >= 0 ? (uint64_t)(sum >> down) : (uint64_t)sum << -down;
     }
+    value[2] += (uint64_t)f_q8[0] << (24 + up);
+}
+
+/* From the pixel of vertex 0, which value[2] is at, to a column and a row. */
+static uint64_t value_at(const uint64_t value[3], const qtri_large *t, int32_t x, int32_t y)
+{
+    return value[2] + value[0] * (uint64_t)(int64_t)(x - (t->corner_x[0] >> 8)) +
+           value[1] * (uint64_t)(int64_t)(y - (t->corner_y[0] >> 8));
+}
+
+void qtri_large_plane_init(qtri_large_plane *p, const qtri_large *t, const int64_t f_q8[3],
+                           int32_t up)
+{
+    uint64_t value[3];
+    find_steps(value, t, f_q8, up);
     p->dx = value[0];
     p->dy = value[1];
-    p->row = ((uint64_t)f_q8[0] << (24 + up)) + value[2] -
-             p->dx * (uint64_t)(int64_t)(t->corner_x[0] >> 8) +
-             p->dy * (uint64_t)(int64_t)(t->plane_y - (t->corner_y[0] >> 8));
+    p->row = value_at(value, t, 0, t->plane_y);
 }
 
 /* The plane of whole values. */
@@ -176,12 +171,12 @@ void qtri_large_ramp_init(qtri_large_ramp *ramp, const qtri_large *t, const int6
     const int64_t half = (int64_t)1 << (down + 15);
     const int32_t x = qtri_hold32(t->corner_x[0] >> 8, 0, t->frame_width - 1);
     const int32_t y = qtri_hold32(t->corner_y[0] >> 8, 0, t->state->surface->height - 1);
-    qtri_large_plane p;
-    qtri_large_plane_init(&p, t, f_q8, -16);
-    p.row += p.dx * (uint64_t)(int64_t)x + p.dy * (uint64_t)(int64_t)(y - t->plane_y);
-    ramp->dx = (qtri_wrap64(p.dx) + half) >> (down + 16);
-    ramp->dy = (qtri_wrap64(p.dy) + half) >> (down + 16);
-    ramp->at = ((qtri_wrap64(p.row) + half) >> (down + 16)) - ramp->dx * x - ramp->dy * y;
+    uint64_t value[3];
+    find_steps(value, t, f_q8, -16);
+    ramp->dx = (qtri_wrap64(value[0]) + half) >> (down + 16);
+    ramp->dy = (qtri_wrap64(value[1]) + half) >> (down + 16);
+    ramp->at = ((qtri_wrap64(value_at(value, t, x, y)) + half) >> (down + 16)) - ramp->dx * x -
+               ramp->dy * y;
 }
 
 /* Texture coordinates -------------------------------------------------------------------------- */
@@ -242,7 +237,8 @@ void qtri_large_begin_pieces(qtri_large *t)
     qtri_large_job *job = qtri_large_job_of(t);
     job->count = 0;
     job->run_log2 = 14;
-    job->packing = QTRI_PACK_NONE;
+    job->packing = NULL;
+    job->rounds = false;
     job->has_runs = false;
     job->first_color = 0;
     job->alpha = QTRI_LARGE_ATTRIBUTES;
@@ -263,58 +259,6 @@ void qtri_large_set_texture(qtri_large *t)
 /* Colours ----------------------------------------------------------------------------------------
  */
 
-/* 31 / 255 and 63 / 255. */
-#define TO_31 522133279u
-#define TO_63 1061109568u
-
-/* 256.0 is 1. */
-static inline uint32_t weight(uint32_t c)
-{
-    return c + (c >> 8) + (c >> 16);
-}
-
-/* A vertex's channel as it is stepped, n.16. */
-static uint32_t channel(const qtri_options *o, const qtri_large_vertex *v, int i)
-{
-    const uint32_t c = (uint32_t)qtri_hold32(v->color_8p16[i], 0, 255 * 65536);
-    if (qtri_is_textured(o)) {
-        return weight(c);
-    }
-    return qtri_kind_of(o) == QTRI_IN_565 ? qtri_mul_high32(c, i == 1 ? TO_63 : TO_31) : c;
-}
-
-static uint32_t luma_of(uint32_t r, uint32_t g, uint32_t b)
-{
-    return (uint32_t)((qtri_mul_u32(r, 19595) + qtri_mul_u32(g, 38470) + qtri_mul_u32(b, 7471) +
-                       32768u) >>
-                      16);
-}
-
-static uint32_t luma(const qtri_large_vertex *v)
-{
-    return luma_of((uint32_t)qtri_hold32(v->color_8p16[0], 0, 255 * 65536),
-                   (uint32_t)qtri_hold32(v->color_8p16[1], 0, 255 * 65536),
-                   (uint32_t)qtri_hold32(v->color_8p16[2], 0, 255 * 65536));
-}
-
-void qtri_large_channels(int packing, uint32_t out[3], const uint32_t color_8p16[3])
-{
-    const uint32_t *c = color_8p16;
-    if (packing == QTRI_PACK_565) {
-        out[0] = qtri_mul_high32(c[0], TO_31);
-        out[1] = qtri_mul_high32(c[1], TO_63);
-        out[2] = qtri_mul_high32(c[2], TO_31);
-    } else if (packing == QTRI_PACK_ONE) {
-        out[0] = luma_of(c[0], c[1], c[2]);
-        out[1] = 0;
-        out[2] = 0;
-    } else {
-        for (int i = 0; i < 3; i++) {
-            out[i] = packing == QTRI_PACK_WEIGHTS ? weight(c[i]) : c[i];
-        }
-    }
-}
-
 /* An attribute from what it is at the vertices, 8.16. */
 static void add_attribute(qtri_large_job *job, const uint32_t value[3], uint32_t half)
 {
@@ -327,46 +271,29 @@ static void add_attribute(qtri_large_job *job, const uint32_t value[3], uint32_t
     a->up = -QTRI_LARGE_COLOR_UP;
 }
 
-uint32_t qtri_large_half_of(const qtri_options *o)
-{
-    if (qtri_is_textured(o)) { /* weights of 6 or 8 bits */
-        return qtri_kind_of(o) == QTRI_IN_565 ? (uint32_t)1 << 17 : (uint32_t)1 << 15;
-    }
-    return qtri_uses_table(o) ? (uint32_t)1 << (23 - QTRI_TABLE_LOG2) : (uint32_t)1 << 15;
-}
-
-uint8_t qtri_large_packing_of(const qtri_options *o)
-{
-    if (qtri_is_lit(o) || (!qtri_is_textured(o) && qtri_kind_of(o) == QTRI_IN_GRAY)) {
-        return QTRI_PACK_ONE;
-    }
-    return !qtri_has_two_words(o) ? QTRI_PACK_565
-           : qtri_is_textured(o)  ? QTRI_PACK_WEIGHTS
-                                  : QTRI_PACK_888;
-}
-
-void qtri_large_set_colors(qtri_large *t)
+void qtri_large_set_colors(qtri_large *t, const qtri_large_packing *packing, uint32_t half)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    const qtri_options *o = job->t.options;
-    const qtri_large_vertex *v = job->t.in->v;
-    const uint32_t half = qtri_large_half_of(o);
-    uint32_t value[3];
-    job->packing = qtri_large_packing_of(o);
-    if (job->packing == QTRI_PACK_ONE) {
-        for (int k = 0; k < 3; k++) {
-            value[k] = qtri_is_lit(o) ? v[k].light_q15 << 9 : luma(&v[k]);
+    uint32_t value[3][3];
+    for (int k = 0; k < 3; k++) {
+        const qtri_large_vertex *v = &t->in->v[k];
+        uint32_t c[3] = {v->light_q15 << 9, 0, 0};
+        if (packing->channels != NULL) {
+            for (int i = 0; i < 3; i++) {
+                c[i] = (uint32_t)qtri_hold32(v->color_8p16[i], 0, 255 * 65536);
+            }
+            packing->channels(c, c);
         }
-        add_attribute(job, value, half);
-        return;
-    }
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
-            value[k] = channel(o, &v[k], i);
+        for (int i = 0; i < 3; i++) {
+            value[i][k] = c[i];
         }
-        add_attribute(job, value, half);
     }
-    job->run_log2 = QTRI_LARGE_RUN_LOG2;
+    for (int i = 0; i < packing->count; i++) {
+        add_attribute(job, value[i], half);
+    }
+    job->packing = packing;
+    job->rounds = packing->rounds;
+    job->run_log2 = packing->run_log2;
 }
 
 void qtri_large_set_alpha(qtri_large *t)
@@ -387,25 +314,6 @@ static void set_plane(qtri_large_job *job, int i, const uint32_t f[3])
     qtri_large_plane_of(&job->a[i].along.plane, &job->t, f);
 }
 
-/* Packed colours, without texture: runs begin at any pixel of a row. */
-static void set_runs(qtri_large_job *job)
-{
-    qtri_large_use_weights(&job->t, false);
-    for (int i = 0; i < 3; i++) {
-        qtri_large_attribute *a = &job->a[i];
-        const int64_t f_q8[3] = {(int64_t)a->f[0] * 256, (int64_t)a->f[1] * 256,
-                                 (int64_t)a->f[2] * 256};
-        qtri_large_ramp ramp;
-        qtri_large_ramp_init(&ramp, &job->t, f_q8, QTRI_LARGE_COLOR_UP);
-        a->step = (uint32_t)ramp.dx;
-        job->run_down[i] = (uint32_t)ramp.dy;
-        job->run_at[i] = (uint32_t)ramp.at + a->start;
-        job->run_step[i] = a->step << QTRI_LARGE_RUN_LOG2;
-    }
-    qtri_large_set_run_steps(job);
-    job->has_runs = true;
-}
-
 static void set_linear_planes(qtri_large_job *job)
 {
     job->is_curved = false;
@@ -413,9 +321,8 @@ static void set_linear_planes(qtri_large_job *job)
     job->q.dy = 0;
     job->is_level = true;
     job->is_bent = false;
-    if (job->packing == QTRI_PACK_565) {
-        set_runs(job);
-        return;
+    if (job->rounds) {
+        return; /* they are linear by runs */
     }
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
@@ -424,7 +331,6 @@ static void set_linear_planes(qtri_large_job *job)
         a->step = (uint32_t)((
             uint64_t)(qtri_wrap64(a->along.plane.dx + ((uint64_t)1 << (down - 1))) >> down));
     }
-    qtri_large_set_run_steps(job);
 }
 
 /* With perspective ----------------------------------------------------------------------------- */

@@ -23,9 +23,6 @@ enum {
     QTRI_LARGE_NO_LEVEL = 31 /* log2 of no row's pixels */
 };
 
-/* Colours of pieces: none, one attribute as it is, a word of 565, lanes of 8.8 or 9.7. */
-enum { QTRI_PACK_NONE, QTRI_PACK_ONE, QTRI_PACK_565, QTRI_PACK_888, QTRI_PACK_WEIGHTS };
-
 /* In large.c: edges of a triangle, from the first row on that is drawn; false: there is none. */
 bool qtri_large_edges_init(qtri_large_edges *edges, const qtri_rect *bounds,
                            const qtri_point *const vertex[3], bool clockwise);
@@ -117,25 +114,17 @@ void qtri_large_set_curved(qtri_large_job *job, const int64_t q_q8[3]);
 /* In large_pieces.c: planes go on to the job's row. */
 void qtri_large_planes_move(qtri_large_job *job);
 
-/* How colours of the options are packed; the half that rounds; colours, 8.16 of
-   255, as they are stepped, n.16: gray is the first one. */
-uint8_t qtri_large_packing_of(const qtri_options *o);
-uint32_t qtri_large_half_of(const qtri_options *o);
-void qtri_large_channels(int packing, uint32_t out[3], const uint32_t color_8p16[3]);
-void qtri_large_pack_colors(int packing, qtri_large_piece *piece, const uint32_t *c,
-                            const uint32_t *step, int32_t n);
-/* colours and alpha of a piece of n pixels, from n.16 of each attribute. */
+/* In large_pieces.c: colours and alpha of a piece of n pixels, from n.16 of each attribute; of one
+   along which they are linear, a run at most. */
 void qtri_large_pack(const qtri_large_job *job, qtri_large_piece *piece,
                      const uint32_t at[QTRI_LARGE_ATTRIBUTES],
                      const uint32_t step[QTRI_LARGE_ATTRIBUTES], int32_t n);
-/* Those of a run of a row along which they are linear; its steps, before. */
-void qtri_large_pack_linear(qtri_large_job *job, qtri_large_piece *piece);
-void qtri_large_set_run_steps(qtri_large_job *job);
+void qtri_large_pack_linear(const qtri_large_job *job, qtri_large_piece *piece);
 
 /* In large_pieces.c: pieces of a row along which attributes are linear, from `at` and `step`. */
 int32_t qtri_large_linear_piece(qtri_large_job *job);
-/* Colours of a piece go on by n pixels. */
-void qtri_large_skip_colors(const qtri_options *o, qtri_large_piece *piece, uint32_t n);
+/* In large_colors.c: colours of a piece go on by n pixels. */
+void qtri_large_skip_colors(qtri_large_piece *piece, uint32_t n);
 /* Drops what lies outside of x0..x1 - 1 of a piece that starts at `x`; where textures have levels,
    which come before that, only the second function does. */
 void qtri_large_clip(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
@@ -150,7 +139,7 @@ static inline void qtri_large_clamp_chord(const qtri_large_attribute *a, uint32_
     const int32_t end = from + (int32_t)*step * (count - 1);
     const int32_t to = qtri_hold32(end, min, max);
     if (to != end && count > 1) { /* rare */
-        *step = (uint32_t)((to - from) / (count - 1));
+        *step = (uint32_t)qtri_divide32(to - from, (uint32_t)count - 1);
     }
     *at = (uint32_t)from;
 }

@@ -127,8 +127,8 @@ QTRI_NOINLINE static void set_colors(qtri_line_run *run, const qtri_line_job *jo
         qtri_line_lit_colors(lit, job, l->first, l->last);
         color = (const qtri_line_color *)lit;
     }
-    qtri_large_channels(job->packing, from, (const uint32_t *)color[turned]);
-    qtri_large_channels(job->packing, to, (const uint32_t *)color[1 - turned]);
+    job->packing->channels(from, (const uint32_t *)color[turned]);
+    job->packing->channels(to, (const uint32_t *)color[1 - turned]);
     run->is_even = true;
     for (int i = 0; i < 3; i++) {
         const int32_t half = 0x8000; /* rounds */

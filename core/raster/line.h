@@ -53,12 +53,12 @@ void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_v
 struct qtri_line_job {
     qtri_line_draws draw;
     qtri_stroke_target *to;
-    int32_t left_24p8, top_24p8;      /* of the bounds */
-    uint32_t width_24p8, height_24p8; /* 0, 0 when they are empty */
-    uint32_t depth_mask;              /* what of depth_16p8 is depth */
-    int packing;                      /* of colours: one of QTRI_PACK_ONE, 565 and 888 */
-    const qtri_stroke_line *smooth;   /* what `draw` is stroke_line.c for */
-    void *wide;                       /* and what it is strokes.c for */
+    int32_t left_24p8, top_24p8;              /* of the bounds */
+    uint32_t width_24p8, height_24p8;         /* 0, 0 when they are empty */
+    uint32_t depth_mask;                      /* what of depth_16p8 is depth */
+    const struct qtri_large_packing *packing; /* of colours: as large triangles have them */
+    const qtri_stroke_line *smooth;           /* what `draw` is stroke_line.c for */
+    void *wide;                               /* and what it is strokes.c for */
 };
 
 /* `to` is initialised for lines of surface and material, and is there as long as the job. */

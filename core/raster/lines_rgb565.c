@@ -118,13 +118,13 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     job->depth_mask = ~0xFFu;
     switch (qtri_kind_of(&to->state.options)) {
     case QTRI_IN_565:
-        job->packing = QTRI_PACK_565;
+        job->packing = &qtri_packing_565;
         break;
     case QTRI_IN_GRAY:
-        job->packing = QTRI_PACK_ONE;
+        job->packing = &qtri_packing_gray;
         break;
     default:
-        job->packing = QTRI_PACK_888;
+        job->packing = &qtri_packing_888;
         break;
     }
 }

@@ -329,8 +329,6 @@ static void begin(qtri_large *t)
     if (!l->lit.is_quadratic) {
         qtri_lit_set_corners(&l->lit);
     }
-    l->packing = qtri_large_packing_of(t->options);
-    l->half = qtri_large_half_of(t->options);
     l->plane_y = t->plane_y;
     l->divided = !t->state->is_linear && align_q(q, v);
     l->y = INT32_MIN;
@@ -381,7 +379,7 @@ static void find_sample(qtri_light_sample *out, const qtri_large_light *l, int32
     uint32_t color_8p16[3];
     find_shares(b_q30, l, x);
     qtri_lit_color(color_8p16, &l->lit, b_q30);
-    qtri_large_channels(l->packing, out->c, color_8p16);
+    l->walk.packing->channels(out->c, color_8p16);
     out->x = x;
 }
 
@@ -500,13 +498,13 @@ static void set_piece(qtri_large_light *l, const qtri_light_sample *a, const qtr
     uint32_t c[3], step[3];
     for (int i = 0; i < 3; i++) {
         const int32_t change = (int32_t)(b->c[i] - a->c[i]);
-        c[i] = a->c[i] + l->half;
+        c[i] = a->c[i] + l->walk.half;
         step[i] = (uint32_t)(length == (int32_t)1 << l->block_log2 ? change >> l->block_log2
                                                                    : part_of(change, length));
     }
     l->piece_x = a->x;
     l->piece_end = b->x + (b->x == l->last ? 1 : 0);
-    qtri_large_pack_colors(l->packing, &l->walk.piece, c, step, l->piece_end - a->x);
+    l->walk.packing->pack(&l->walk.piece, c, step, l->piece_end - a->x);
 }
 
 /* The next block: a piece where it is straight, and else what is to be halved. */
@@ -587,7 +585,7 @@ static int32_t next(qtri_large *t, int32_t count)
         next_piece(l);
     }
     if (l->x != l->piece_x) {
-        qtri_large_skip_colors(t->options, &l->walk.piece, (uint32_t)(l->x - l->piece_x));
+        qtri_large_skip_colors(&l->walk.piece, (uint32_t)(l->x - l->piece_x));
         l->piece_x = l->x;
     }
     const int32_t n = qtri_least32(count, l->piece_end - l->x);

@@ -56,7 +56,7 @@ void qtri_lit_color(uint32_t color_8p16[3], const qtri_lit_triangle *p, const in
 
 enum { QTRI_LIGHT_BLOCK_LOG2 = 4 /* pixels from sample to sample, at most */ };
 
-/* What a pixel shows, as it is stepped: see qtri_large_channels(). */
+/* What a pixel shows, as it is stepped: see qtri_large_packing. */
 typedef struct qtri_light_sample {
     int32_t x;
     uint32_t c[3];
@@ -69,8 +69,6 @@ typedef struct qtri_large_light {
     uint8_t block_log2; /* pixels from sample to sample */
 
     /* The triangle: shares of corners 1 and 2, 2^30 is 1; divided: times q = 1/w, 2^31 at most. */
-    uint8_t packing;
-    uint32_t half; /* what colours start with more */
     bool divided;
     int32_t plane_y; /* of the planes' row */
     qtri_large_plane share[2], q;

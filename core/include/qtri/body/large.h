@@ -27,6 +27,23 @@ typedef struct qtri_large_piece {
     uint32_t level; /* of a texture that is mipmapped */
 } qtri_large_piece;
 
+/* How colours vary along rows: what is stepped of them, and how pieces have it. In large_colors.c;
+   only those that pipelines name are linked. */
+typedef struct qtri_large_packing {
+    /* What is stepped of a colour, 8.16 of 255, n.16 each. NULL: light of the vertices. */
+    void (*channels)(uint32_t out[3], const uint32_t color_8p16[3]);
+    /* Colours of a piece of n pixels, from these and their steps. */
+    void (*pack)(qtri_large_piece *piece, const uint32_t *c, const uint32_t *step, int32_t n);
+    uint8_t count;    /* of what is stepped: 1 or 3 */
+    uint8_t run_log2; /* of pixels along which it may be */
+    bool rounds;      /* steps have short fractions, see qtri_pixel_next() */
+} qtri_large_packing;
+
+extern const qtri_large_packing qtri_packing_light, qtri_packing_gray;
+extern const qtri_large_packing qtri_packing_565;     /* one word: see pixel.h */
+extern const qtri_large_packing qtri_packing_888;     /* lanes of 8.8 */
+extern const qtri_large_packing qtri_packing_weights; /* of texels: lanes of 9.7, 256 is 1 */
+
 /* What a draw call has of a triangle. */
 typedef struct qtri_large_input {
     qtri_draw_state *state;
@@ -45,6 +62,8 @@ typedef struct qtri_light_walk {
     /* Goes on along the row; returns for how many pixels `piece` is linear, `count` at most. */
     int32_t (*next)(struct qtri_large *triangle, int32_t count);
     qtri_large_piece piece; /* its colours */
+    const qtri_large_packing *packing;
+    uint32_t half; /* what they start with more: it rounds */
 } qtri_light_walk;
 
 enum { QTRI_LARGE_ATTRIBUTES = 6 /* u v, light or red green blue, alpha */ };
@@ -204,7 +223,8 @@ typedef struct qtri_large_job {
     uint32_t run_even, run_odd;
 
     uint8_t first_color, alpha, count; /* attributes: u v if textured, colours, alpha */
-    uint8_t packing;                   /* of colours: see core/raster/large_setup.h */
+    const qtri_large_packing *packing; /* of colours; NULL: there are none */
+    bool rounds;                       /* it does */
     uint8_t run_log2;                  /* pixels that colours may be stepped */
     uint8_t q_up;                      /* planes are times 2^this, q_at is not */
     uint32_t q_at[3];
@@ -247,7 +267,7 @@ bool qtri_large_next_samples(qtri_large *t);
  * it, or quadratics where these serve. */
 void qtri_large_begin_pieces(qtri_large *t);
 void qtri_large_set_texture(qtri_large *t);
-void qtri_large_set_colors(qtri_large *t);
+void qtri_large_set_colors(qtri_large *t, const qtri_large_packing *packing, uint32_t half);
 void qtri_large_set_alpha(qtri_large *t);
 void qtri_large_set_planes(qtri_large *t);
 
@@ -264,6 +284,9 @@ int32_t qtri_large_next_any(qtri_large *t);
 void qtri_large_set_levels(qtri_large *t);
 int32_t qtri_large_next_levels(qtri_large *t);
 void qtri_large_set_level(qtri_large *t, uint32_t level);
+
+/* Of packed colours, after planes: runs where they are linear. */
+void qtri_large_set_runs(qtri_large *t);
 
 /* With has_runs: sets t->run for the first run that is drawn of the row; returns how many of its
    pixels are not. */
@@ -284,6 +307,15 @@ QTRI_BODY bool qtri_large_has_pieces(const qtri_options *o)
     return qtri_is_textured(o) || qtri_large_varies(o) || o->vertex_alpha;
 }
 
+QTRI_BODY const qtri_large_packing *qtri_large_packing_of(const qtri_options *o)
+{
+    return qtri_is_lit(o)                    ? &qtri_packing_light
+           : qtri_is_textured(o)             ? &qtri_packing_weights
+           : qtri_kind_of(o) == QTRI_IN_565  ? &qtri_packing_565
+           : qtri_kind_of(o) == QTRI_IN_GRAY ? &qtri_packing_gray
+                                             : &qtri_packing_888;
+}
+
 QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w)
 {
     if (qtri_large_has_pieces(o)) {
@@ -294,9 +326,11 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
         qtri_large_set_texture(t);
     }
     if (qtri_large_varies(o)) {
-        qtri_large_set_colors(t);
+        qtri_large_set_colors(t, qtri_large_packing_of(o), qtri_light_half(o));
     }
     if (o->per_pixel) {
+        t->state->light_walk->packing = qtri_large_packing_of(o);
+        t->state->light_walk->half = qtri_light_half(o);
         t->state->light_walk->begin(t);
     }
     if (o->vertex_alpha) {
@@ -304,6 +338,9 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
     }
     if (qtri_large_has_pieces(o)) {
         qtri_large_set_planes(t);
+    }
+    if (qtri_is_packed_565(o) && !o->per_pixel) {
+        qtri_large_set_runs(t);
     }
     if (o->mipmapped) {
         qtri_large_set_levels(t);
