@@ -301,6 +301,56 @@ static void keys_are_written_with_the_program_that_moves(void **state)
     assert_file_compiles("s.c", false);
 }
 
+/* ---- Files that cannot be read as they are ---- */
+
+static void incomplete_files_say_so(void **state)
+{
+    (void)state;
+    write_model("whole.glb", RED "," RED "," RED "," BLUE, "");
+    assert_int_equal(shell("head -c 700 whole.glb >cut.glb"), 0);
+    assert_refused("model cut.glb -o bad.h", "qtri model: cut.glb: ends after 700 bytes of the ");
+    assert_int_equal(shell("head -c 9 whole.glb >cut.glb"), 0);
+    assert_refused("model cut.glb -o bad.h", "qtri model: cut.glb: ends after 9 bytes of the 12");
+    write_text("cut.gltf", "{\"asset\":{\"version\":\"2.0\"},\"meshes\":[");
+    assert_refused("model cut.gltf -o bad.h",
+                   "qtri model: cut.gltf: ends before its last brace: the file is incomplete\n");
+}
+
+static void compression_is_refused_by_name(void **state)
+{
+    (void)state;
+    write_model("z.glb", RED "," RED "," RED "," BLUE,
+                "\"extensionsRequired\":[\"EXT_meshopt_compression\"],");
+    assert_refused("model z.glb -o bad.h",
+                   "qtri model: z.glb: its meshes are compressed with meshopt "
+                   "(EXT_meshopt_compression), which cannot be read: export it without\n");
+    write_model("z.glb", RED "," RED "," RED "," BLUE,
+                "\"extensionsRequired\":[\"KHR_mesh_quantization\"],");
+    assert_refused("model z.glb -o bad.h", "qtri model: z.glb: its vertices are quantized");
+    write_text("strips.ply", "ply\nformat ascii 1.0\nelement tristrips 1\n");
+    assert_refused("model strips.ply -o bad.h",
+                   "qtri model: strips.ply:3: its triangles are strips (tristrips)");
+}
+
+static void next_to_nothing_is_an_error(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("{ printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n'; "
+                           "yes 'f 1 2 2' | head -n 200; } >thin.obj"),
+                     0);
+    assert_refused("model thin.obj -o bad.h",
+                   "qtri model: thin.obj: only 1 of its 201 triangles have an area\n");
+    need_libraries();
+    assert_int_equal(
+        shell("{ printf 'ply\\nformat ascii 1.0\\nelement vertex 1000\\nproperty float x\\n"
+              "property float y\\nproperty float z\\nelement face 1\\n"
+              "property list uchar int vertex_indices\\nend_header\\n0 0 0\\n1 0 0\\n'; "
+              "yes '0 1 0' | head -n 998; echo 3 0 1 2; } >cloud.ply"),
+        0);
+    assert_refused("model cloud.ply -o bad.h",
+                   "qtri model: cloud.ply: has 1000 vertices, and only 1 triangles");
+}
+
 /* ---- Sizes and usage ---- */
 
 static void budgets_are_held(void **state)
@@ -352,6 +402,9 @@ int main(void)
         cmocka_unit_test(previews_show_textures_and_colours),
         cmocka_unit_test(moving_nodes_are_where_they_should_be),
         cmocka_unit_test(keys_are_written_with_the_program_that_moves),
+        cmocka_unit_test(incomplete_files_say_so),
+        cmocka_unit_test(compression_is_refused_by_name),
+        cmocka_unit_test(next_to_nothing_is_an_error),
         cmocka_unit_test(budgets_are_held),
         cmocka_unit_test(usage_errors),
     };

@@ -64,6 +64,7 @@ struct model {
     struct model_node *nodes; /* besides node 0: nodes[0] is node 1 */
     struct model_key *keys;
     size_t picture_count, node_count, key_count;
+    size_t file_triangles, file_vertices; /* that the file has, where that is known */
     bool has_uvs, has_colors;
     char left_out[200]; /* what the file has and the model has not: a list in words, or "" */
 };
@@ -123,6 +124,9 @@ bool model_library_picture(const char *path, const char *text, size_t length, co
 
 /* Whether a PLY file holds what its header promises, and no more than a model may have. */
 bool model_check_ply(const char *path, const char *text, size_t length, struct text_error *error);
+
+/* Whether a glTF or GLB file is complete, and needs nothing that cannot be read. */
+bool model_check_gltf(const char *path, const char *text, size_t length, struct text_error *error);
 
 /* Materials of an MTL file by name: colour (Kd) and texture (map_Kd) of those that the model has.
    Statements that are not known are passed over, as their number grows. */

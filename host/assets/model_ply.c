@@ -70,6 +70,11 @@ static bool parse_element(struct ply *ply, struct line *line)
             NUMBER_OK) {
         return fail(ply, ply->line, "an element needs a name and a count");
     }
+    if (token_equals(&name, "tristrips")) {
+        return fail(
+            ply, ply->line,
+            "its triangles are strips (tristrips), which cannot be read: store it as faces");
+    }
     if (token_equals(&name, "face") && element->count > (int64_t)MODEL_MAX_TRIANGLES) {
         return fail(ply, ply->line,
                     "more than 2097152 triangles; simplify the model elsewhere first");

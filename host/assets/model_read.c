@@ -116,6 +116,9 @@ static bool check_complete(const char *path, const char *text, size_t length, co
     if (strcmp(format, "ply") == 0) {
         return model_check_ply(path, text, length, error);
     }
+    if (format[0] == 'g') {
+        return model_check_gltf(path, text, length, error);
+    }
     return strcmp(format, "stl") != 0 || check_stl(path, text, length, error);
 }
 
@@ -151,6 +154,29 @@ static bool read_as(const char *path, const char *text, size_t length, enum mode
     return true;
 }
 
+/* Where next to nothing of a file becomes triangles, what it holds was not understood. */
+static bool check_use(const char *path, const struct model *model, struct text_error *error)
+{
+    enum { MOST_LOSS = 100 };
+    if (model->triangle_count == 0) {
+        text_error_set(error, path, 0, "has no triangle with an area");
+        return false;
+    }
+    if (model->file_triangles / MOST_LOSS > model->triangle_count) {
+        text_error_set(error, path, 0, "only %zu of its %zu triangles have an area",
+                       model->triangle_count, model->file_triangles);
+        return false;
+    }
+    if (model->file_vertices / MOST_LOSS > 3 * model->triangle_count) {
+        text_error_set(error, path, 0,
+                       "has %zu vertices, and only %zu triangles: is it a cloud of points, or are "
+                       "its triangles stored in another way than as faces?",
+                       model->file_vertices, model->triangle_count);
+        return false;
+    }
+    return true;
+}
+
 bool model_read(const char *path, enum model_content content, struct model *model,
                 struct text_error *error)
 {
@@ -161,6 +187,7 @@ bool model_read(const char *path, enum model_content content, struct model *mode
     }
     bool ok = read_as(path, file.bytes, file.length, content, model, error);
     free(file.bytes);
+    model->file_triangles = model->triangle_count;
     if (!ok || !model_check(path, model, error)) {
         model_free(model);
         return false;
@@ -170,8 +197,7 @@ bool model_read(const char *path, enum model_content content, struct model *mode
         model_free(model);
         return false;
     }
-    if (model->triangle_count == 0) {
-        text_error_set(error, path, 0, "has no triangle with an area");
+    if (!check_use(path, model, error)) {
         model_free(model);
         return false;
     }

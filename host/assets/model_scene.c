@@ -393,6 +393,7 @@ bool model_copy_scene(const struct model_request *request, const struct aiScene 
     if (!model_create(model, vertices, triangles, materials == 0 ? 1 : materials)) {
         return model_request_fail(request, "out of memory", "");
     }
+    model->file_vertices = vertices;
     model->vertex_count = 0;
     model->triangle_count = 0;
     aiIdentityMatrix4(&place.fixed);
