@@ -204,9 +204,11 @@ static void lists_have_room_for_thin_bands(void **state)
                 QTRI_PREPARED_BYTES(mesh.vertex_count, mesh.triangle_count, SIDE, rows);
             qtri_prepared_init(&prepared, memory, bytes);
             qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
-            assert_int_equal(prepared.group_log2, 0);
-            assert_int_equal(prepared.listed, mesh.triangle_count);
-            assert_int_equal(prepared.vertex_count, mesh.vertex_count);
+            assert_true(qtri_prepared_fits(&prepared));
+            qtri_prepared_init(&prepared, memory, bytes / 4);
+            assert_false(qtri_prepared_fits(&prepared));
+            qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
+            assert_false(qtri_prepared_fits(&prepared));
         }
     }
 }

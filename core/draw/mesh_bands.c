@@ -528,6 +528,14 @@ void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const q
     qtri_prepare_mesh_by(&qtri_vertex_stage_any, prepared, frame, view, pose, mesh, material);
 }
 
+bool qtri_prepared_fits(const qtri_prepared *prepared)
+{
+    QTRI_ASSERT(prepared != NULL);
+    return prepared->mesh != NULL &&
+           (!prepared->is_seen || (is_complete(prepared) && prepared->group_log2 == 0 &&
+                                   prepared->listed >= prepared->mesh->triangle_count));
+}
+
 /* ---- One band ---- */
 
 /*
