@@ -472,6 +472,38 @@ static void bad_pictures(void **state)
     assert_refused("texture p.pgm -o no/such/bad.h", "qtri texture: no/such/bad.h");
 }
 
+/* ---- Fonts ---- */
+
+/* Any scalable font of this computer. */
+static void scalable_fonts(void **state)
+{
+    (void)state;
+    write_text("no.ttf", "no font");
+    assert_int_equal(run("font no.ttf -o bad.h"), 1);
+    assert_true(contains("messages", "no.ttf: is not a font that FreeType knows") ||
+                contains("messages", "built without libfreetype"));
+    assert_false(exists("bad.h"));
+    assert_int_equal(run("font f.bdf -o bad.h --size 12"), 2);
+    assert_int_equal(run("font no.ttf -o bad.h --range 65"), 2);
+    assert_int_equal(run("font no.ttf -o bad.h --range 90-65"), 2);
+    assert_int_equal(run("font no.ttf -o bad.h --size 3"), 2);
+    shell("find /usr/share/fonts -name '*Sans.ttf' 2>/dev/null | head -n 1 | "
+          "while read -r f; do cp \"$f\" sans.ttf; done");
+    if (!exists("sans.ttf") || contains("messages", "built without libfreetype")) {
+        skip();
+    }
+    assert_int_equal(run("font sans.ttf -o sans.h --range 0x41-90"), 0);
+    assert_true(contains("sans.h", "{0x0041, 26, 0},")); /* one range of 26 glyphs, from glyph 0 */
+    assert_compiles("sans.h", "sans");
+    assert_int_equal(run("font sans.ttf -o latin.h --size 32"), 0);
+    assert_int_equal(shell("grep -q U+00E9 latin.h"), 0);
+    assert_compiles("latin.h", "latin");
+    assert_refused("font sans.ttf -o bad.h --size 127 --range 32-20000",
+                   "qtri font: sans.ttf: its glyphs take more than 65535 bytes");
+    assert_refused("font sans.ttf -o bad.h --range 0xE000-0xE001",
+                   "qtri font: sans.ttf: has none of these characters");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -491,6 +523,7 @@ int main(void)
         cmocka_unit_test(previews),
         cmocka_unit_test(textures),
         cmocka_unit_test(bad_pictures),
+        cmocka_unit_test(scalable_fonts),
     };
     return command_is_known() ? cmocka_run_group_tests(tests, make_folder, NULL) : 1;
 }

@@ -2,7 +2,7 @@
 # Libraries that read files and work on meshes for the commands `qtri mesh` and `qtri texture`. Each is used where it is
 # installed; without it the command is built all the same and says what it therefore cannot do. WITH= builds without any.
 
-WITH ?= libpng stb assimp meshoptimizer
+WITH ?= libpng stb assimp meshoptimizer freetype
 
 HOST_DEFINES :=
 HOST_LIBS    :=
@@ -25,6 +25,13 @@ ifneq ($(filter assimp,$(WITH)),)
 ifeq ($(shell pkg-config --exists assimp 2>/dev/null && echo yes),yes)
 HOST_DEFINES += -DQTRI_HAVE_ASSIMP $(shell pkg-config --cflags assimp)
 HOST_LIBS    += $(shell pkg-config --libs assimp)
+endif
+endif
+
+ifneq ($(filter freetype,$(WITH)),)
+ifeq ($(shell pkg-config --exists freetype2 2>/dev/null && echo yes),yes)
+HOST_DEFINES += -DQTRI_HAVE_FREETYPE $(shell pkg-config --cflags freetype2)
+HOST_LIBS    += $(shell pkg-config --libs freetype2)
 endif
 endif
 

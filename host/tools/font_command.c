@@ -1,25 +1,34 @@
 /* SPDX-License-Identifier: MIT */
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "../assets/truetype.h"
 #include "../io/file.h"
 #include "commands.h"
 #include "font_build.h"
 #include "options.h"
 
 static const char usage[] =
-    "usage: qtri font IN.bdf -o OUT.h [--name NAME]\n"
+    "usage: qtri font IN -o OUT.h [OPTION ...]\n"
     "\n"
-    "Makes a font for qtri/paint.h of a BDF file: constant data, a `static const qtri_font NAME`.\n"
-    "IN - is standard input, -o - standard output. An OUT that ends in .c defines a font that "
-    "other files declare themselves.\n"
+    "Makes a font for qtri/paint.h, constant data, a `static const qtri_font NAME`, of a BDF file, "
+    "or\n"
+    "of a scalable font named .ttf, .otf or .ttc. IN - is standard input, a BDF file, -o - "
+    "standard\n"
+    "output. An OUT that ends in .c defines a font that other files declare themselves.\n"
     "\n"
-    "  --name NAME   what the font is called in C (default: the file name of OUT)\n";
+    "  --name NAME   what the font is called in C (default: the file name of OUT)\n"
+    "  --size N      pixels of an em, of a scalable font (default 16)\n"
+    "  --range A-B   its characters from A to B, as in 32-126 or 0x400-0x44F (default: ASCII and\n"
+    "                Latin 1)\n";
 
 struct options {
     const char *in, *out;
     char name[OPTION_NAME_SIZE];
+    bool is_scalable;
+    struct truetype_wanted wanted;
 };
 
 /* Formats into the file. */
@@ -107,10 +116,37 @@ static bool write_font(const struct options *options, const struct bdf_font *bdf
 
 #define AT(member) offsetof(struct options, member)
 
+static bool set_size(void *options, const char *value, struct option_words *more)
+{
+    long size = 0;
+    (void)more;
+    const bool ok = option_whole(value, 4, 127, &size);
+    ((struct options *)options)->wanted.size = (int)size;
+    return ok;
+}
+
+/* Two numbers, decimal or after 0x hexadecimal. */
+static bool set_range(void *options, const char *value, struct option_words *more)
+{
+    struct truetype_wanted *wanted = &((struct options *)options)->wanted;
+    char *end = NULL;
+    (void)more;
+    const unsigned long first = strtoul(value, &end, 0);
+    if (*value < '0' || *value > '9' || *end != '-' || end[1] < '0' || end[1] > '9') {
+        return false;
+    }
+    const unsigned long last = strtoul(end + 1, &end, 0);
+    wanted->first = (uint32_t)first;
+    wanted->last = (uint32_t)last;
+    return *end == '\0' && first <= last && last <= 0x10FFFF && first > 0;
+}
+
 static const struct option options_of_font[] = {{"-o", OPTION_TEXT, AT(out), NULL},
+                                                {"--size", OPTION_SET, 0, set_size},
+                                                {"--range", OPTION_SET, 0, set_range},
                                                 {"--name", OPTION_NAME, AT(name), NULL}};
 
-static const struct option_list list = {"font", "BDF file", offsetof(struct options, in),
+static const struct option_list list = {"font", "font", offsetof(struct options, in),
                                         options_of_font,
                                         sizeof options_of_font / sizeof options_of_font[0]};
 
@@ -120,8 +156,16 @@ static bool parse(int argc, char **argv, struct options *options)
         return false;
     }
     if (options->in == NULL || options->out == NULL) {
-        return options_complain(&list, "a BDF file and -o are needed", "");
+        return options_complain(&list, "a font and -o are needed", "");
     }
+    options->is_scalable = file_name_ends_in(options->in, ".ttf") ||
+                           file_name_ends_in(options->in, ".otf") ||
+                           file_name_ends_in(options->in, ".ttc");
+    if (!options->is_scalable && (options->wanted.size > 0 || options->wanted.last > 0)) {
+        return options_complain(
+            &list, "--size and --range want a font named .ttf, .otf or .ttc: ", options->in);
+    }
+    options->wanted.size = options->wanted.size > 0 ? options->wanted.size : 16;
     return options_default_name(&list, options->in, options->out, options->name);
 }
 
@@ -139,7 +183,8 @@ int font_main(int argc, char **argv)
         fputs("Try `qtri font --help`.\n", stderr);
         return 2;
     }
-    if (!bdf_read(options.in, &bdf, &error)) {
+    if (!(options.is_scalable ? truetype_read(options.in, &options.wanted, &bdf, &error)
+                              : bdf_read(options.in, &bdf, &error))) {
         fprintf(stderr, "qtri font: %s\n", error.message);
         return 1;
     }

@@ -4,7 +4,7 @@
 # Elsewhere names it and fails.
 set -eu
 what=${1:-test}
-packages='git gcc make pkg-config libcmocka-dev libmpfr-dev libpng-dev libstb-dev libassimp-dev libmeshoptimizer-dev'
+packages='git gcc make pkg-config libcmocka-dev libmpfr-dev libpng-dev libstb-dev libassimp-dev libmeshoptimizer-dev libfreetype-dev'
 [ "$what" = test ] || packages="$packages g++ tcc cmake jq clang clang-format clang-tidy cppcheck doxygen libsdl2-dev
           gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
           gcc-riscv64-unknown-elf qemu-system-misc gcc-avr avr-libc simavr
