@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "assets/asset.h"
+#include "assets/asset_model.h"
 #include "assets/model.h"
 #include "assets/texture.h"
 #include "tools/mesh_faces.h"
@@ -53,6 +53,7 @@ static void write_nowhere(const struct asset *asset)
     }
     if (nowhere != NULL) {
         asset_write_c(asset, "x", "x.h", nowhere, NULL);
+        asset_write_model(asset, "x", "x.h", nowhere, NULL);
         asset_write_obj(asset, nowhere);
     }
 }
@@ -62,7 +63,7 @@ static void make_asset(struct model *model, uint8_t choice)
     struct asset asset;
     struct text_error error;
     const struct asset_options options = {choice % 2 == 1, choice / 2 % 2 == 1, choice / 4 % 2 == 1,
-                                          mesh_faces_make};
+                                          mesh_faces_make, choice / 128 % 2 == 1};
     double distance;
     if (choice / 8 % 2 == 1) {
         model_center(model);
@@ -73,7 +74,9 @@ static void make_asset(struct model *model, uint8_t choice)
     }
     require(model_make_normals(model, (enum model_normals)(choice / 16 % 4), 40.0));
     require(model_weld(model));
+    require(!options.merged || model_merge_materials(model));
     if (asset_make(NAME, model, &options, &asset, &error)) {
+        require(asset_add_motion(&asset, NAME, model, &error));
         check_asset(&asset);
         write_nowhere(&asset);
         asset_free(&asset);

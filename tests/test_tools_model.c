@@ -36,8 +36,9 @@ static const char picture[] =
 enum { POSITIONS = 0, CORNERS = 48, UVS = 72, TIMES = 104, TURNS = 116, DATA = 164 };
 
 /*
- * Four tetrahedra of the same data, materials 0..3 of those given, at x = 0, 3, 6 and 9; the last
- * stands below one at 6 that turns by a quarter about z in a second, and back again.
+ * Four tetrahedra of the same data, materials 0..3 of those given, at x = 0, 3, 6 and 12; the
+ * second mirrored, the third twice as large and turning by a quarter about z in a second, and back
+ * again, the last below that.
  */
 static void write_model(const char *name, const char *materials, const char *more)
 {
@@ -58,16 +59,16 @@ static void write_model(const char *name, const char *materials, const char *mor
     for (int i = 0; i < 3; i++) {
         put_float(data + TIMES + 4 * i, (float)i);
     }
-    int length =
-        snprintf(json, sizeof json,
-                 "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
-                 "\"scenes\":[{\"nodes\":[0,1,2]}],\"nodes\":[{\"mesh\":0},"
-                 "{\"mesh\":1,\"translation\":[3,0,0]},"
-                 "{\"name\":\"turns\",\"mesh\":2,\"translation\":[6,0,0],\"children\":[3]},"
-                 "{\"mesh\":3,\"translation\":[3,0,0]}],"
-                 "\"images\":[{\"uri\":\"%s\"}],\"textures\":[{\"source\":0}],"
-                 "\"materials\":[%s],%s\"meshes\":[",
-                 picture, materials, more);
+    int length = snprintf(json, sizeof json,
+                          "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
+                          "\"scenes\":[{\"nodes\":[0,1,2]}],\"nodes\":[{\"mesh\":0},"
+                          "{\"mesh\":1,\"translation\":[3,0,0],\"scale\":[-1,1,1]},"
+                          "{\"name\":\"turns\",\"mesh\":2,\"translation\":[6,0,0],"
+                          "\"scale\":[2,2,2],\"children\":[3]},"
+                          "{\"mesh\":3,\"translation\":[3,0,0]}],"
+                          "\"images\":[{\"uri\":\"%s\"}],\"textures\":[{\"source\":0}],"
+                          "\"materials\":[%s],%s\"meshes\":[",
+                          picture, materials, more);
     for (int i = 0; i < 4; i++) {
         length += snprintf(json + length, sizeof json - (size_t)length,
                            "%s{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":2},"
@@ -243,7 +244,27 @@ static qtri_vec3 core_place(const struct asset *asset, const struct asset_part *
     return place;
 }
 
-/* Of the tetrahedron at 9, below the one at 6 that turns: its corners at a time. */
+/* Of closed surfaces whose faces look outwards. */
+static double volume_of(const qtri_mesh *mesh)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        double p[3][3];
+        for (int j = 0; j < 3; j++) {
+            const qtri_vec3 *at = &mesh->positions[mesh->triangles[i][j]];
+            p[j][0] = at->x / 65536.0;
+            p[j][1] = at->y / 65536.0;
+            p[j][2] = at->z / 65536.0;
+        }
+        for (int j = 0; j < 3; j++) {
+            const int k = (j + 1) % 3, l = (j + 2) % 3;
+            sum += p[0][j] * (p[1][k] * p[2][l] - p[1][l] * p[2][k]) / 6.0;
+        }
+    }
+    return sum;
+}
+
+/* Corners of the tetrahedra at 6 and below it. */
 static void moving_nodes_are_where_they_should_be(void **state)
 {
     (void)state;
@@ -275,8 +296,10 @@ static void moving_nodes_are_where_they_should_be(void **state)
             assert_true(fabs(at.y / 65536.0 - (x * sin(angle) + y * cos(angle))) < 1e-3);
         }
     }
-    /* The middle is at 5, its box reaching to 10; turned, the last corner is no farther. */
-    assert_true(asset.center.x == Q16(5) && asset.radius > Q16(5) && asset.radius < Q16(5.2));
+    /* From 0 to 14, whose middle is 7; turned, the last corner is not much farther. */
+    assert_true(asset.center.x == Q16(7) && asset.radius > Q16(7) && asset.radius < Q16(11));
+    assert_true(fabs(volume_of(&asset.parts[0].mesh) - 2.0 / 6.0) < 1e-3);
+    assert_true(fabs(volume_of(&part->mesh) - 16.0 / 6.0) < 1e-3);
     asset_free(&asset);
     model_free(&model);
 }
