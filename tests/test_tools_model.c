@@ -188,6 +188,18 @@ static void what_is_seen_through_comes_last(void **state)
     assert_compiles("g.h", "g[G_PARTS - 1]");
 }
 
+static void opacity_of_mtl_is_kept(void **state)
+{
+    (void)state;
+    write_text("o.obj", "mtllib o.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                        "usemtl glass\nf 1 2 3\nusemtl solid\nf 1 3 4\n");
+    write_text("o.mtl", "newmtl glass\nKd 0 0 1\nd 0.4\nnewmtl solid\nd 1\n");
+    assert_int_equal(run("model o.obj -o o.h"), 0);
+    assert_true(contains("o.h", " * o[1], glass: 1 triangles, colour 0 0 255, 40 % opaque\n"));
+    write_text("o.mtl", "newmtl glass\nd much\n");
+    assert_refused("model o.obj -o bad.h", "qtri model: o.mtl:2: d needs a number\n");
+}
+
 static void large_textures_are_scaled(void **state)
 {
     (void)state;
@@ -421,6 +433,7 @@ int main(void)
         cmocka_unit_test(materials_of_equal_look_are_one_part),
         cmocka_unit_test(colours_without_pictures_are_the_vertices),
         cmocka_unit_test(what_is_seen_through_comes_last),
+        cmocka_unit_test(opacity_of_mtl_is_kept),
         cmocka_unit_test(large_textures_are_scaled),
         cmocka_unit_test(previews_show_textures_and_colours),
         cmocka_unit_test(moving_nodes_are_where_they_should_be),

@@ -531,6 +531,7 @@ void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const q
 bool qtri_prepared_fits(const qtri_prepared *prepared)
 {
     QTRI_ASSERT(prepared != NULL);
+    QTRI_CHECK(qtri_check_prepared(prepared));
     return prepared->mesh != NULL &&
            (!prepared->is_seen || (is_complete(prepared) && prepared->group_log2 == 0 &&
                                    prepared->listed >= prepared->mesh->triangle_count));

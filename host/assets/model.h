@@ -128,8 +128,8 @@ bool model_check_ply(const char *path, const char *text, size_t length, struct t
 /* Whether a glTF or GLB file is complete, and needs nothing that cannot be read. */
 bool model_check_gltf(const char *path, const char *text, size_t length, struct text_error *error);
 
-/* Materials of an MTL file by name: colour (Kd) and texture (map_Kd) of those that the model has.
-   Statements that are not known are passed over, as their number grows. */
+/* Materials of an MTL file by name: colour (Kd), opacity (d) and texture (map_Kd) of those that the
+   model has. Statements that are not known are passed over, as their number grows. */
 bool model_parse_mtl(const char *path, const char *text, size_t length, struct model *model,
                      struct text_error *error);
 

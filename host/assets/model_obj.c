@@ -79,6 +79,22 @@ static bool parse_color(struct mtl_parser *parser, struct line *line)
     return true;
 }
 
+/* d opacity, or d -halo opacity, of what is dense towards its edge: that is left as it is. */
+static bool parse_opacity(struct mtl_parser *parser, struct line *line)
+{
+    struct token token;
+    double value;
+    if (!line_token(line, &token) ||
+        (!token_equals(&token, "-halo") &&
+         number_parse_real(token.text, token.length, &value) != NUMBER_OK)) {
+        return fail(parser, "d needs a number", "");
+    }
+    if (parser->material != NULL && !token_equals(&token, "-halo")) {
+        parser->material->opacity = (uint8_t)lround(255.0 * fmin(fmax(value, 0.0), 1.0));
+    }
+    return true;
+}
+
 /* How many tokens follow an option of map_Kd; -o, -s and -t take up to three numbers. */
 static int option_length(const struct token *option)
 {
@@ -167,6 +183,8 @@ bool model_parse_mtl(const char *path, const char *text, size_t length, struct m
             begin_material(&parser, &line);
         } else if (token_equals(&keyword, "Kd")) {
             ok = parse_color(&parser, &line);
+        } else if (token_equals(&keyword, "d")) {
+            ok = parse_opacity(&parser, &line);
         } else if (token_equals(&keyword, "map_Kd")) {
             ok = parse_texture(&parser, &line);
         }
