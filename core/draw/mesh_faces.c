@@ -61,7 +61,7 @@ QTRI_NOINLINE static uint16_t *find_seen(const qtri_eye *from, const qtri_face8 
     enum { STEP = QTRI_FACES_STEP };
     const qtri_eye eye = *from;
     uint32_t entry = 0;
-    for (; end - plane >= 4; plane += 4, entry += 4 * STEP) {
+    for (; !QTRI_BODY_IS_SMALL && end - plane >= 4; plane += 4, entry += 4 * STEP) {
         out = list_seen(&eye, &plane[0], entry, out);
         out = list_seen(&eye, &plane[1], entry + STEP, out);
         out = list_seen(&eye, &plane[2], entry + 2 * STEP, out);

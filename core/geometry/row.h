@@ -104,9 +104,10 @@ static inline int32_t qtri_row16_translation(const qtri_row16 *row)
 }
 
 /* floor((m . n + t) / 2^16) for |n| <= 2^15. */
-static inline int32_t qtri_row16_sum(const qtri_row16 *row, int32_t x, int32_t y, int32_t z)
-{
 #if QTRI_LONG_MULTIPLY
+/* No longer than its call. */
+QTRI_INLINE int32_t qtri_row16_sum(const qtri_row16 *row, int32_t x, int32_t y, int32_t z)
+{
     int64_t sum = row->t_q16;
     sum += (int64_t)row->m[0] * (x * 65536);
     sum += (int64_t)row->m[1] * (y * 65536);
@@ -114,11 +115,14 @@ static inline int32_t qtri_row16_sum(const qtri_row16 *row, int32_t x, int32_t y
     int32_t high = (int32_t)(sum >> 32);
     QTRI_HOLD(high); /* or GCC 12 takes it for one of 64 bits wherever it is multiplied */
     return high;
+}
 #else
+static inline int32_t qtri_row16_sum(const qtri_row16 *row, int32_t x, int32_t y, int32_t z)
+{
     /* |m| sums up to 2^31: the high parts to 2^30. The low ones are 3 2^14 2^15 + 2^14 < 2^31. */
     int32_t low = row->t_low + row->low[0] * x + row->low[1] * y + row->low[2] * z;
     return row->t_high + row->high[0] * x + row->high[1] * y + row->high[2] * z + (low >> 14);
-#endif
 }
+#endif
 
 #endif

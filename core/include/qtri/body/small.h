@@ -144,6 +144,9 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_walk *w, const 
     const bool textured = qtri_is_textured(o), varies = qtri_varies(o);
     const bool two_words = qtri_has_two_words(o);
     const bool has_pieces = qtri_is_lit(o) && curved && curves->light_piece != 0;
+    /* Curved or not: what rows and pieces begin with is read from memory, so that pixels have the
+       registers. Texels take more of them than that leaves. */
+    const bool shares_loop = !QTRI_SMALL_IN_PLACE && !textured && qtri_is_lit(o);
     const ptrdiff_t row = p->row - surface->first_row;
     const ptrdiff_t pitch = surface->pitch, depth_pitch = w->state->depth_pitch;
     const uintptr_t skew = (uintptr_t)pitch - (uintptr_t)depth_pitch;
@@ -177,6 +180,9 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_walk *w, const 
     for (;;) {
         uint32_t x = span[0], end = span[1];
         span += 2;
+        if (shares_loop) {
+            QTRI_BODY_READ_AGAIN();
+        }
         if (x < end) {
             qtri_small_step(o, w, x - at, !curved);
             if (!paired) {
@@ -204,6 +210,9 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_walk *w, const 
             while (!o->fog || x != end) {
                 uint32_t count = end - x;
                 if (has_pieces) {
+                    if (shares_loop) {
+                        QTRI_BODY_READ_AGAIN();
+                    }
                     count = qtri_small_curves_set_light(w, curves, x - QTRI_SMALL_REACH, count);
                 }
                 if (curved && textured) {
@@ -242,7 +251,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_walk *w, const 
             w->pixel += pitch;
         }
         if (tests) {
-            w->depth += depth_pitch;
+            w->depth += shares_loop ? w->state->depth_pitch : depth_pitch;
         }
         w->y++;
     }

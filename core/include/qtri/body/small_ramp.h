@@ -32,6 +32,13 @@ enum {
 #define QTRI_SMALL_SETUP(name) qtri_small_##name
 #endif
 
+/* A ramp: where products are long instructions, no longer than its call. */
+#if QTRI_LONG_MULTIPLY
+#define QTRI_SMALL_RAMP qtri_setup_ramp_set_at
+#else
+#define QTRI_SMALL_RAMP QTRI_SMALL_SETUP(ramp_set_at)
+#endif
+
 /* What was stored before is read again after: GCC 12 would keep it in registers it has not. */
 #if defined(__GNUC__)
 #define QTRI_BODY_READ_AGAIN() __asm__ volatile("" ::: "memory")
@@ -127,7 +134,7 @@ QTRI_BODY void qtri_setup_ramp_set_at(qtri_small_ramp *r, const qtri_small_place
 QTRI_SMALL_PART void qtri_small_ramp_set(qtri_small_ramp *r, const qtri_small_place *p,
                                          uint32_t value, int32_t f1, int32_t f2, int32_t up)
 {
-    QTRI_SMALL_SETUP(ramp_set_at)(r, p, p->x, p->y, value, f1, f2, up);
+    QTRI_SMALL_RAMP(r, p, p->x, p->y, value, f1, f2, up);
 }
 
 /* Rows ----------------------------------------------------------------------------------------- */
