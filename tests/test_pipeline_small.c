@@ -26,10 +26,15 @@ static bool wave(qtri_fragment *f)
 }
 
 #define SMALL_PIPELINE(name, ...)                                                                  \
+    static void name##_pixel(qtri_pixel_walk *w, bool bent, uint8_t *pixel, uint8_t *depth)        \
+    {                                                                                              \
+        static const qtri_options options = {__VA_ARGS__};                                         \
+        qtri_pixel_at(&options, w, bent, pixel, depth);                                            \
+    }                                                                                              \
     static bool name##_small(qtri_small *triangle)                                                 \
     {                                                                                              \
         static const qtri_options options = {__VA_ARGS__};                                         \
-        return qtri_small_triangle_draw(&options, triangle);                                       \
+        return qtri_small_triangle_draw(&options, name##_pixel, triangle);                         \
     }                                                                                              \
     static const qtri_pipeline name = {{__VA_ARGS__}, NULL, name##_small, NULL, NULL, NULL};
 
@@ -68,9 +73,14 @@ static const qtri_pipeline *const instances[] = {
     &gray, &clear, &gray_light, &foggy, &foggy_texture, &doors,    &waves,  &affine,  &depths};
 
 /* As the generic pipeline: options that nothing tells the compiler. */
+static void any_pixel(qtri_pixel_walk *w, bool bent, uint8_t *pixel, uint8_t *depth)
+{
+    qtri_pixel_at(&w->state->options, w, bent, pixel, depth);
+}
+
 static bool any_small(qtri_small *triangle)
 {
-    return qtri_small_triangle_draw(&triangle->state->options, triangle);
+    return qtri_small_triangle_draw(&triangle->state->options, any_pixel, triangle);
 }
 
 /* Scenes --------------------------------------------------------------------------------------- */

@@ -37,7 +37,12 @@
 #include "qtri/body/small.h"
 #include "small_narrow.h"
 
+static void pixel(qtri_pixel_walk *w, bool bent, uint8_t *at, uint8_t *depth)
+{
+    qtri_pixel_at(&w->state->options, w, bent, at, depth);
+}
+
 bool narrow_small_draw(struct qtri_small *triangle)
 {
-    return qtri_small_triangle_draw(&triangle->state->options, triangle);
+    return qtri_small_triangle_draw(&triangle->state->options, pixel, triangle);
 }

@@ -14,15 +14,20 @@
 /* The pipeline `name` with these options, fields of qtri_options: QTRI_PIPELINE(mine, .format =
  * QTRI_RGB565). */
 #define QTRI_PIPELINE(name, ...)                                                                   \
+    QTRI_BODY void name##_pixel(qtri_pixel_walk *w, bool bent, uint8_t *pixel, uint8_t *depth)     \
+    {                                                                                              \
+        static const qtri_options options = {__VA_ARGS__};                                         \
+        qtri_pixel_at(&options, w, bent, pixel, depth);                                            \
+    }                                                                                              \
     static void name##_large(const struct qtri_large_input *triangle)                              \
     {                                                                                              \
         static const qtri_options options = {__VA_ARGS__};                                         \
-        qtri_large_triangle_draw(&options, triangle);                                              \
+        qtri_large_triangle_draw(&options, name##_pixel, triangle);                                \
     }                                                                                              \
     static bool name##_small(struct qtri_small *triangle)                                          \
     {                                                                                              \
         static const qtri_options options = {__VA_ARGS__};                                         \
-        return qtri_small_instance_draw(&options, triangle);                                       \
+        return qtri_small_instance_draw(&options, name##_pixel, triangle);                         \
     }                                                                                              \
     const qtri_pipeline name = {{__VA_ARGS__}, name##_large, name##_small, NULL, NULL, NULL};
 

@@ -66,13 +66,11 @@ QTRI_BODY uint32_t qtri_body_shift(uint32_t x, uint32_t by)
 #endif
 }
 
-/* A pixel: in place, but in the generic pipeline, where it is long, a function of its own. */
-#if defined(QTRI_PIPELINE_IS_ANY) && defined(__GNUC__)
-#define QTRI_BODY_PIXEL static __attribute__((noinline))
-#elif defined(QTRI_PIPELINE_IS_ANY)
-#define QTRI_BODY_PIXEL static
+/* A function of its own. */
+#if defined(__GNUC__)
+#define QTRI_BODY_ALONE static __attribute__((noinline))
 #else
-#define QTRI_BODY_PIXEL QTRI_BODY
+#define QTRI_BODY_ALONE static
 #endif
 
 /* Before a loop of at most 8 steps: writes them out, once options are known. */

@@ -429,11 +429,11 @@ QTRI_BODY int32_t qtri_large_next_octave(qtri_pixel_walk *w, int32_t count)
 }
 
 /* Pixels along which everything is a polynomial, but what is stored of their depths. */
-QTRI_BODY void qtri_large_octaves(const qtri_options *o, qtri_pixel_walk *w, bool bent,
-                                  int32_t count)
+QTRI_BODY void qtri_large_octaves(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                                  bool bent, int32_t count)
 {
     if (o->depth != QTRI_FLOAT16 || !qtri_tests_depth(o) || qtri_has_samples(o)) {
-        qtri_pixels_draw(o, w, bent, count);
+        qtri_pixels_draw(o, pixel, w, bent, count);
         return;
     }
     while (count > 0) {
@@ -441,19 +441,20 @@ QTRI_BODY void qtri_large_octaves(const qtri_options *o, qtri_pixel_walk *w, boo
         if (w->octave.down == 0) {
             QTRI_BODY_NEVER();
         }
-        qtri_pixels_draw(o, w, bent, n);
+        qtri_pixels_draw(o, pixel, w, bent, n);
         count -= n;
     }
 }
 
 /* Loops that few options repeat have one call of what they repeat: calls are inlined and looked at
    by the compiler, which is most of its time, before what options do not ask for is left out. */
-QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w,
-                                         int32_t count)
+QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_pixel_body *pixel,
+                                         qtri_large *t, qtri_pixel_walk *w, int32_t count)
 {
     const bool curves = qtri_is_textured(o);
     if (curves && qtri_is_short(o) && !qtri_large_job_of(t)->is_bent) {
-        qtri_large_octaves(o, w, false, count); /* a second loop saves two additions a pixel */
+        qtri_large_octaves(o, pixel, w, false,
+                           count); /* a second loop saves two additions a pixel */
     } else {
         do {
             int32_t n = count;
@@ -462,14 +463,14 @@ QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_large *t, q
                 w->fog = t->fog;
                 w->fog_step = t->fog_step;
             }
-            qtri_large_octaves(o, w, curves, n);
+            qtri_large_octaves(o, pixel, w, curves, n);
             count -= n;
         } while (o->fog && count > 0);
     }
 }
 
-QTRI_BODY void qtri_large_pixels(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w,
-                                 int32_t count)
+QTRI_BODY void qtri_large_pixels(const qtri_options *o, qtri_pixel_body *pixel, qtri_large *t,
+                                 qtri_pixel_walk *w, int32_t count)
 {
     do {
         int32_t n = count;
@@ -478,7 +479,7 @@ QTRI_BODY void qtri_large_pixels(const qtri_options *o, qtri_large *t, qtri_pixe
             n = light->next(t, count);
             qtri_large_load_colors(o, w, &light->piece);
         }
-        qtri_large_colored_pixels(o, t, w, n);
+        qtri_large_colored_pixels(o, pixel, t, w, n);
         count -= n;
     } while (o->per_pixel && count > 0);
 }
@@ -490,7 +491,8 @@ QTRI_BODY uint32_t qtri_large_word(uint32_t r, uint32_t g, uint32_t b)
 }
 
 /* A row along which packed colours are linear. */
-QTRI_BODY void qtri_large_runs(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w)
+QTRI_BODY void qtri_large_runs(const qtri_options *o, qtri_pixel_body *pixel, qtri_large *t,
+                               qtri_pixel_walk *w)
 {
     const qtri_large_job *job = qtri_large_job_of(t);
     const uint32_t skipped = qtri_large_begin_runs(t);
@@ -508,7 +510,7 @@ QTRI_BODY void qtri_large_runs(const qtri_options *o, qtri_large *t, qtri_pixel_
         }
     }
     for (;;) {
-        qtri_large_octaves(o, w, false, left < count ? left : count);
+        qtri_large_octaves(o, pixel, w, false, left < count ? left : count);
         left -= count;
         if (left <= 0) {
             return;
@@ -530,7 +532,8 @@ QTRI_BODY bool qtri_large_next_of(const qtri_options *o, struct qtri_large *t)
     return qtri_has_samples(o) ? qtri_large_next_samples(t) : qtri_large_next_row(t);
 }
 
-QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w)
+QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_large *t,
+                                    qtri_pixel_walk *w)
 {
     qtri_large_begin(o, t, w);
     while (qtri_large_next_of(o, t)) {
@@ -547,11 +550,11 @@ QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, qtri_large *t, qtri_p
             w->y = t->y;
         }
         if (!qtri_large_has_pieces(o)) {
-            qtri_large_pixels(o, t, w, t->x1 - t->x0);
+            qtri_large_pixels(o, pixel, t, w, t->x1 - t->x0);
             continue;
         }
         if (qtri_is_packed_565(o) && !o->per_pixel && qtri_large_job_of(t)->has_runs) {
-            qtri_large_runs(o, t, w);
+            qtri_large_runs(o, pixel, t, w);
             continue;
         }
         do {
@@ -559,7 +562,7 @@ QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, qtri_large *t, qtri_p
             const qtri_large_piece *piece = qtri_large_job_of(t)->piece;
             do {
                 qtri_large_load(o, t, w, piece);
-                qtri_large_pixels(o, t, w, piece->count);
+                qtri_large_pixels(o, pixel, t, w, piece->count);
                 piece++;
             } while (--pieces != 0);
         } while (t->x < t->x1);
@@ -581,7 +584,8 @@ QTRI_BODY int qtri_large_attributes(const qtri_options *o)
 #endif
 }
 
-QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, const qtri_large_input *in)
+QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, qtri_pixel_body *pixel,
+                                        const qtri_large_input *in)
 {
     qtri_pixel_walk w = QTRI_BODY_ZERO;
     /* On the stack of pipelines that need them. */
@@ -618,7 +622,7 @@ QTRI_BODY void qtri_large_triangle_draw(const qtri_options *o, const qtri_large_
             w.z_q = samples.z_q;
             w.z_place = qtri_samples_more(place, w.z_p, w.z_q);
         }
-        qtri_large_rows_draw(o, t, &w);
+        qtri_large_rows_draw(o, pixel, t, &w);
     } while (qtri_has_samples(o) && --place >= 0);
 }
 

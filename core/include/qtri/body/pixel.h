@@ -244,8 +244,8 @@ QTRI_BODY bool qtri_pixel_writes(const qtri_options *o, const qtri_pixel_walk *w
 }
 
 /* Draws a pixel of the walk, and steps. `bent`: steps of u and v grow. */
-QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool bent,
-                                   uint8_t *pixel, uint8_t *depth)
+QTRI_BODY void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool bent, uint8_t *pixel,
+                             uint8_t *depth)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t bytes = qtri_pixel_bytes(o);
@@ -364,14 +364,22 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
     }
 }
 
+/*
+ * qtri_pixel_at with a pipeline's options, which QTRI_PIPELINE makes once: the compiler inlines
+ * calls and looks at them before it leaves out what options do not ask for, and a pixel of all
+ * options in each of the loops below was six sevenths of its time.
+ */
+typedef void qtri_pixel_body(qtri_pixel_walk *w, bool bent, uint8_t *pixel, uint8_t *depth);
+
 /* Pixel i from where the walk is. */
-QTRI_BODY void qtri_pixel(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t i)
+QTRI_BODY void qtri_pixel(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                          bool bent, int32_t i)
 {
     uint8_t *depth = w->depth;
     if (qtri_tests_depth(o)) { /* or there may be none */
         depth += (uint32_t)i * qtri_depth_size(o, w->state->surface);
     }
-    qtri_pixel_at(o, w, bent, w->pixel + (uint32_t)i * qtri_pixel_step(o), depth);
+    pixel(w, bent, w->pixel + (uint32_t)i * qtri_pixel_step(o), depth);
 }
 
 QTRI_BODY void qtri_walk_move(const qtri_options *o, qtri_pixel_walk *w, uint32_t pixels)
@@ -386,9 +394,10 @@ QTRI_BODY void qtri_walk_move(const qtri_options *o, qtri_pixel_walk *w, uint32_
 
 /* A pixel of a long row: steps of packed colours, which are rounded to short fractions, take turns,
    so that two of them are rounded once. */
-QTRI_BODY void qtri_pixel_next(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t i)
+QTRI_BODY void qtri_pixel_next(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                               bool bent, int32_t i)
 {
-    qtri_pixel(o, w, bent, i);
+    qtri_pixel(o, pixel, w, bent, i);
     if (qtri_is_packed_565(o)) {
         const uint32_t step = w->c_step;
         w->c_step = w->c_other;
@@ -396,38 +405,41 @@ QTRI_BODY void qtri_pixel_next(const qtri_options *o, qtri_pixel_walk *w, bool b
     }
 }
 
-QTRI_BODY void qtri_pixel_alone(const qtri_options *o, qtri_pixel_walk *w, bool bent)
+QTRI_BODY void qtri_pixel_alone(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                                bool bent)
 {
     if (qtri_has_samples(o)) {
         w->samples = qtri_samples_of(w->sample_row, w->x);
     }
-    qtri_pixel_next(o, w, bent, 0);
+    qtri_pixel_next(o, pixel, w, bent, 0);
     qtri_walk_move(o, w, 1);
 }
 
 /* `count` pixels of a row, 0 or less: none. */
 #if QTRI_BODY_UNROLLS <= 2
 /* Where code is to be small: two pixels at a time, after one where the count is odd. */
-QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t count)
+QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                                bool bent, int32_t count)
 {
     const bool in_pairs = qtri_unrolled(o, bent) == 2;
     if (count > 0 && (!in_pairs || (count & 1) != 0)) {
         do { /* GCC does not turn loops round by itself */
-            qtri_pixel_alone(o, w, bent);
+            qtri_pixel_alone(o, pixel, w, bent);
         } while (!in_pairs && --count > 0);
     }
     if (in_pairs && count > 1) {
         count >>= 1;
         do {
-            qtri_pixel_next(o, w, bent, 0);
-            qtri_pixel_next(o, w, bent, 1);
+            qtri_pixel_next(o, pixel, w, bent, 0);
+            qtri_pixel_next(o, pixel, w, bent, 1);
             qtri_walk_move(o, w, 2);
             QTRI_BODY_BARRIER(count);
         } while (--count > 0);
     }
 }
 #else
-QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t count)
+QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                                bool bent, int32_t count)
 {
     const int together = qtri_unrolled(o, bent);
     if (together > 1) {
@@ -438,7 +450,7 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool 
         while (count >= together - early) {
             QTRI_BODY_UNROLL
             for (int32_t i = 0; i < together; i++) {
-                qtri_pixel_next(o, w, bent, i);
+                qtri_pixel_next(o, pixel, w, bent, i);
             }
             qtri_walk_move(o, w, (uint32_t)together);
             if (qtri_varies(o)) {
@@ -449,7 +461,7 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_walk *w, bool 
         count += early;
     }
     for (; count > 0; count--) {
-        qtri_pixel_alone(o, w, bent);
+        qtri_pixel_alone(o, pixel, w, bent);
     }
 }
 #endif

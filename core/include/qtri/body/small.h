@@ -71,14 +71,14 @@ QTRI_BODY uint8_t *qtri_small_pixel_of(const qtri_pixel_walk *w)
 
 /* A row's pixels from a walk at the first one on; `count` is not 0. Paired: one pointer, which also
    tells the end. Bent: texture coordinates follow curves. */
-QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_walk *w, bool bent,
-                                 int32_t count)
+QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                                 bool bent, int32_t count)
 {
     const bool paired = qtri_is_paired(o);
     const uint32_t bytes = qtri_pixel_bytes(o);
     const uint8_t *end = paired ? w->depth + (uint32_t)count * bytes : w->depth;
     do {
-        qtri_pixel_at(o, w, bent, paired ? qtri_small_pixel_of(w) : w->pixel, w->depth);
+        pixel(w, bent, paired ? qtri_small_pixel_of(w) : w->pixel, w->depth);
         if (paired) {
             w->depth += bytes;
             QTRI_BODY_BARRIER(w->depth);
@@ -135,8 +135,9 @@ QTRI_BODY void qtri_small_set_fog_along(qtri_pixel_walk *w, uint32_t count)
  * The walk goes on from the end of a row to the start of the next, so that it alone is stepped.
  * Curved: texture coordinates, or light, are curves.
  */
-QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_walk *w, const qtri_small_place *p,
-                               const qtri_small_rows *rows, qtri_small_curves *curves, bool curved)
+QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                               const qtri_small_place *p, const qtri_small_rows *rows,
+                               qtri_small_curves *curves, bool curved)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t bytes = qtri_pixel_bytes(o), depth_bytes = qtri_depth_size(o, surface);
@@ -216,9 +217,9 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_walk *w, const 
                     count = qtri_small_curves_set_light(w, curves, x - QTRI_SMALL_REACH, count);
                 }
                 if (curved && textured) {
-                    qtri_small_pixels(o, w, true, (int32_t)count);
+                    qtri_small_pixels(o, pixel, w, true, (int32_t)count);
                 } else {
-                    qtri_small_pixels(o, w, false, (int32_t)count);
+                    qtri_small_pixels(o, pixel, w, false, (int32_t)count);
                 }
                 x += count;
                 if (!has_pieces || x == end) {
@@ -269,7 +270,8 @@ QTRI_BODY const qtri_small_place *qtri_small_kept(qtri_small_place *copy, const 
 }
 
 /* False: it is large, and nothing was drawn. */
-QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
+QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *pixel,
+                                        qtri_small *t)
 {
     uint8_t spans[QTRI_SMALL_SPANS];
     qtri_small_place p, copy;
@@ -351,10 +353,10 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_small *t)
         return true;
     }
     if (QTRI_SMALL_IN_PLACE && is_curved) {
-        qtri_small_fill(o, &w, &p, &rows, &curves, true);
+        qtri_small_fill(o, pixel, &w, &p, &rows, &curves, true);
         return true;
     }
-    qtri_small_fill(o, &w, &p, &rows, &curves,
+    qtri_small_fill(o, pixel, &w, &p, &rows, &curves,
                     !QTRI_SMALL_IN_PLACE && (qtri_is_textured(o) || qtri_is_lit(o)) && is_curved);
     return true;
 }

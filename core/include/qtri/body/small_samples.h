@@ -140,16 +140,16 @@ QTRI_BODY void qtri_small_set_fog(const qtri_options *o, qtri_pixel_walk *w)
 }
 
 /* A pixel, then the walk goes on to the next. */
-QTRI_BODY void qtri_small_samples_pixel(const qtri_options *o, qtri_pixel_walk *w,
-                                        const qtri_small_sampled_values *v, int32_t place,
-                                        bool with_uv, bool with_c)
+QTRI_BODY void qtri_small_samples_pixel(const qtri_options *o, qtri_pixel_body *pixel,
+                                        qtri_pixel_walk *w, const qtri_small_sampled_values *v,
+                                        int32_t place, bool with_uv, bool with_c)
 {
     const bool away = qtri_small_has_places(o) && place != QTRI_CENTER;
     if (away) {
         qtri_small_go(o, w, v, place, with_uv, with_c);
     }
     qtri_small_set_fog(o, w);
-    qtri_pixel_at(o, w, false, w->pixel, w->depth);
+    pixel(w, false, w->pixel, w->depth);
     qtri_walk_move(o, w, 1);
     if (away) {
         qtri_small_go(o, w, v, qtri_small_opposite(place), with_uv, with_c);
@@ -186,8 +186,9 @@ QTRI_BODY void qtri_small_samples_skip(const qtri_options *o, qtri_pixel_walk *w
     }
 }
 
-QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_walk *w,
-                                       const qtri_small_place *p, const qtri_small_samples *s,
+QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_body *pixel,
+                                       qtri_pixel_walk *w, const qtri_small_place *p,
+                                       const qtri_small_samples *s,
                                        const qtri_small_sampled_values *values)
 {
     const bool textured = qtri_is_textured(o), varies = qtri_varies(o);
@@ -222,7 +223,7 @@ QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_walk *w
                 if (qtri_small_has_places(o) && w->samples != QTRI_SAMPLES_ALL) {
                     place = qtri_small_place_of(p, w->samples, at, y);
                 }
-                qtri_small_samples_pixel(o, w, values, place, textured, varies);
+                qtri_small_samples_pixel(o, pixel, w, values, place, textured, varies);
                 in += QTRI_SMALL_LANES;
                 out += QTRI_SMALL_LANES;
                 at++;
@@ -263,8 +264,8 @@ QTRI_BODY uint32_t qtri_small_curve_at_place(const qtri_small_curve *c, uint32_t
 }
 
 /* Curves are found anew for each pixel: with four samples that is little of it. */
-QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_walk *w,
-                                              const qtri_small_place *p,
+QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_body *pixel,
+                                              qtri_pixel_walk *w, const qtri_small_place *p,
                                               const qtri_small_samples *s,
                                               const qtri_small_sampled_values *values,
                                               qtri_small_curves *curves)
@@ -309,7 +310,7 @@ QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_
             if (p->cut && (x < p->left || x >= p->right)) {
                 w->samples = 0;
             }
-            qtri_small_samples_pixel(o, w, values, place, false, varies);
+            qtri_small_samples_pixel(o, pixel, w, values, place, false, varies);
             in += QTRI_SMALL_LANES;
             out += QTRI_SMALL_LANES;
             x++;
@@ -375,7 +376,7 @@ QTRI_BODY bool qtri_small_samples_curves(const qtri_options *o, qtri_small_sampl
 }
 
 /* False: it is large, and nothing was drawn. */
-QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
+QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_small *t)
 {
     qtri_small_samples s;
     qtri_small_place p;
@@ -425,21 +426,23 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_small *t)
         }
         w.axis = curves.axis;
         if (curves.is_curved) {
-            qtri_small_samples_fill_curved(o, &w, &p, &s, &values, &curves);
+            qtri_small_samples_fill_curved(o, pixel, &w, &p, &s, &values, &curves);
             return true;
         }
     }
     if (p.cut) {
         qtri_small_samples_cut(&s, p.left, p.right);
     }
-    qtri_small_samples_fill(o, &w, &p, &s, &values);
+    qtri_small_samples_fill(o, pixel, &w, &p, &s, &values);
     return true;
 }
 
 /* A small triangle, of any options. */
-QTRI_BODY bool qtri_small_instance_draw(const qtri_options *o, qtri_small *t)
+QTRI_BODY bool qtri_small_instance_draw(const qtri_options *o, qtri_pixel_body *pixel,
+                                        qtri_small *t)
 {
-    return qtri_has_samples(o) ? qtri_small_samples_draw(o, t) : qtri_small_triangle_draw(o, t);
+    return qtri_has_samples(o) ? qtri_small_samples_draw(o, pixel, t)
+                               : qtri_small_triangle_draw(o, pixel, t);
 }
 
 #ifdef __cplusplus
