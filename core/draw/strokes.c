@@ -10,7 +10,7 @@
 #include "checked.h"
 #include "mesh_job.h"
 
-enum { VERTICES = 8 }; /* on their way together */
+enum { VERTICES = 4 }; /* on their way together */
 
 /* Corners of one draw call on their way to the screen. */
 typedef struct stroke_job {
@@ -87,11 +87,6 @@ static void job_vertices(const stroke_job *job, uint32_t first, uint32_t count, 
     }
 }
 
-static void job_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out)
-{
-    job_vertices(job, corner, 1, out);
-}
-
 /* The two corners of a part. */
 static void corners_of(const stroke_job *job, uint32_t part, uint32_t corner[2])
 {
@@ -104,7 +99,7 @@ static void find_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out
     if (corner < job->kept) {
         *out = job->vertices[corner];
     } else {
-        job_vertex(job, corner, out);
+        any_vertex(job, corner, out);
     }
 }
 
@@ -224,7 +219,7 @@ void qtri_draw_polyline(const qtri_surface *surface, const qtri_view *view,
                           : view->vertex_count < corner_count ? view->vertex_count
                                                               : corner_count;
     for (uint32_t i = 0; i < kept; i++) {
-        job_vertex(&job, i, &view->vertices[i]);
+        any_vertex(&job, i, &view->vertices[i]);
     }
     job.vertices = view->vertices;
     job.kept = kept;
@@ -253,8 +248,8 @@ void qtri_draw_wide_lines(const qtri_surface *surface, const qtri_view *view,
         qtri_vertex v[2];
         job.corners = &corners[i];
         job.kept = 0;
-        job_vertex(&job, 0, &v[0]);
-        job_vertex(&job, 1, &v[1]);
+        any_vertex(&job, 0, &v[0]);
+        any_vertex(&job, 1, &v[1]);
         job.vertices = v;
         job.kept = 2;
         qtri_stroker_draw(&stroker, &source);

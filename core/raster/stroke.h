@@ -58,8 +58,8 @@ typedef struct qtri_stroke_window {
 
 /* What the points of one size share; see stroke_point.c. */
 typedef struct qtri_stroke_disc {
-    int32_t radius;       /* 24.8; 0: not set */
-    int32_t down;         /* 2^-down: from the square times 2^-16 to an area */
+    uint16_t radius;      /* 24.8; 0: not set */
+    uint16_t down;        /* 2^-down: from the square times 2^-16 to an area */
     uint32_t inverse_q30; /* of the radius: 2^30 / radius */
     uint32_t square;      /* of the radius, with 16 bits */
     int32_t area;         /* of a quarter */

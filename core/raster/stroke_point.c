@@ -22,7 +22,7 @@
 
 enum {
     COLUMNS = 33, /* of the widest point */
-    WEIGHTS = 256 /* of a block: all of a point of 15 pixels */
+    WEIGHTS = 200 /* of a block: all of a point of 13 pixels */
 };
 
 /* Where a row or a column begins, from the centre. */
@@ -71,11 +71,11 @@ void qtri_stroke_disc_init(qtri_stroke_disc *disc, int32_t radius)
     const uint32_t square = (uint32_t)(radius * radius); /* <= 2^24 */
     const int32_t zeros = qtri_clz32((uint32_t)radius);  /* >= 19 */
     const int32_t up = qtri_clz32(square) - 16;          /* to 16 bits: -9..15 */
-    disc->radius = radius;
+    disc->radius = (uint16_t)radius;                     /* <= QTRI_STROKE_POINT_RADIUS */
     /* Less than 2^30 / radius: 4 units are what the reciprocal may be off by. */
     disc->inverse_q30 = (qtri_reciprocal_near((uint32_t)radius << zeros) - 5) >> (32 - zeros);
     disc->square = up < 0 ? square >> -up : square << up;
-    disc->down = 16 + up;
+    disc->down = (uint16_t)(16 + up);
     disc->area = area_to(disc, radius);
 }
 
@@ -185,7 +185,7 @@ void qtri_stroker_draw_point(qtri_stroker *stroker, const qtri_point *center, in
     }
     block.rows = span.rows;
     if (stroker->disc.radius != radius) {
-        stroker->disc.radius = radius;
+        stroker->disc.radius = (uint16_t)radius;
         if (stroker->edges != NULL) {
             stroker->edges->set_disc(&stroker->disc, radius);
         }

@@ -17,24 +17,24 @@
 
 enum { COLUMNS = 480, PANELS = 3 };
 
-typedef struct panel {
+typedef struct plot_panel {
     const char *title;
     double low, high, step; /* of the axis; step: between marks, of a logarithmic axis a factor */
     double bottom, top, limit;
     int samples; /* a column, if it has as many inputs */
     bool is_logarithmic, is_magnitude;
     double radius_low, radius_high; /* of atan2: log2, raw */
-} panel;
+} plot_panel;
 
-typedef struct plot {
+typedef struct error_plot {
     const char *name, *title, *label;
     const verify_reference *reference;
     /* The error at input i of the column from x0 to x1. */
-    double (*error)(const struct plot *plot, const panel *panel, double x0, double x1, int i,
-                    uint64_t *seed);
+    double (*error)(const struct error_plot *plot, const plot_panel *panel, double x0, double x1,
+                    int i, uint64_t *seed);
     q16 (*function)(q16);
-    panel panels[PANELS];
-} plot;
+    plot_panel panels[PANELS];
+} error_plot;
 
 static double unit_random(uint64_t *seed)
 {
@@ -52,7 +52,7 @@ static double error_of(const verify_reference *reference, const q16 *argument, q
 }
 
 /* Every input where there are few, otherwise a random one; NaN behind the last. */
-static double curve(const plot *plot, const panel *panel, double x0, double x1, int i,
+static double curve(const error_plot *plot, const plot_panel *panel, double x0, double x1, int i,
                     uint64_t *seed)
 {
     const double first = ceil(65536 * x0), count = ceil(65536 * x1) - first;
@@ -64,7 +64,7 @@ static double curve(const plot *plot, const panel *panel, double x0, double x1, 
 }
 
 /* x is an angle of one turn; the input any of 10,000 turns. */
-static double phase(const plot *plot, const panel *panel, double x0, double x1, int i,
+static double phase(const error_plot *plot, const plot_panel *panel, double x0, double x1, int i,
                     uint64_t *seed)
 {
     if (!panel->is_magnitude) {
@@ -76,8 +76,8 @@ static double phase(const plot *plot, const panel *panel, double x0, double x1, 
 }
 
 /* x is a direction in degrees. */
-static double direction(const plot *plot, const panel *panel, double x0, double x1, int i,
-                        uint64_t *seed)
+static double direction(const error_plot *plot, const plot_panel *panel, double x0, double x1,
+                        int i, uint64_t *seed)
 {
     const double angle = (x0 + (x1 - x0) * unit_random(seed)) * PI / 180;
     const double radius =
@@ -87,7 +87,7 @@ static double direction(const plot *plot, const panel *panel, double x0, double 
     return error_of(plot->reference, a, q16_atan2(a[0], a[1]));
 }
 
-static const plot plots[] = {
+static const error_plot plots[] = {
     {"sin",
      "q16_sin: result minus sine, in ULP (1 ULP = 1/65536)",
      "x in radians",
@@ -124,14 +124,14 @@ static const plot plots[] = {
        true, true, 0, 0}}}};
 
 /* Where column c begins. */
-static double edge(const panel *panel, int c)
+static double edge(const plot_panel *panel, int c)
 {
     const double share = (double)c / COLUMNS;
     return panel->is_logarithmic ? panel->low * pow(panel->high / panel->low, share)
                                  : panel->low + (panel->high - panel->low) * share;
 }
 
-static void write_panel(FILE *file, const plot *plot, const panel *panel)
+static void write_panel(FILE *file, const error_plot *plot, const plot_panel *panel)
 {
     uint64_t seed = 5;
     fprintf(file,
@@ -167,7 +167,7 @@ static void write_panel(FILE *file, const plot *plot, const panel *panel)
 
 bool verify_plot(const char *name, FILE *file)
 {
-    const plot *plot = plots;
+    const error_plot *plot = plots;
     while (plot < plots + sizeof plots / sizeof *plots && strcmp(name, plot->name) != 0) {
         plot++;
     }

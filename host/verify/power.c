@@ -19,6 +19,11 @@
 #define q16_log  verify_q16_log
 #define q16_log2 verify_q16_log2
 #define q16_pow  verify_q16_pow
+q16 q16_exp(q16 x);
+q16 q16_exp2(q16 x);
+q16 q16_log(q16 x);
+q16 q16_log2(q16 x);
+q16 q16_pow(q16 x, q16 y);
 #include "../../core/math/q16_exp.c" /* NOLINT(bugprone-suspicious-include) */
 #undef q16_exp
 #undef q16_exp2

@@ -193,31 +193,6 @@ static inline void assert_chip_content(const chip *c)
     }
 }
 
-/* A model of display, its simulated controller and how it is connected. */
-typedef struct setup {
-    const char *name;
-    const qtri_panel_description *description;
-    wiring how;
-    int controller;
-    union {
-        chip chip;
-        ssd1306 ssd1306;
-        sh1106 sh1106;
-        ssd0323 ssd0323;
-        lcd lcd;
-        ssd1680 ssd1680;
-        ssd1351 ssd1351;
-        pcd8544 pcd8544;
-        sharp_lcd sharp;
-        uc8151 uc8151;
-    } sim;
-    wire wire;
-    uint8_t *memory;
-    qtri_panel panel;
-} setup;
-
-enum { SETUPS = 40 };
-
 /* The controllers that there are, each by its simulation. */
 typedef enum controller {
     SSD1306_CHIP,
@@ -240,6 +215,31 @@ typedef enum controller {
     ST7796_CHIP,
     GC9A01_CHIP
 } controller;
+
+/* A model of display, its simulated controller and how it is connected. */
+typedef struct setup {
+    const char *name;
+    const qtri_panel_description *description;
+    wiring how;
+    controller controller;
+    union {
+        chip chip;
+        ssd1306 ssd1306;
+        sh1106 sh1106;
+        ssd0323 ssd0323;
+        lcd lcd;
+        ssd1680 ssd1680;
+        ssd1351 ssd1351;
+        pcd8544 pcd8544;
+        sharp_lcd sharp;
+        uc8151 uc8151;
+    } sim;
+    wire wire;
+    uint8_t *memory;
+    qtri_panel panel;
+} setup;
+
+enum { SETUPS = 40 };
 
 /* A module: where its glass begins, how it is mounted and wired, memory that pins choose. */
 typedef struct module_entry {
