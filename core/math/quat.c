@@ -315,12 +315,20 @@ qtri_quat qtri_attitude_quat(const qtri_attitude *attitude)
     return qtri_quat_from_q30(unit.q_q30);
 }
 
-/* The exponential of a pure quaternion of length h along n: cos h + n sin h. */
-void qtri_attitude_integrate_deg(qtri_attitude *attitude, qtri_vec3 rate, q16 dt)
+/* The memory may hold anything; zero is the identity. */
+static void attitude_make_unit(qtri_attitude *attitude)
 {
-    QTRI_ASSERT(attitude != NULL);
-    const int64_t arc_q32[3] = {qtri_mul_s32(rate.x, dt), qtri_mul_s32(rate.y, dt),
-                                qtri_mul_s32(rate.z, dt)};
+    if (!qtri_unit(attitude->q_q30, attitude->q_q30, 4, 30)) {
+        attitude->q_q30[0] = (int32_t)1 << 30;
+    }
+}
+
+/*
+ * a exp(arc / 2) for a unit a and an arc about the body's axes, at most 2^62 each: the exponential
+ * of a pure quaternion of length h along n is cos h + n sin h.
+ */
+static void attitude_turn(qtri_attitude *attitude, const int64_t arc_q32[3])
+{
     int32_t arc[3];
     int32_t turn_q30[4];
     int32_t shift = qtri_fit32(arc, arc_q32, 3); /* 0..32 */
@@ -336,11 +344,17 @@ void qtri_attitude_integrate_deg(qtri_attitude *attitude, qtri_vec3 rate, q16 dt
     for (int i = 1; i < 4; i++) {
         turn_q30[i] = qtri_mul_q30(turn_q30[i], sine_q30);
     }
-    if (!qtri_unit(attitude->q_q30, attitude->q_q30, 4, 30)) { /* the memory may hold anything */
-        attitude->q_q30[0] = (int32_t)1 << 30;
-    }
     qtri_rotation_mul(attitude->q_q30, attitude->q_q30, turn_q30);
     (void)qtri_unit(attitude->q_q30, attitude->q_q30, 4, 30);
+}
+
+void qtri_attitude_integrate_deg(qtri_attitude *attitude, qtri_vec3 rate, q16 dt)
+{
+    QTRI_ASSERT(attitude != NULL);
+    const int64_t arc_q32[3] = {qtri_mul_s32(rate.x, dt), qtri_mul_s32(rate.y, dt),
+                                qtri_mul_s32(rate.z, dt)};
+    attitude_make_unit(attitude);
+    attitude_turn(attitude, arc_q32);
 }
 
 qtri_quat qtri_quat_integrate_deg(qtri_quat a, qtri_vec3 rate, q16 dt)
@@ -348,4 +362,73 @@ qtri_quat qtri_quat_integrate_deg(qtri_quat a, qtri_vec3 rate, q16 dt)
     qtri_attitude attitude = qtri_attitude_from_quat(a);
     qtri_attitude_integrate_deg(&attitude, rate, dt);
     return qtri_quat_from_q30(attitude.q_q30);
+}
+
+/* ---- From gyroscope and accelerometer ---- */
+
+#define DEGREES_A_RADIAN Q16(57.29577951)
+
+void qtri_attitude_filter_init(qtri_attitude_filter *filter, q16 gain, q16 offset_gain)
+{
+    QTRI_ASSERT(filter != NULL);
+    filter->attitude = qtri_attitude_from_quat(qtri_quat_identity());
+    for (int i = 0; i < 3; i++) {
+        filter->offset_q24[i] = 0;
+    }
+    filter->gain = gain;
+    filter->offset_gain = offset_gain;
+    filter->tolerance = Q16(.15);
+}
+
+/*
+ * The axis that turns the attitude's up to the force, times the sine of the angle between them;
+ * 0 where the force is not gravity. Sums of products of unit vectors are within 2^60.
+ */
+static void tilt_error(int32_t error_q30[3], const qtri_attitude_filter *filter, qtri_vec3 force)
+{
+    const q16 f[3] = {force.x, force.y, force.z};
+    int32_t force_q30[3];
+    int32_t body_to_world_q30[3][3];
+    int64_t excess = (int64_t)qtri_vec3_length(force) - Q16_ONE;
+    bool is_gravity = qtri_unit(force_q30, f, 3, 30) &&
+                      (excess < 0 ? -excess : excess) <= (int64_t)filter->tolerance;
+    qtri_rotation_matrix(body_to_world_q30, filter->attitude.q_q30);
+    const int32_t *up_q30 = body_to_world_q30[1];
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3;
+        int k = (i + 2) % 3;
+        int64_t sine_q60 =
+            qtri_mul_s32(force_q30[j], up_q30[k]) - qtri_mul_s32(force_q30[k], up_q30[j]);
+        error_q30[i] = is_gravity ? (int32_t)((sine_q60 + 0x20000000) >> 30) : 0;
+    }
+}
+
+/* gain * sine in degrees a second, in 2^-24: a product of 2^31 and 2^30 in 2^-46. */
+static int32_t feedback_q24(q16 gain, int32_t sine_q30)
+{
+    q16 degrees = q16_mul_sat(gain, DEGREES_A_RADIAN);
+    return qtri_saturate32((qtri_mul_s32(degrees, sine_q30) + 0x200000) >> 22);
+}
+
+void qtri_attitude_filter_step(qtri_attitude_filter *filter, qtri_vec3 rate, qtri_vec3 force,
+                               int32_t dt_q30)
+{
+    QTRI_ASSERT(filter != NULL);
+    const q16 measured[3] = {rate.x, rate.y, rate.z};
+    int32_t error_q30[3];
+    int64_t arc_q32[3];
+    attitude_make_unit(&filter->attitude);
+    tilt_error(error_q30, filter, force);
+    for (int i = 0; i < 3; i++) {
+        int64_t learned_q54 = qtri_mul_s32(feedback_q24(filter->offset_gain, error_q30[i]), dt_q30);
+        int32_t offset_q24 =
+            qtri_saturate32(filter->offset_q24[i] + ((learned_q54 + 0x20000000) >> 30));
+        int32_t correction_q24 =
+            qtri_saturate32((int64_t)offset_q24 + feedback_q24(filter->gain, error_q30[i]));
+        filter->offset_q24[i] = offset_q24;
+        /* 2^-46 and 2^-54, dt within 2 s: at most 2^48 and 2^40. */
+        arc_q32[i] = ((qtri_mul_s32(measured[i], dt_q30) + 0x2000) >> 14) +
+                     ((qtri_mul_s32(correction_q24, dt_q30) + 0x200000) >> 22);
+    }
+    attitude_turn(&filter->attitude, arc_q32);
 }

@@ -56,7 +56,7 @@ core_of  = $(lastword $(subst _, ,$1))
 
 # Programs: what runs on boards of each kind, and beside it the sources of the board itself.
 BOARD_LIBRARY  := $(wildcard core/*/*.c) tests/boards/board_scenes.c
-ATTITUDE       := tests/boards/attitude.c tests/boards/attitude_samples.c
+ATTITUDE       := tests/boards/attitude_samples.c
 board_program   = $(if $(board_show_$1),$(wildcard port/panels/*.c) tests/boards/display_program.c \
                   tests/boards/show_$(board_show_$1).c $(ATTITUDE),tests/boards/board_report.c) \
                   tests/boards/board_print.c
@@ -108,7 +108,7 @@ $(BOARD_DIR)/host/%.o: %.c port/boards/boards.mk
 
 -include $(shell find $(BOARD_DIR)/host -name '*.d' 2>/dev/null)
 
-# A test checks the attitude filter by itself.
+# A test runs the attitude filter on the recorded flight.
 $(HELPERS): $(call objects,$(ATTITUDE))
 
 # A target whose compiler or emulator is missing is skipped and named.

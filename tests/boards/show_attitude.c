@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * An aircraft above a grid, seen from behind, on an OLED of 128x64 grays; its attitude follows the
- * samples of a gyroscope and an accelerometer (attitude.h).
+ * recorded samples of a gyroscope and an accelerometer.
  */
 #include "attitude.h"
 #include "display_show.h"
@@ -9,7 +9,7 @@
 enum { WIDTH = 128, HEIGHT = 64, VERTICES = 22, TRIANGLES = 24, GRID_LINES = 18 };
 
 typedef struct attitude_memory {
-    attitude_filter filter;
+    qtri_attitude_filter filter;
     qtri_transform pose;
     qtri_vertex vertices[VERTICES];
     qtri_corner grid[2 * GRID_LINES];
@@ -63,7 +63,7 @@ static qtri_corner grid_corner(q16 x, q16 z)
 static void prepare(void *memory)
 {
     attitude_memory *m = memory;
-    attitude_init(&m->filter);
+    qtri_attitude_filter_init(&m->filter, Q16(1), Q16(.5));
     for (int32_t i = 0; i < GRID_LINES / 2; i++) {
         q16 across = (i - GRID_LINES / 4) * Q16(1.5);
         qtri_corner *line = &m->grid[4 * i];
@@ -78,7 +78,9 @@ static const char *advance(void *memory, uint32_t frame)
 {
     attitude_memory *m = memory;
     for (uint32_t i = 0; i < ATTITUDE_STRIDE; i++) {
-        attitude_step(&m->filter, &attitude_samples[frame * ATTITUDE_STRIDE + i]);
+        const attitude_sample *sample = &attitude_samples[frame * ATTITUDE_STRIDE + i];
+        qtri_attitude_filter_step(&m->filter, attitude_rate(sample), attitude_force(sample),
+                                  ((int32_t)1 << 30) / ATTITUDE_RATE_HZ);
     }
     qtri_transform_identity(&m->pose);
     qtri_transform_rotate_quat(&m->pose, qtri_attitude_quat(&m->filter.attitude));

@@ -354,6 +354,7 @@ static void mathematics(void)
     STOPS("out != v", qtri_mat4_times(m4.m[0], &m4, m4.m[0]));
     STOPS("m != NULL", (void)qtri_quat_from_mat3(NULL));
     STOPS("attitude != NULL", (void)qtri_attitude_quat(NULL));
+    STOPS("filter != NULL", qtri_attitude_filter_step(NULL, v, v, 0));
 }
 
 static void transforms(void)

@@ -56,7 +56,7 @@ done
 
 # Where int has 16 bits there are the mathematics and the transforms, and a clear word against the rest.
 if command -v avr-gcc >/dev/null; then
-    for header in q16 q16_trig q16_exp vec mat quat transform surface draw frame; do
+    for header in q16 vec mat quat transform surface draw frame; do
         echo "#include <qtri/$header.h>" >"$work/header.c"
         avr-gcc -mmcu=atmega1284p -std=c99 -Icore/include -c -o "$work/object" "$work/header.c" 2>"$work/said"
         case $?$header in

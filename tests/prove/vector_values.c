@@ -396,6 +396,16 @@ void prove_quat_rotate(void)
     qtri_attitude_integrate_deg(&attitude, vec3(), degrees);
 }
 
+// specified: zeros,qtri_sqrt64_floor,qtri_unit,qtri_sincos_deg_q30,qtri_rotation_mul
+// specified: qtri_rotation_matrix
+void prove_attitude_filter(void)
+{
+    qtri_attitude_filter filter = {
+        {{any(), any(), any(), any()}}, {any(), any(), any()}, any(), any(), any()};
+    qtri_attitude_filter_step(&filter, vec3(), vec3(), any());
+    qtri_attitude_filter_init(&filter, any(), any());
+}
+
 // specified: qtri_sqrt64_floor,qtri_unit,qtri_sincos_deg_q30,q16_atan2_deg,shortest_arc
 // specified: make_perpendicular,turn_towards
 void prove_quat_between(void)

@@ -47,6 +47,8 @@
 #define qtri_attitude_from_quat     checked_qtri_attitude_from_quat
 #define qtri_attitude_quat          checked_qtri_attitude_quat
 #define qtri_attitude_integrate_deg checked_qtri_attitude_integrate_deg
+#define qtri_attitude_filter_init   checked_qtri_attitude_filter_init
+#define qtri_attitude_filter_step   checked_qtri_attitude_filter_step
 #define qtri_quat_integrate_deg     checked_qtri_quat_integrate_deg
 #define qtri_dot                    checked_qtri_dot
 #define qtri_dot_cross              checked_qtri_dot_cross

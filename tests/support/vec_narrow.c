@@ -9,6 +9,8 @@
 #define qtri_attitude_from_quat     narrow_attitude_from_quat
 #define qtri_attitude_quat          narrow_attitude_quat
 #define qtri_attitude_integrate_deg narrow_attitude_integrate_deg
+#define qtri_attitude_filter_init   narrow_attitude_filter_init
+#define qtri_attitude_filter_step   narrow_attitude_filter_step
 #define qtri_quat_integrate_deg     narrow_quat_integrate_deg
 #define qtri_wide_to_q16            narrow_wide_to_q16
 #define qtri_wide_less              narrow_wide_less

@@ -86,6 +86,41 @@ qtri_attitude qtri_attitude_from_quat(qtri_quat a);
 qtri_quat qtri_attitude_quat(const qtri_attitude *attitude);
 void qtri_attitude_integrate_deg(qtri_attitude *attitude, qtri_vec3 rate, q16 dt);
 
+/*
+ * The attitude of a body from its gyroscope and its accelerometer, without their drift and noise:
+ * the explicit complementary filter of Mahony, Hamel and Pflimlin, "Nonlinear complementary filters
+ * on the special orthogonal group", IEEE Transactions on Automatic Control 53, 2008.
+ *
+ * The rates of the gyroscope are integrated. Where the world's up in the attitude and in the
+ * accelerometer differ, by an angle a about some axis, the attitude turns about it towards the
+ * accelerometer at gain * sin a radians a second, and the gyroscope's offset is learned at
+ * offset_gain * sin a radians a second each second. An offset_gain of 0 makes it the plain
+ * complementary filter, in which a constant offset of the gyroscope leaves a constant error of
+ * offset / gain. Turns about the vertical show in the gyroscope only: heading drifts.
+ *
+ * Axes of the body and its sensors are those of the renderer: x right, y up, z to the rear; the
+ * world's y is up. Offset and correction are at most 128 degrees a second about an axis, gains
+ * count up to +-571. Everything between is 2^-24 degrees a second and 2^-30 of the attitude.
+ */
+typedef struct qtri_attitude_filter {
+    qtri_attitude attitude; /* body to world */
+    int32_t offset_q24[3];  /* what is added to the rates, degrees a second in 2^-24 */
+    q16 gain;               /* 1/s: 1 / time constant; .1 to 2 are usual */
+    q16 offset_gain;        /* 1/s^2; gain^2 / 4 does not overshoot, 0: complementary */
+    q16 tolerance;          /* g: a force further from 1 than this is not taken for gravity */
+} qtri_attitude_filter;
+
+/* Level, heading along -z, no offset, tolerance .15 g. All fields may be set afterwards. */
+void qtri_attitude_filter_init(qtri_attitude_filter *filter, q16 gain, q16 offset_gain);
+
+/*
+ * One sample further, dt seconds in 2^-30: (1 << 30) / samples a second. The rate is in degrees a
+ * second, the force in g: of the body on its support, (0, 1, 0) when it lies level. dt below 0 goes
+ * back; a step turns by 65535 degrees at most.
+ */
+void qtri_attitude_filter_step(qtri_attitude_filter *filter, qtri_vec3 rate, qtri_vec3 force,
+                               int32_t dt_q30);
+
 #ifdef __cplusplus
 }
 #endif

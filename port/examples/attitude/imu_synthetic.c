@@ -25,10 +25,11 @@ imu_sample imu_read(void)
     q16 pitch_rate = q16_mul(Q16(24 * .6283185), q16_cos_deg(2 * turn));
     imu_sample sample;
     samples++;
-    sample.rate.x = pitch_rate + noise(Q16(1)) + Q16(.5);
-    sample.rate.y = noise(Q16(1));
+    /* Pitched, then banked, right wing down: rates of pitch are seen from the banked body. */
+    sample.rate.x = q16_mul(pitch_rate, q16_cos_deg(bank)) + noise(Q16(1)) + Q16(.5);
+    sample.rate.y = q16_mul(pitch_rate, q16_sin_deg(bank)) + noise(Q16(1));
     sample.rate.z = -bank_rate + noise(Q16(1)) - Q16(.8);
-    sample.force.x = q16_mul(q16_cos_deg(pitch), q16_sin_deg(bank)) + noise(Q16(.05));
+    sample.force.x = -q16_mul(q16_cos_deg(pitch), q16_sin_deg(bank)) + noise(Q16(.05));
     sample.force.y = q16_mul(q16_cos_deg(pitch), q16_cos_deg(bank)) + noise(Q16(.05));
     sample.force.z = -q16_sin_deg(pitch) + noise(Q16(.05));
     return sample;
