@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Spans of strokes, and lines, with options that are read for every pixel. */
 #define QTRI_PIPELINE_IS_ANY
+#define QTRI_PIXEL_IS_ALONE
 #include "line_path.h"
 
 static qtri_options options_of(const qtri_draw_state *state, bool is_lit)

@@ -63,20 +63,23 @@ static inline int32_t area_to(const qtri_stroke_disc *disc, int32_t x)
     at = at < fine_q30 ? at : 4 * at - 3 * fine_q30;
     const uint16_t *s = &sector[at >> 23];
     const uint32_t unit_q16 = s[0] + (((uint32_t)(s[1] - s[0]) * (at >> 7 & 0xFFFFu)) >> 16);
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): down is 7..31
     return (int32_t)((unit_q16 * disc->square) >> disc->down);
 }
 
 void qtri_stroke_disc_init(qtri_stroke_disc *disc, int32_t radius)
 {
     const uint32_t square = (uint32_t)(radius * radius); /* <= 2^24 */
-    const int32_t zeros = qtri_clz32((uint32_t)radius);  /* >= 19 */
+    const int32_t zeros = qtri_clz32((uint32_t)radius);  /* 19..31 */
     const int32_t up = qtri_clz32(square) - 16;          /* to 16 bits: -9..15 */
     disc->radius = (uint16_t)radius;                     /* <= QTRI_STROKE_POINT_RADIUS */
+    /* NOLINTBEGIN(clang-analyzer-core.UndefinedBinaryOperatorResult): a radius is not 0 */
     /* Less than 2^30 / radius: 4 units are what the reciprocal may be off by. */
     disc->inverse_q30 = (qtri_reciprocal_near((uint32_t)radius << zeros) - 5) >> (32 - zeros);
     disc->square = up < 0 ? square >> -up : square << up;
     disc->down = (uint16_t)(16 + up);
     disc->area = area_to(disc, radius);
+    /* NOLINTEND(clang-analyzer-core.UndefinedBinaryOperatorResult) */
 }
 
 /* A line between rows: where it is, and what it asks of corners. */
@@ -99,6 +102,7 @@ static inline line line_at(const qtri_stroke_disc *disc, int32_t y, bool is_roun
 /* A(x, y) */
 static inline int32_t area_at(const corner *c, const line *at)
 {
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): all columns are set
     const int32_t sign = (c->x ^ at->y) >> 31;
     return c->square <= at->rest ? c->x * at->y : ((c->area + at->area) ^ sign) - sign;
 }

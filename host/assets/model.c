@@ -238,11 +238,11 @@ struct model_box model_vertex_bounds(const struct model *model)
     return box;
 }
 
-void model_vertex_at(const double m[3][4], const struct model_vertex *vertex, double at[3])
+void model_vertex_at(const double world[3][4], const struct model_vertex *vertex, double at[3])
 {
     const double *p = vertex->position;
     for (int i = 0; i < 3; i++) {
-        at[i] = m[i][0] * p[0] + m[i][1] * p[1] + m[i][2] * p[2] + m[i][3];
+        at[i] = world[i][0] * p[0] + world[i][1] * p[1] + world[i][2] * p[2] + world[i][3];
     }
 }
 

@@ -83,7 +83,7 @@ static bool parse_color(struct mtl_parser *parser, struct line *line)
 static bool parse_opacity(struct mtl_parser *parser, struct line *line)
 {
     struct token token;
-    double value;
+    double value = 1.0;
     if (!line_token(line, &token) ||
         (!token_equals(&token, "-halo") &&
          number_parse_real(token.text, token.length, &value) != NUMBER_OK)) {

@@ -73,6 +73,13 @@ QTRI_BODY uint32_t qtri_body_shift(uint32_t x, uint32_t by)
 #define QTRI_BODY_ALONE static
 #endif
 
+/* A pixel: in place, but where a file has options at run time for strokes and lines. */
+#ifdef QTRI_PIXEL_IS_ALONE
+#define QTRI_BODY_PIXEL QTRI_BODY_ALONE
+#else
+#define QTRI_BODY_PIXEL QTRI_BODY
+#endif
+
 /* Before a loop of at most 8 steps: writes them out, once options are known. */
 #if defined(__GNUC__) && !defined(__clang__)
 #define QTRI_BODY_UNROLL _Pragma("GCC unroll 8")

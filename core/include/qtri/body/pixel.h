@@ -244,8 +244,8 @@ QTRI_BODY bool qtri_pixel_writes(const qtri_options *o, const qtri_pixel_walk *w
 }
 
 /* Draws a pixel of the walk, and steps. `bent`: steps of u and v grow. */
-QTRI_BODY void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool bent, uint8_t *pixel,
-                             uint8_t *depth)
+QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool bent,
+                                   uint8_t *pixel, uint8_t *depth)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t bytes = qtri_pixel_bytes(o);
