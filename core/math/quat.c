@@ -406,7 +406,7 @@ static void tilt_error(int32_t error_q30[3], const qtri_attitude_filter *filter,
 /* gain * sine in degrees a second, in 2^-24: a product of 2^31 and 2^30 in 2^-46. */
 static int32_t feedback_q24(q16 gain, int32_t sine_q30)
 {
-    q16 degrees = q16_mul_sat(gain, DEGREES_A_RADIAN);
+    const q16 degrees = qtri_saturate32((qtri_mul_s32(gain, DEGREES_A_RADIAN) + 0x8000) >> 16);
     return qtri_saturate32((qtri_mul_s32(degrees, sine_q30) + 0x200000) >> 22);
 }
 
