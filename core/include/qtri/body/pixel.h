@@ -296,8 +296,9 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
                 color = qtri_pixel_over(o, w, color, texel, qtri_load(bytes, pixel));
             }
             if (qtri_pixel_writes(o, w) && !early && (!o->covered || w->cover_writes)) {
-                if (QTRI_BODY_IS_SMALL && o->depth == QTRI_LINEAR16 && qtri_varies(o)) {
-                    /* a shift, no register */
+                if (QTRI_BODY_IS_SMALL && o->depth == QTRI_LINEAR16 &&
+                    (qtri_is_lit(o) || o->fog || qtri_reads_pixel(o))) {
+                    /* a shift, where registers are few */
                     QTRI_BODY_BARRIER(w->z);
                     z = qtri_depth_encode(o, surface, w->z);
                 }
