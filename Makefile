@@ -159,13 +159,13 @@ test-threads: ## Run the tests that have threads under the thread sanitizer
 .PHONY: test-memory
 test-memory: ## Run the tests of core and panels under clang's sanitizer for memory that was never written
 	@if sh tests/check/have_memory.sh; then \
-	    $(MAKE) -s $(PARALLEL) BUILD=build/memory CC=clang CFLAGS='$(SANITIZE_MEMORY)' CORE_FLAGS='$(PLAIN_C99)' $(UNOPTIMIZED) \
+	    $(MAKE) -s $(PARALLEL) BUILD=build/memory CC=clang CFLAGS='$(SANITIZE_MEMORY)' CORE_FLAGS='$(PLAIN_C99)' \
 	        TESTS='$(filter-out $(SLOW_IN_MEMORY),$(filter test_core_% test_panel_%,$(TESTS)))' test-plain; \
 	fi
 
 .PHONY: test-narrow
 test-narrow: ## Run the tests of core with the code of cores that have no long multiply and no divide
-	@$(MAKE) -s $(PARALLEL) BUILD=build/narrow CFLAGS='$(NARROW)' $(UNOPTIMIZED) TESTS='$(filter test_core_%,$(TESTS))' test-plain
+	@$(MAKE) -s $(PARALLEL) BUILD=build/narrow CFLAGS='$(NARROW)' TESTS='$(filter test_core_%,$(TESTS))' test-plain
 
 .PHONY: test-fuzz fuzzers
 test-fuzz: ## Run the fuzz targets under both sanitizers, FUZZ_SECONDS each, with clang
