@@ -54,8 +54,8 @@ PLAIN_C99 := -U__GNUC__ -fno-strict-aliasing
 # Minutes there: what the first draws the others draw too, and of the mathematics it is proved (make prove).
 SLOW_IN_MEMORY := test_core_perspective test_core_vec test_core_mat
 
-# Minutes to compile there: the pipelines' other tests draw by the same body. What makes pipelines is
-# compiled without optimisation, which takes a second, not minutes.
+# Minutes to compile there: the pipelines' other tests draw by the same body. For threads and fuzzing what makes
+# pipelines is compiled without optimisation.
 SLOW_TO_SANITIZE := test_pipeline_random
 UNOPTIMIZED      := PIPELINE_FLAGS=-O0
 
@@ -149,7 +149,7 @@ test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=te
 
 .PHONY: test-sanitized
 test-sanitized: ## Run them under the address and undefined-behaviour sanitizers
-	@$(MAKE) -s $(PARALLEL) BUILD=build/sanitize CFLAGS='$(SANITIZE)' $(UNOPTIMIZED) TESTS='$(filter-out $(SLOW_TO_SANITIZE),$(TESTS))' test-plain
+	@$(MAKE) -s $(PARALLEL) BUILD=build/sanitize CFLAGS='$(SANITIZE)' TESTS='$(filter-out $(SLOW_TO_SANITIZE),$(TESTS))' test-plain
 
 .PHONY: test-threads
 test-threads: ## Run the tests that have threads under the thread sanitizer
