@@ -7,7 +7,6 @@
 #include "support/q16.h"
 
 #include "bits/bits.h"
-#include "bits/reciprocal.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -11,7 +11,7 @@
 #include <float.h>
 
 #include "generate/coefficients.h"
-#include "math/trig.h"
+#include "math/q16_trig.h"
 
 static const long double pi = 3.14159265358979323846264338327950288L;
 

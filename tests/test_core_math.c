@@ -5,7 +5,7 @@
 #include "support/core.h"
 
 #include "bits/bits.h"
-#include "math/trig.h"
+#include "math/q16_trig.h"
 #include "bits/wide.h"
 #include "support/math_checked.h"
 #include "support/q16.h"

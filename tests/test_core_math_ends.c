@@ -6,7 +6,6 @@
 #include "support/core.h"
 
 #include "bits/bits.h"
-#include "bits/reciprocal.h"
 
 #include <qtri/mat.h>
 #include <qtri/q16.h>

@@ -8,7 +8,6 @@
 #include <limits.h>
 
 #include "bits/bits.h"
-#include "bits/reciprocal.h"
 
 static const q16_build library = Q16_BUILD("library");
 static const q16_build *const builds[] = {&library, &q16_narrow_build, &q16_checked_build};

@@ -4,7 +4,6 @@
  */
 
 #include "bits.h"
-#include "reciprocal.h"
 
 uint64_t qtri_mul_high64(uint64_t a, uint64_t b)
 {

@@ -32,7 +32,6 @@
 #include "edge_pass.h"
 
 #include "../bits/bits.h"
-#include "../bits/reciprocal.h"
 #include "../filter/mix.h"
 #include "../frame/barrier.h"
 #include "../frame/depth_format.h"

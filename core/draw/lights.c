@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "lights.h"
 
-#include "per_pixel.h"
 #include "checked.h"
 
 #define LIT 0x1000000u /* a colour in memory, 8 bits a channel, is one; 0: not lit yet */

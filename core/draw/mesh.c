@@ -5,7 +5,6 @@
 #include "checked.h"
 #include "lights.h"
 #include "mesh_faces.h"
-#include "per_pixel.h"
 #include "qtri/body/pixel.h"
 #include "../raster/samples.h"
 

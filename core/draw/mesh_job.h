@@ -8,6 +8,7 @@
 
 #include "qtri/light.h"
 
+#include "../geometry/illumination.h"
 #include "../geometry/lighting.h"
 #include "../bits/bits.h"
 #include "primitive.h"
@@ -298,6 +299,34 @@ static inline uint32_t qtri_mesh_note(const qtri_mesh_job *draw, uint32_t number
 {
     return draw->vertices[number / QTRI_NOTES].index >> number % QTRI_NOTES * QTRI_NOTE_BITS &
            QTRI_EDGES_ALL;
+}
+
+/* The place of a vertex, where the job's illumination counts from. */
+QTRI_IN_PLACE void qtri_lit_vertex_place(qtri_lit_point *point, const qtri_mesh_job *draw,
+                                         uint32_t index)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    if (mesh->positions16 != NULL) {
+        qtri_illuminated_place16(point, draw->illumination, &mesh->positions16[index]);
+    } else {
+        qtri_illuminated_place(point, draw->illumination, &mesh->positions[index]);
+    }
+}
+
+/* The normal of a vertex of a mesh that has some, Q14: of 8 bits it is shorter by 1/128. */
+static inline void qtri_lit_vertex_normal(int32_t n[3], const qtri_mesh *mesh, uint32_t index)
+{
+    if (mesh->normals8 != NULL) {
+        const qtri_normal8 *normal = &mesh->normals8[index];
+        n[0] = normal->x * 128;
+        n[1] = normal->y * 128;
+        n[2] = normal->z * 128;
+    } else {
+        const qtri_normal *normal = &mesh->normals[index];
+        n[0] = normal->x;
+        n[1] = normal->y;
+        n[2] = normal->z;
+    }
 }
 
 #endif

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "per_pixel.h"
 
-#include "../raster/pixel_light.h"
-#include "lights.h"
+#include "mesh_job.h"
 
 /* The normal of a triangle. */
 static void get_face_normal(int32_t n[3], const qtri_mesh *mesh, const uint32_t index[3])

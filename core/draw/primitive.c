@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh_job.h"
-#include "per_pixel.h"
 
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
                                const qtri_view *view, const qtri_material *material, int shade)

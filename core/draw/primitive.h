@@ -14,8 +14,11 @@
 #include "../raster/draw_state.h"
 #include "../raster/large.h"
 #include "../raster/line.h"
+#include "../raster/pixel_light.h"
 #include "../raster/stroke_pixels.h"
 #include "../raster/triangle.h"
+
+struct qtri_mesh_job;
 
 /* Where a draw call draws to and how. */
 typedef struct qtri_primitive {
@@ -33,6 +36,27 @@ typedef struct qtri_primitive {
     } to;
     qtri_projector projector;
 } qtri_primitive;
+
+/*
+ * What &qtri_per_pixel adds to draw calls with a view's lights: reached through the material's
+ * shading, so that an application that does not name it does not link it. In per_pixel.c.
+ */
+struct qtri_by_pixel {
+    const qtri_pipeline *const *pipelines; /* before the generic one of a view's */
+    /* Calls `body` while triangles are drawn by pixel. */
+    void (*run)(qtri_primitive *primitive, const qtri_illumination *by, qtri_lit_body body,
+                void *with);
+    /* Before each triangle: its corners. Those of a mesh, and one of another. */
+    void (*note)(const struct qtri_mesh_job *draw, const void *indices, bool is_back);
+    void (*set)(const qtri_primitive *primitive, int i, const qtri_lit_point *point,
+                const qtri_rgb *color);
+};
+
+/* That of a material that draws solid triangles; NULL: they are lit by vertex or by face. */
+static inline const qtri_by_pixel *qtri_by_pixel_of(const qtri_material *material)
+{
+    return material->fill == NULL ? qtri_shading_of(material)->by_pixel : NULL;
+}
 
 /* A vertex of what clipping left of a triangle, on the screen. */
 typedef struct qtri_fan_vertex {

@@ -6,7 +6,6 @@
 
 #include "checked.h"
 #include "lights.h"
-#include "per_pixel.h"
 #include "qtri/draw.h"
 
 #include "../bits/bits.h"

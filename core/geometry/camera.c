@@ -9,7 +9,7 @@
 #include <stddef.h>
 
 #include "../bits/bits.h"
-#include "../math/trig.h"
+#include "../math/q16_trig.h"
 #include "plain.h"
 #include "row.h"
 

@@ -8,7 +8,6 @@
 #include <stddef.h>
 
 #include "../bits/bits.h"
-#include "../bits/reciprocal.h"
 #include "cull.h"
 
 /* Position i, rounded down or up to Q16.16 on all axes. */

@@ -6,7 +6,7 @@
 #include "qtri/error.h"
 #include "qtri/q16.h"
 
-#include "../bits/reciprocal.h"
+#include "../bits/bits.h"
 #include "illumination.h"
 #include "row.h"
 

@@ -2,8 +2,8 @@
 /*
  * Kinds of light: directional, point and spot. A program links those that its sources name.
  */
-#include "../bits/reciprocal.h"
-#include "../math/trig.h"
+#include "../bits/bits.h"
+#include "../math/q16_trig.h"
 #include "illumination.h"
 
 /* ---- Directional lights ---- */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "lighting.h"
 
-#include "../bits/reciprocal.h"
+#include "../bits/bits.h"
 #include "../math/unit.h"
 #include "projector.h"
 

@@ -9,7 +9,7 @@
 #include "qtri/mesh.h"
 #include "qtri/view.h"
 
-#include "../bits/reciprocal.h"
+#include "../bits/bits.h"
 #include "row.h"
 
 /*

@@ -5,7 +5,6 @@
 #include "qtri/q16.h"
 
 #include "../bits/bits.h"
-#include "../bits/reciprocal.h"
 
 /*
  * Sums and products of Q16.16, and what rounds them.

@@ -7,7 +7,7 @@
 
 #include "../bits/bits.h"
 #include "coefficients.h"
-#include "trig.h"
+#include "q16_trig.h"
 
 /* ---- Sine and cosine at 30 fraction bits ---- */
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "rotation.h"
 
-#include "trig.h"
+#include "q16_trig.h"
 #include "unit.h"
 
 #define ONE_Q30                ((int32_t)1 << 30)

@@ -2,7 +2,6 @@
 #include "contour.h"
 
 #include "../bits/bits.h"
-#include "../bits/reciprocal.h"
 
 /*
  * Columns of a row from which on the contour has turned around differently, in their order. Edges

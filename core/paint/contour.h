@@ -9,23 +9,7 @@
 #ifndef QTRI_PAINT_CONTOUR_H
 #define QTRI_PAINT_CONTOUR_H
 
-#include <stdbool.h>
-
-#include "qtri/error.h"
-#include "qtri/paint.h"
-
-#include "../frame/pixel.h"
-
-/* The brush, made ready for a surface. */
-typedef struct qtri_painter {
-    const qtri_surface *surface;
-    const qtri_ink *ink;
-    qtri_rect bounds;       /* not empty */
-    uint32_t stored;        /* the brush's colour as a pixel */
-    qtri_channels channels; /* and exactly; only with an ink, */
-    uint32_t color_888;     /*   as 0x00RRGGBB as well */
-    uint32_t alpha;         /* 1..255 */
-} qtri_painter;
+#include "painter.h"
 
 /* x = center_x + side sqrt(r r - (y - center_y)^2). */
 typedef struct qtri_ink_arc {
@@ -79,84 +63,12 @@ void qtri_ink_edge_set_line(qtri_ink_edge *edge, const qtri_point *from, const q
 /* Edge i of a contour; false: a side of the polygon is horizontal. */
 bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *edge);
 
-/* Bits of a glyph: of each row `width` from bit `skip` on, the highest bit first. */
-typedef struct qtri_ink_bits {
-    const uint8_t *row;
-    int32_t stride;        /* bytes of a row */
-    int32_t skip;          /* 0..254 */
-    int32_t width, height; /* > 0 */
-} qtri_ink_bits;
-
-/* Up to eight bits of a row from bit `at` on, the first in the highest of eight; 0 behind them. */
-static inline uint32_t qtri_ink_bits_at(const uint8_t *row, int32_t at, int32_t count)
-{
-    const uint8_t *byte = row + (at >> 3);
-    const uint32_t shift = (uint32_t)at & 7;
-    uint32_t value = (uint32_t)*byte << shift;
-    if (shift + (uint32_t)count > 8) {
-        value |= (uint32_t)byte[1] >> (8 - shift);
-    }
-    return value & 0xFF & (0xFF00u >> count);
-}
-
-struct qtri_ink {
-    /* `count` > 0 pixels from `at` on, covered by the same share, 1..255. */
-    void (*span)(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage);
-    /* One share each, 0..255. */
-    void (*cover)(const qtri_painter *painter, uint8_t *at, int32_t count, const uint8_t *coverage);
-    /* Whole pixels that have a bit, `at` being that of the first. */
-    void (*bits)(const qtri_painter *painter, uint8_t *at, const qtri_ink_bits *bits);
-    /* A row of a contour, and a rectangle. */
-    void (*row)(const qtri_painter *painter, const qtri_contour *contour, int32_t row);
-    void (*rect)(const qtri_painter *painter, const qtri_area *box);
-};
-
-/* False: nothing is to be painted. */
-bool qtri_painter_begin(qtri_painter *painter, const qtri_surface *surface,
-                        const qtri_brush *brush);
-
-/* Where a pixel of a row that is held is stored. */
-uint8_t *qtri_painter_at(const qtri_painter *painter, int32_t x, int32_t row);
-
-/* Columns x0..x1-1 of a row within bounds, clipped, covered by one share, 1..255. */
-void qtri_painter_span(const qtri_painter *painter, int32_t row, int32_t x0, int32_t x1,
-                       uint32_t coverage);
-
-/* Whole pixels of a rectangle, clipped. */
-void qtri_painter_rect(const qtri_painter *painter, const qtri_rect *rect);
-
-/* Those whose centres lie inside: what rows and rectangles become without smooth edges. */
+/* Pixels of a row whose centres lie inside: what it becomes without smooth edges. */
 void qtri_hard_row(const qtri_painter *painter, const qtri_contour *contour, int32_t row);
-void qtri_hard_rect(const qtri_painter *painter, const qtri_area *box);
 
 /* Paints a contour. */
 void qtri_paint_contour(const qtri_surface *surface, const qtri_contour *contour,
                         const qtri_brush *brush);
-
-/* Blended pixels, in any format; see painter.c. */
-void qtri_blend_span(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage);
-void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
-                      const uint8_t *coverage);
-void qtri_blend_bits(const qtri_painter *painter, uint8_t *to, const qtri_ink_bits *bits);
-
-/* The first pixel whose centre lies at x or behind it. */
-static inline int32_t qtri_pixel_from(int32_t x_24p8)
-{
-    return (x_24p8 + 127) >> 8;
-}
-
-static inline int32_t qtri_hold_24p8(int32_t x)
-{
-    return x < -QTRI_PAINT_MAX_24P8 ? -QTRI_PAINT_MAX_24P8
-                                    : (x > QTRI_PAINT_MAX_24P8 ? QTRI_PAINT_MAX_24P8 : x);
-}
-
-static inline qtri_area qtri_hold_area(const qtri_area *box)
-{
-    qtri_area held = {qtri_hold_24p8(box->x0_24p8), qtri_hold_24p8(box->y0_24p8),
-                      qtri_hold_24p8(box->x1_24p8), qtri_hold_24p8(box->y1_24p8)};
-    return held;
-}
 
 /* ---- The edges of a contour that cross a row ---- */
 

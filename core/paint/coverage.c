@@ -2,7 +2,6 @@
 #include "coverage.h"
 
 #include "../bits/bits.h"
-#include "../bits/reciprocal.h"
 
 /* An edge from left to right. */
 typedef struct edge {

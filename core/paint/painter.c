@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The brush on rows of pixels: opaque, and blended. */
-#include "contour.h"
+#include "painter.h"
 
 #include "mix_stored.h"
 

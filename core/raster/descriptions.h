@@ -29,7 +29,7 @@ struct qtri_filter {
     void (*begin)(qtri_draw_state *state); /* mipmapped: makes state->texture its first level */
 };
 
-typedef struct qtri_by_pixel qtri_by_pixel; /* see ../draw/per_pixel.h */
+typedef struct qtri_by_pixel qtri_by_pixel; /* see ../draw/primitive.h */
 
 struct qtri_shading {
     uint8_t provoking; /* the vertex whose colour all have, 0 or 2 */

@@ -9,7 +9,7 @@
 #ifndef QTRI_RASTER_DIVIDER_H
 #define QTRI_RASTER_DIVIDER_H
 
-#include "../bits/reciprocal.h"
+#include "../bits/bits.h"
 
 typedef struct qtri_divider {
     uint32_t divisor;

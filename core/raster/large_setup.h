@@ -11,10 +11,9 @@
 
 #include "qtri/body/large.h"
 
-#include "../bits/reciprocal.h"
+#include "../bits/bits.h"
 
 #include "dda.h"
-#include "large.h"
 
 enum {
     QTRI_LARGE_CHUNK_LOG2 = 7, /* points begin anew every 2^this pixels of a row */

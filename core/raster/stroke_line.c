@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "../bits/bits.h"
-#include "../bits/reciprocal.h"
 #include "../filter/mix.h"
 #include "line_path.h"
 

@@ -18,7 +18,6 @@
 #include "stroke.h"
 
 #include "../bits/bits.h"
-#include "../bits/reciprocal.h"
 
 enum {
     COLUMNS = 33, /* of the widest point */

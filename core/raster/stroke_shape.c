@@ -2,7 +2,6 @@
 #include "stroke_shape.h"
 
 #include "../bits/bits.h"
-#include "../bits/reciprocal.h"
 
 /* Discs ---------------------------------------------------------------------------------------- */
 

@@ -2,7 +2,7 @@
 /* What is between four texels with alpha. */
 #include "qtri/body/state.h"
 
-#include "../bits/reciprocal.h"
+#include "../bits/bits.h"
 
 /* Shares of a pixel's texels, of their sum, times how opaque they are: 2^30 at most in all. */
 typedef struct shares {

@@ -1,91 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads the text of a scene, and the files that it names. */
-#define _XOPEN_SOURCE 700
+/* Reads the text of a scene. */
+#define _XOPEN_SOURCE 700 /* realpath */
 #include "scene.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "scene_parser.h"
-
-/* ---- Files that a scene names ---- */
-
-/* An absolute path as it is, another one in the folder of the scene file. NULL with the error. */
-static char *join_path(struct scene_parser *parser, int argument)
-{
-    const struct token *token = &parser->arguments[argument];
-    if (token_is_binary(token)) {
-        scene_fail_argument(parser, argument, "is not a file name");
-        return NULL;
-    }
-    const char *slash = token->text[0] == '/' ? NULL : strrchr(parser->name, '/');
-    size_t folder = slash == NULL ? 0 : (size_t)(slash - parser->name) + 1;
-    char *path = malloc(folder + token->length + 1);
-    if (path == NULL) {
-        scene_fail(parser, "out of memory");
-        return NULL;
-    }
-    memcpy(path, parser->name, folder);
-    memcpy(path + folder, token->text, token->length);
-    path[folder + token->length] = '\0';
-    return path;
-}
-
-/* Whether the scene may read it, see scene_read_below(). */
-static bool is_allowed(struct scene_parser *parser, const char *path,
-                       const struct file_identity *identity)
-{
-    struct file_identity output;
-    if (parser->output != NULL && file_inspect(parser->output, &output) == FILE_REGULAR &&
-        file_is_same(&output, identity)) {
-        text_error_set(parser->error, parser->name, parser->line, "%s: %s would be overwritten",
-                       parser->statement->name, path);
-        return false;
-    }
-    if (parser->root == NULL) {
-        return true;
-    }
-    const size_t length = strlen(parser->root);
-    char *real = realpath(path, NULL);
-    const bool below = real != NULL && strncmp(real, parser->root, length) == 0 &&
-                       (real[length] == '/' || length == 1);
-    free(real);
-    if (!below) {
-        text_error_set(parser->error, parser->name, parser->line,
-                       "%s: %s is not below the scene's folder (--allow-files)",
-                       parser->statement->name, path);
-    }
-    return below;
-}
-
-/* Devices and pipes are refused: a scene from elsewhere should not be able to make us wait. */
-static bool inspect(struct scene_parser *parser, const char *path, struct file_identity *identity)
-{
-    switch (file_inspect(path, identity)) {
-    case FILE_REGULAR:
-        return is_allowed(parser, path, identity);
-    case FILE_MISSING:
-        text_error_set(parser->error, parser->name, parser->line, "%s: %s does not exist",
-                       parser->statement->name, path);
-        return false;
-    case FILE_OTHER:
-        break;
-    }
-    text_error_set(parser->error, parser->name, parser->line, "%s: %s is not an ordinary file",
-                   parser->statement->name, path);
-    return false;
-}
-
-char *scene_path(struct scene_parser *parser, int argument, struct file_identity *identity)
-{
-    struct file_identity own = {0};
-    char *path = join_path(parser, argument);
-    if (path != NULL && !inspect(parser, path, identity != NULL ? identity : &own)) {
-        free(path);
-        return NULL;
-    }
-    return path;
-}
 
 /* ---- Lines ---- */
 

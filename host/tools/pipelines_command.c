@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "../../core/draw/per_pixel.h"
+#include "../../core/raster/descriptions.h"
 #include "../../core/draw/pipeline_x4.h"
 #include "../../core/raster/samples.h"
 #include "commands.h"

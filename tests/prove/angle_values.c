@@ -11,7 +11,7 @@
 #include "__fc_builtin.h"
 
 #include "bits/bits.h"
-#include "math/trig.h"
+#include "math/q16_trig.h"
 #include "qtri/q16.h"
 
 #include "products.h"

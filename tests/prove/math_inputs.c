@@ -11,8 +11,7 @@
 #include <string.h>
 
 #include "bits/bits.h"
-#include "bits/reciprocal.h"
-#include "math/trig.h"
+#include "math/q16_trig.h"
 #include "qtri/q16.h"
 
 /* Whose own functions no other file sees. */

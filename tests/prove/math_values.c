@@ -13,7 +13,6 @@
 #include "__fc_builtin.h"
 
 #include "bits/bits.h"
-#include "bits/reciprocal.h"
 #include "qtri/q16.h"
 
 #include "products.h"

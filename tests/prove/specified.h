@@ -6,7 +6,7 @@
 #ifndef QTRI_TESTS_PROVE_SPECIFIED_H
 #define QTRI_TESTS_PROVE_SPECIFIED_H
 
-#include "bits/reciprocal.h"
+#include "bits/bits.h"
 
 /*@ requires 32768 <= x <= 65536;
     assigns \result \from x;

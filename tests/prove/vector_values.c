@@ -14,7 +14,7 @@
 #include "bits/bits.h"
 #include "bits/wide.h"
 #include "math/rotation.h"
-#include "math/trig.h"
+#include "math/q16_trig.h"
 #include "math/unit.h"
 #include "qtri/quat.h"
 #include "qtri/vec.h"

@@ -197,7 +197,7 @@ QTRI_BODY uint32_t qtri_small_reciprocal(uint32_t x)
 {
 #if QTRI_DIVIDE
     return 0x80000000u / x;
-#else /* as core/bits/reciprocal.h */
+#else /* as core/bits/bits.h */
     const uint32_t r_q14 = 46260u - ((x * 30840u) >> 16);
     const uint32_t r_q15 = (r_q14 * (131192u - ((x * r_q14) >> 14))) >> 15;
     const int32_t error_q31 = (int32_t)(0x80000000u - x * r_q15);

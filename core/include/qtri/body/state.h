@@ -149,6 +149,19 @@ uint32_t qtri_depth_encode_float16(uint32_t z_16p16);
 /* The octave of a depth with the half that rounds linear16. */
 qtri_octave qtri_depth_octave(uint32_t z);
 
+/* A vertex of a large triangle but for its place on the screen; what options do not ask for need
+ * not be set. */
+typedef struct qtri_large_vertex {
+    uint32_t depth_16p16; /* <= 65535.0 */
+    uint32_t inv_w_q31;   /* 2^30..2^31 */
+    int32_t inv_w_exponent;
+    uint32_t light_q15;    /* with QTRI_LIGHT */
+    int32_t color_8p16[3]; /* with QTRI_COLORS */
+    int64_t u_q32, v_q32;  /* 2^32 is a repeat */
+    int16_t rest[2];       /* of x and y: the true place less the snapped one, 2^-24 pixel */
+    uint32_t alpha_q16;    /* with vertex_alpha */
+} qtri_large_vertex;
+
 #ifdef __cplusplus
 }
 #endif

@@ -3,8 +3,8 @@
  * Sine and cosine with the precision that rotations need, and the angle that atan2, asin and acos
  * share. Internal.
  */
-#ifndef QTRI_MATH_TRIG_H
-#define QTRI_MATH_TRIG_H
+#ifndef QTRI_MATH_Q16_TRIG_H
+#define QTRI_MATH_Q16_TRIG_H
 
 #include <stdbool.h>
 #include <stdint.h>
