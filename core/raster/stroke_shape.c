@@ -188,7 +188,6 @@ void qtri_stroke_shape_init(qtri_stroke_shape *s, const qtri_stroke_place *place
     s->b = end[1 - upper];
     s->round_a = is_round[upper];
     s->round_b = is_round[1 - upper];
-    s->is_disc = s->length_24p8 == 0 && s->round_a && s->round_b;
     set_outline(s, upper != 0 ? -out_x : out_x, upper != 0 ? -out_y : out_y);
 }
 
@@ -288,17 +287,6 @@ static void set_end(qtri_stroke_shape *s, int side, bool is_upper, int32_t top, 
 
 void qtri_stroke_shape_find(qtri_stroke_shape *s, int side, int32_t y)
 {
-    if (s->is_disc && s->ring != NULL) {
-        qtri_stroke_piece *left = &s->piece[0];
-        qtri_stroke_piece *right = &s->piece[1];
-        set_arc(right, s->ring, &s->a, 1, y);
-        left->top = right->top;
-        left->bottom = right->bottom;
-        left->x0 = 2 * s->a.x_24p8 - right->x0;
-        left->x1 = 2 * s->a.x_24p8 - right->x1;
-        left->slope_q16 = -right->slope_q16;
-        return;
-    }
     const int32_t sign = (side == 0) == s->is_left ? 1 : -1; /* of the offset, on this bound */
     const int32_t y0 = s->a.y_24p8 + sign * s->offset_y;
     const int32_t y1 = s->b.y_24p8 + sign * s->offset_y;

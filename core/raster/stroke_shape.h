@@ -61,7 +61,6 @@ typedef struct qtri_stroke_shape {
     int64_t slope_q32; /* x for y along the long sides */
     uint8_t cut;       /* and their pieces' height, 2^cut */
     bool round_a, round_b;
-    bool is_disc;               /* without a length, and round */
     bool is_left;               /* a + offset is on the left bound, a - offset on the right one */
     qtri_stroke_piece piece[2]; /* of the left bound and of the right one, found last */
     int32_t min_x, max_x;       /* of what it covers of the row */
