@@ -43,6 +43,13 @@ typedef struct chip_model {
     uint32_t (*pixel)(const chip *it, int x, int y); /* seen: 0x00RRGGBB */
 } chip_model;
 
+/* A model of the file that has `commands` and these four functions. */
+#define CHIP_MODEL(name, commands, parameters_are_data)                                            \
+    {                                                                                              \
+        (name), (commands), sizeof(commands) / sizeof(commands)[0], (parameters_are_data), reset,  \
+            execute, store, pixel                                                                  \
+    }
+
 struct chip {
     const chip_model *model;
     char error[160]; /* the first complaint, or "" */

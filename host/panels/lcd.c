@@ -245,94 +245,45 @@ static void init(lcd *s, const chip_model *model, const lcd_glass *glass, int wi
 void ili9341_init(lcd *s)
 {
     static const lcd_glass glass = {240, 320, 0, 0, true, true, false, false};
-    static const chip_model model = {"ILI9341",
-                                     ili9341_commands,
-                                     sizeof ili9341_commands / sizeof ili9341_commands[0],
-                                     true,
-                                     reset,
-                                     execute,
-                                     store,
-                                     pixel};
+    static const chip_model model = CHIP_MODEL("ILI9341", ili9341_commands, true);
     init(s, &model, &glass, 240, 320);
 }
 
 void st7789_init(lcd *s, const lcd_glass *glass)
 {
-    static const chip_model model = {"ST7789",
-                                     st7789_commands,
-                                     sizeof st7789_commands / sizeof st7789_commands[0],
-                                     true,
-                                     reset,
-                                     execute,
-                                     store,
-                                     pixel};
+    static const chip_model model = CHIP_MODEL("ST7789", st7789_commands, true);
     init(s, &model, glass, 240, 320);
 }
 
 void st7735_init(lcd *s, const lcd_glass *glass, int width, int height)
 {
-    static const chip_model model = {"ST7735",
-                                     st7735_commands,
-                                     sizeof st7735_commands / sizeof st7735_commands[0],
-                                     true,
-                                     reset,
-                                     execute,
-                                     store,
-                                     pixel};
+    static const chip_model model = CHIP_MODEL("ST7735", st7735_commands, true);
     init(s, &model, glass, width, height);
 }
 
 void gc9a01_init(lcd *s, const lcd_glass *glass)
 {
-    static const chip_model model = {"GC9A01",
-                                     gc9a01_commands,
-                                     sizeof gc9a01_commands / sizeof gc9a01_commands[0],
-                                     true,
-                                     reset,
-                                     execute,
-                                     store,
-                                     pixel};
+    static const chip_model model = CHIP_MODEL("GC9A01", gc9a01_commands, true);
     init(s, &model, glass, 240, 240);
 }
 
 void ili9342_init(lcd *s, const lcd_glass *glass)
 {
-    static const chip_model model = {"ILI9342",
-                                     ili9342_commands,
-                                     sizeof ili9342_commands / sizeof ili9342_commands[0],
-                                     true,
-                                     reset,
-                                     execute,
-                                     store,
-                                     pixel};
+    static const chip_model model = CHIP_MODEL("ILI9342", ili9342_commands, true);
     init(s, &model, glass, 320, 240);
     s->locked = true;
 }
 
 void ili9488_init(lcd *s, const lcd_glass *glass)
 {
-    static const chip_model model = {"ILI9488",
-                                     ili9488_commands,
-                                     sizeof ili9488_commands / sizeof ili9488_commands[0],
-                                     true,
-                                     reset,
-                                     execute,
-                                     store,
-                                     pixel};
+    static const chip_model model = CHIP_MODEL("ILI9488", ili9488_commands, true);
     init(s, &model, glass, 320, 480);
     s->bytes = 3; /* its SPI takes no others */
 }
 
 void st7796_init(lcd *s, const lcd_glass *glass)
 {
-    static const chip_model model = {"ST7796",
-                                     st7796_commands,
-                                     sizeof st7796_commands / sizeof st7796_commands[0],
-                                     true,
-                                     reset,
-                                     execute,
-                                     store,
-                                     pixel};
+    static const chip_model model = CHIP_MODEL("ST7796", st7796_commands, true);
     init(s, &model, glass, 320, 480);
     s->locked = true;
 }

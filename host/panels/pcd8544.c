@@ -83,9 +83,7 @@ static uint32_t pixel(const chip *it, int x, int y)
 
 void pcd8544_init(pcd8544 *s)
 {
-    static const chip_model model = {"PCD8544", commands, sizeof commands / sizeof commands[0],
-                                     false,     reset,    execute,
-                                     store,     pixel};
+    static const chip_model model = CHIP_MODEL("PCD8544", commands, false);
     s->chip.busy_pin = false;
     chip_init(&s->chip, &model);
 }

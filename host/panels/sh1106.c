@@ -101,9 +101,7 @@ static uint32_t pixel(const chip *it, int x, int y)
 
 void sh1106_init(sh1106 *s)
 {
-    static const chip_model model = {"SH1106", commands, sizeof commands / sizeof commands[0],
-                                     false,    reset,    execute,
-                                     store,    pixel};
+    static const chip_model model = CHIP_MODEL("SH1106", commands, false);
     s->chip.busy_pin = false;
     chip_init(&s->chip, &model);
 }

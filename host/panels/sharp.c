@@ -108,9 +108,7 @@ static uint32_t pixel(const chip *it, int x, int y)
 
 void sharp_init(sharp_lcd *s, int width, int height)
 {
-    static const chip_model model = {"memory LCD", commands, sizeof commands / sizeof commands[0],
-                                     true,         reset,    execute,
-                                     store,        pixel};
+    static const chip_model model = CHIP_MODEL("memory LCD", commands, true);
     s->width = width;
     s->height = height;
     s->line = 0;

@@ -199,39 +199,18 @@ static void init(ssd0323 *s, const gray_kind *kind, const chip_model *model)
 
 void ssd0323_init(ssd0323 *s)
 {
-    static const chip_model model = {"SSD0323",
-                                     ssd0323_commands,
-                                     sizeof ssd0323_commands / sizeof ssd0323_commands[0],
-                                     false,
-                                     reset,
-                                     execute,
-                                     store,
-                                     pixel};
+    static const chip_model model = CHIP_MODEL("SSD0323", ssd0323_commands, false);
     init(s, &ssd0323_kind, &model);
 }
 
 void ssd1327_init(ssd0323 *s)
 {
-    static const chip_model model = {"SSD1327",
-                                     ssd1327_commands,
-                                     sizeof ssd1327_commands / sizeof ssd1327_commands[0],
-                                     false,
-                                     reset,
-                                     execute,
-                                     store,
-                                     pixel};
+    static const chip_model model = CHIP_MODEL("SSD1327", ssd1327_commands, false);
     init(s, &ssd1327_kind, &model);
 }
 
 void ssd1322_init(ssd0323 *s)
 {
-    static const chip_model model = {"SSD1322",
-                                     ssd1322_commands,
-                                     sizeof ssd1322_commands / sizeof ssd1322_commands[0],
-                                     true,
-                                     reset,
-                                     execute,
-                                     store,
-                                     pixel};
+    static const chip_model model = CHIP_MODEL("SSD1322", ssd1322_commands, true);
     init(s, &ssd1322_kind, &model);
 }

@@ -125,18 +125,14 @@ static void init(ssd1306 *s, const chip_model *model, int rows)
 
 void ssd1306_init(ssd1306 *s, int rows)
 {
-    static const chip_model model = {"SSD1306", commands, sizeof commands / sizeof commands[0],
-                                     false,     reset,    execute,
-                                     store,     pixel};
+    static const chip_model model = CHIP_MODEL("SSD1306", commands, false);
     s->has_pump = true;
     init(s, &model, rows);
 }
 
 void ssd1309_init(ssd1306 *s)
 {
-    static const chip_model model = {"SSD1309", commands, sizeof commands / sizeof commands[0],
-                                     false,     reset,    execute,
-                                     store,     pixel};
+    static const chip_model model = CHIP_MODEL("SSD1309", commands, false);
     s->has_pump = false;
     init(s, &model, 64);
 }

@@ -153,9 +153,7 @@ static uint32_t pixel(const chip *it, int x, int y)
 
 void ssd1351_init(ssd1351 *s, const lcd_glass *glass)
 {
-    static const chip_model model = {"SSD1351", commands, sizeof commands / sizeof commands[0],
-                                     true,      reset,    execute,
-                                     store,     pixel};
+    static const chip_model model = CHIP_MODEL("SSD1351", commands, true);
     s->glass = *glass;
     s->chip.busy_pin = false;
     chip_init(&s->chip, &model);

@@ -202,9 +202,7 @@ static void init(ssd1680 *s, const chip_model *model, int width, int height)
 
 void ssd1680_init(ssd1680 *s)
 {
-    static const chip_model model = {"SSD1680", commands, sizeof commands / sizeof commands[0],
-                                     true,      reset,    execute,
-                                     store,     pixel};
+    static const chip_model model = CHIP_MODEL("SSD1680", commands, true);
     s->last_x = 21;
     s->last_y = 295;
     s->sources = 0x80;
@@ -213,9 +211,7 @@ void ssd1680_init(ssd1680 *s)
 
 void ssd1681_init(ssd1680 *s)
 {
-    static const chip_model model = {"SSD1681", commands, sizeof commands / sizeof commands[0],
-                                     true,      reset,    execute,
-                                     store,     pixel};
+    static const chip_model model = CHIP_MODEL("SSD1681", commands, true);
     s->last_x = 24;
     s->last_y = 199;
     s->sources = 0x00;

@@ -129,9 +129,7 @@ static uint32_t pixel(const chip *it, int x, int y)
 
 void uc8151_init(uc8151 *s)
 {
-    static const chip_model model = {"UC8151", commands, sizeof commands / sizeof commands[0],
-                                     true,     reset,    execute,
-                                     store,    pixel};
+    static const chip_model model = CHIP_MODEL("UC8151", commands, true);
     memset(s->memory, 0xC3, sizeof s->memory);
     memset(s->shown, 0xC3, sizeof s->shown);
     s->refreshes = 0;
