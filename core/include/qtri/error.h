@@ -10,7 +10,7 @@
  * with file, line and the condition that does not hold:
  *   - null pointers, to every function that says nothing of NULL, and in what it is given: arrays
  *     with a count above 0, descriptions and buses without a function that they must have, a lack
- *     of one of data_start and data_finish, views whose lights were never initialised;
+ *     of one of data_start and data_finish, lights with sources that qtri_light_init did not set;
  *   - views without a pipeline that fits what is drawn;
  *   - indices past the end of a mesh, numbers that no enum of a material, a texture or a panel
  *     names, counts of corners that are no multiple of 3 (lines: of 2), polygons of more than 3
