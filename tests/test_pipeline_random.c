@@ -314,6 +314,19 @@ static int differences(const picture *a, const picture *b)
     return count;
 }
 
+/* What a material asks for that a pipeline with these options is to draw. */
+static qtri_options options_asked(const qtri_options *of_pipeline)
+{
+    qtri_options o = *of_pipeline;
+    if (o.compare == QTRI_ANY) {
+        o.compare = (uint8_t)random_in(&seed, QTRI_LESS, QTRI_ALWAYS);
+    }
+    if (o.read_only == QTRI_ANY) {
+        o.read_only = random_flag(&seed);
+    }
+    return o;
+}
+
 /* Nearly no depth is equal to what a cleared picture has, and some options write nothing at all. */
 static bool may_show(const qtri_options *o)
 {
@@ -331,9 +344,9 @@ static void specialised_is_generic_is_tiles_is_bands(void **state)
     }
     for (int n = 0; random_pipelines[n] != NULL; n++) {
         const qtri_pipeline *pipeline = random_pipelines[n];
-        const qtri_options *o = &pipeline->options;
         for (int shape = 0; shape < SHAPES; shape++) {
             seed = (uint64_t)(1000 + n * SHAPES + shape);
+            const qtri_options asked = options_asked(&pipeline->options), *o = &asked;
             make_mesh(shape);
             make_texture(o);
             make_material(o);
@@ -377,9 +390,9 @@ static void every_pipeline_fits_what_it_was_made_for(void **state)
     (void)state;
     for (int n = 0; random_pipelines[n] != NULL; n++) {
         const qtri_pipeline *const list[] = {random_pipelines[n], NULL};
-        const qtri_options *o = &random_pipelines[n]->options;
         qtri_draw_state found;
         seed = (uint64_t)n;
+        const qtri_options asked = options_asked(&random_pipelines[n]->options), *o = &asked;
         make_mesh(0);
         make_texture(o);
         make_material(o);

@@ -308,8 +308,10 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     set_pipeline(state, found);
     if (found->options.format != QTRI_ANY) {
         const uint8_t read_only = state->options.read_only;
+        const uint8_t compare = state->options.compare;
         state->options = found->options;
         state->options.read_only = read_only;
+        state->options.compare = compare;
     }
 }
 

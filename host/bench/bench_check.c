@@ -198,6 +198,12 @@ static const struct expectation {
     {"D6k", NULL, 0},
     {"F6k", BEGIN FOG LIT MODULATED COMPACT(KNOT_UV), 0},
     {"S6mk", NULL, 0},
+    {"S7s", NULL, 0},
+    {"S7g", NULL, 0},
+    {"S7l", BEGIN LIT "depth lequal\npolygon line\n" COMPACT(SPOT), 0},
+    {"KSs", NULL, 0},
+    {"KSl", NULL, 0},
+    {"KPg", NULL, 0},
 };
 
 static bool write_texture(const char *path)

@@ -21,7 +21,9 @@
  * 256 such points of 6 pixels. KW: S7 with smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7
  * without hidden lines. P1 to P10: bench_paint.h. B1, B2, B4, B7: S1, S2, S4, S6 at half alpha, B3:
  * S2 added; F2, F4, F6: S2, S4, S6 in fog, D1, D2, D3, D6: S1, S2, S3, S6 of depths float16, F5: K5
- * in fog. B5 and B6: S2, and a quad turned sideways, with alpha of their vertices.
+ * in fog. B5 and B6: S2, and a quad turned sideways, with alpha of their vertices. S7s, S7g, S7l:
+ * S7 on RGB565 in the byte order of displays, on GRAY8, and with "less or equal"; KSs, KSl and KPg
+ * likewise.
  */
 #define COMPACT(mesh)        &bench_mesh_##mesh##_compact
 #define QUAD(quad_, colors_) .work = BENCH_QUAD, .quad = (quad_), .colors = (colors_)
@@ -185,6 +187,24 @@ const bench_scene bench_scenes[] = {
      .depth = &qtri_depth_float16},
     {.name = "F6k", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .fog = true},
     {.name = "S6mk", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .filter = &qtri_mipmapped},
+    /* Next door. */
+    {.name = "S7s",
+     MESH(COMPACT(spot), Q16(150)),
+     .wireframe = true,
+     .format = &qtri_rgb565_swapped},
+    {.name = "S7g", MESH(COMPACT(spot), Q16(150)), .wireframe = true, .format = &qtri_gray8},
+    {.name = "S7l", MESH(COMPACT(spot), Q16(150)), .wireframe = true, .compare = QTRI_LESS_EQUAL},
+    {.name = "KSs",
+     MESH(COMPACT(spot), Q16(150)),
+     .wireframe = true,
+     .thin = true,
+     .format = &qtri_rgb565_swapped},
+    {.name = "KSl",
+     MESH(COMPACT(spot), Q16(150)),
+     .wireframe = true,
+     .thin = true,
+     .compare = QTRI_LESS_EQUAL},
+    {.name = "KPg", .work = BENCH_STROKE, .width = Q16(6), .points = true, .format = &qtri_gray8},
     PAINT("P1", bench_paint_rect),
     PAINT("P2", bench_paint_rects),
     PAINT("P3", bench_paint_alpha),
@@ -363,6 +383,9 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
                            : scene->wireframe ? &qtri_wireframe
                                               : NULL;
     set_effects(frame, scene);
+    if (scene->compare != 0) {
+        frame->material.depth_compare = scene->compare;
+    }
     if (scene->without_depth) {
         frame->material.depth_compare = QTRI_DEPTH_OFF;
     }
@@ -384,8 +407,9 @@ bool bench_prepare(bench_frame *frame, const bench_scene *scene)
         frame->view.vertices = frame->vertices;
         frame->view.vertex_count = BENCH_VERTICES_MAX;
     }
-    if (qtri_surface_init(&frame->surface, FORMAT, BENCH_WIDTH, BENCH_HEIGHT, 0, BENCH_HEIGHT,
-                          frame->memory, sizeof frame->memory) != QTRI_OK) {
+    if (qtri_surface_init(&frame->surface, scene->format != NULL ? scene->format : &qtri_rgb565,
+                          BENCH_WIDTH, BENCH_HEIGHT, 0, BENCH_HEIGHT, frame->memory,
+                          sizeof frame->memory) != QTRI_OK) {
         return false;
     }
     if (scene->band_rows != 0 && !set_bands(frame)) {
@@ -472,13 +496,13 @@ uint32_t bench_triangles(const bench_scene *scene)
     return scene->mesh != NULL ? calls * scene->mesh->triangle_count : scene->quad != NULL ? 2 : 0;
 }
 
-/* Without depth, what was drawn is known by its colour, which nothing shares with the background.
- */
+/* Without depth, what was drawn on RGB565 is known by its colour, which nothing shares with the
+   background. */
 bool bench_is_drawn(const bench_frame *frame, int32_t x, int32_t y)
 {
     const qtri_surface *surface = &frame->surface;
     const void *row = surface->pixels + y * surface->pitch;
     const uint16_t *color = row;
-    return color[x] != bench_rgb565(bench_background) ||
+    return (frame->scene->format == NULL && color[x] != bench_rgb565(bench_background)) ||
            surface->depth[y * surface->depth_pitch + x] != UINT16_MAX;
 }

@@ -51,6 +51,8 @@ typedef struct bench_scene {
     void (*paint)(struct bench_frame *frame);
     const qtri_blend *blend;        /* at half alpha */
     const qtri_depth_format *depth; /* NULL: linear16 */
+    const qtri_format *format;      /* NULL: RGB565 */
+    qtri_compare compare;           /* 0: less */
     bench_work work;
     qtri_interpolation interpolation;
     q16 turn;          /* the mesh, about y */

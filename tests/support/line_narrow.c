@@ -21,7 +21,7 @@
 #define qtri_stroke_pipelines narrow_stroke_pipelines
 
 #include "raster/line.c"
-#include "raster/lines_rgb565.c"
+#include "raster/line_pipelines.c"
 
 #include "raster/lines_any.c"
 

@@ -13,8 +13,8 @@ function options(i,    format, texel, text)
     if (samples) text = text ", .samples = 4"
     depth = samples ? one_of("NO_DEPTH LINEAR16 LINEAR16 LINEAR16 LINEAR16") : one_of("NO_DEPTH LINEAR16 LINEAR16 LINEAR16 FLOAT16 LINEAR24 LINEAR32")
     if (depth != "NO_DEPTH") {
-        text = text ", .depth = QTRI_" depth ", .compare = QTRI_" one_of("LESS LESS LESS LESS_EQUAL GREATER GREATER_EQUAL EQUAL NOT_EQUAL ALWAYS")
-        if (below(5) == 0) text = text ", .read_only = 1"
+        text = text ", .depth = QTRI_" depth ", .compare = QTRI_" one_of("ANY ANY LESS LESS LESS LESS_EQUAL GREATER GREATER_EQUAL EQUAL NOT_EQUAL ALWAYS")
+        text = text ", .read_only = " one_of("0 0 0 1 QTRI_ANY")
     }
     if (texel == "-") {
         shade = one_of("FLAT LIGHT COLORS")

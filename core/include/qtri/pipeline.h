@@ -69,7 +69,7 @@ struct qtri_fragment {
 typedef struct qtri_options {
     uint8_t format;    /* of format.h */
     uint8_t depth;     /* of format.h */
-    uint8_t compare;   /* a qtri_compare */
+    uint8_t compare;   /* a qtri_compare; QTRI_ANY: the material's, read for each pixel */
     uint8_t read_only; /* material.depth_read_only; QTRI_ANY: as the material says */
     uint8_t texel;     /* of texture.h */
     uint8_t bilinear, mipmapped;

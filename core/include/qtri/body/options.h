@@ -108,6 +108,17 @@ QTRI_BODY bool qtri_tests_depth(const qtri_options *o)
     return o->depth != QTRI_NO_DEPTH && o->compare != QTRI_DEPTH_OFF;
 }
 
+/* The material decides, which pixels look at. */
+QTRI_BODY bool qtri_compares_by_any(const qtri_options *o)
+{
+#ifdef QTRI_PIPELINE_IS_ANY
+    (void)o;
+    return true;
+#else
+    return o->compare == QTRI_ANY;
+#endif
+}
+
 /* Where the material decides, pixels look at the walk besides. */
 QTRI_BODY bool qtri_writes_depth(const qtri_options *o)
 {

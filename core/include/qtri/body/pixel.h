@@ -260,8 +260,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
         z = o->depth == QTRI_FLOAT16 && w->octave.down != 0
                 ? w->octave.base + (w->z >> w->octave.down)
                 : qtri_depth_encode(o, surface, w->z);
-        drawn = o->compare == QTRI_ALWAYS ||
-                qtri_compare_passes(o->compare, z, qtri_load(depth_bytes, depth));
+        drawn = qtri_depth_passes(o, w, z, depth);
     }
     const bool early = qtri_is_textured(o) && !qtri_discards(o);
     if (drawn && qtri_pixel_writes(o, w) && early && !qtri_has_samples(o)) {
@@ -491,6 +490,10 @@ QTRI_BODY void qtri_walk_begin(const qtri_options *o, qtri_pixel_walk *w,
     w->state = state;
     if (o->read_only == QTRI_ANY) {
         w->keeps_depth = state->options.read_only;
+    }
+    if (qtri_compares_by_any(o)) {
+        w->passes =
+            (uint8_t)(state->options.compare - QTRI_NEVER); /* qtri_compare has these bits */
     }
     if (qtri_is_lit(o) && !qtri_is_textured(o)) {
         w->color = state->color;

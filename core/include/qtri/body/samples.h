@@ -57,14 +57,15 @@ QTRI_BODY uint32_t qtri_samples_of(const qtri_samples_row *row, int32_t x)
 }
 
 /* What is left of samples once one of them is tested, at a depth of 16.16. */
-QTRI_BODY uint32_t qtri_sample_test(const qtri_options *o, uint32_t samples, uint32_t sample,
-                                    uint8_t *depth, uint32_t z_16p16)
+QTRI_BODY uint32_t qtri_sample_test(const qtri_options *o, const qtri_pixel_walk *w,
+                                    uint32_t samples, uint32_t sample, uint8_t *depth,
+                                    uint32_t z_16p16)
 {
     if ((samples & sample) == 0) {
         return samples;
     }
     const uint32_t z = z_16p16 >> 16;
-    if (o->compare != QTRI_ALWAYS && !qtri_compare_passes(o->compare, z, qtri_load(2, depth))) {
+    if (!qtri_depth_passes(o, w, z, depth)) {
         return samples & ~sample;
     }
     QTRI_BODY_BRANCH();
@@ -81,10 +82,10 @@ QTRI_BODY uint32_t qtri_samples_test(const qtri_options *o, const qtri_pixel_wal
     uint32_t samples = w->samples;
     if (qtri_tests_depth(o) && samples != 0) {
         uint8_t *more = pixel + 4 * qtri_pixel_bytes(o);
-        samples = qtri_sample_test(o, samples, QTRI_SAMPLE_0, depth, w->z - w->z_p);
-        samples = qtri_sample_test(o, samples, QTRI_SAMPLE_1, more, w->z + w->z_q);
-        samples = qtri_sample_test(o, samples, QTRI_SAMPLE_2, more + 2, w->z - w->z_q);
-        samples = qtri_sample_test(o, samples, QTRI_SAMPLE_3, more + 4, w->z + w->z_p);
+        samples = qtri_sample_test(o, w, samples, QTRI_SAMPLE_0, depth, w->z - w->z_p);
+        samples = qtri_sample_test(o, w, samples, QTRI_SAMPLE_1, more, w->z + w->z_q);
+        samples = qtri_sample_test(o, w, samples, QTRI_SAMPLE_2, more + 2, w->z - w->z_q);
+        samples = qtri_sample_test(o, w, samples, QTRI_SAMPLE_3, more + 4, w->z + w->z_p);
     }
     return samples;
 }

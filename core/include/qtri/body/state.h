@@ -106,6 +106,8 @@ typedef struct qtri_pixel_walk {
     uint32_t cover;             /* of a stroke: what of a pixel it takes, 256 is all */
     bool cover_writes;          /* its depth: half of it or more is covered */
     bool keeps_depth;           /* the material's depths are read only; see qtri_pixel_writes() */
+    uint8_t passes;             /* where options are for any comparison: bits for a depth that is
+                                   less, equal and greater than the stored one */
 
     /* Four samples a pixel: which of them are drawn, and what their depths have more; see
        antialias.h. */

@@ -167,23 +167,28 @@ QTRI_BODY uint32_t qtri_depth_encode(const qtri_options *o, const qtri_surface *
     }
 }
 
-QTRI_BODY bool qtri_compare_passes(uint8_t compare, uint32_t z, uint32_t stored)
+/* Whether a depth, as it is stored, passes the test against the one at `depth`. */
+QTRI_BODY bool qtri_depth_passes(const qtri_options *o, const qtri_pixel_walk *w, uint32_t z,
+                                 const uint8_t *depth)
 {
-    switch (compare) {
+    const uint32_t bytes = qtri_depth_size(o, w->state->surface);
+    if (qtri_compares_by_any(o)) {
+        const uint32_t stored = qtri_load(bytes, depth);
+        return (w->passes >> ((z >= stored) + (z > stored)) & 1) != 0;
+    }
+    switch (o->compare) {
     case QTRI_LESS:
-        return z < stored;
+        return z < qtri_load(bytes, depth);
     case QTRI_LESS_EQUAL:
-        return z <= stored;
+        return z <= qtri_load(bytes, depth);
     case QTRI_GREATER:
-        return z > stored;
+        return z > qtri_load(bytes, depth);
     case QTRI_GREATER_EQUAL:
-        return z >= stored;
+        return z >= qtri_load(bytes, depth);
     case QTRI_EQUAL:
-        return z == stored;
+        return z == qtri_load(bytes, depth);
     case QTRI_NOT_EQUAL:
-        return z != stored;
-    case QTRI_NEVER:
-        return false;
+        return z != qtri_load(bytes, depth);
     default:
         return true;
     }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Lines on RGB565, with linear16 depth and "less", or without depth, and spans of strokes likewise,
- * also on RGB565 in the byte order of displays; the lists of all pipelines of lines and of strokes,
- * and what chooses from that of lines.
+ * The pipelines of lines and of spans of strokes: on RGB565, in either byte order, and GRAY8, with
+ * linear16 depth or without; their lists, and what chooses from that of lines.
  */
 #include "checked_material.h"
 #include "large_setup.h"
@@ -82,8 +81,37 @@ static const qtri_pipeline pipeline_less = {
     .line = line_less};
 static const qtri_pipeline pipeline_over = {.options = {.format = QTRI_RGB565}, .line = line_over};
 
-const qtri_pipeline *const qtri_line_pipelines[] = {&pipeline_less, &pipeline_over, &qtri_line_any,
-                                                    NULL};
+/* With depth: any comparison, written or read only. */
+#define DEPTH .depth = QTRI_LINEAR16, .compare = QTRI_ANY, .read_only = QTRI_ANY
+
+/* Lines of which only the pixels are made for the options, for 140 to 520 bytes each at -Os. */
+#define LINE(name, ...)                                                                            \
+    static void name##_run(const qtri_line_run *run)                                               \
+    {                                                                                              \
+        static const qtri_options options = {__VA_ARGS__};                                         \
+        static const qtri_options lit = {__VA_ARGS__, .shade = QTRI_LIGHT};                        \
+        if (qtri_uses_table(&lit) && run->is_lit) {                                                \
+            qtri_line_run_draw(&lit, run);                                                         \
+        } else {                                                                                   \
+            qtri_line_run_draw(&options, run);                                                     \
+        }                                                                                          \
+    }                                                                                              \
+    static void name##_line(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,  \
+                            const qtri_line_color *color)                                          \
+    {                                                                                              \
+        qtri_line_draw(job, a, b, color, name##_run);                                              \
+    }                                                                                              \
+    static const qtri_pipeline name = {.options = {__VA_ARGS__}, .line = name##_line};
+
+LINE(line_depth, .format = QTRI_RGB565, DEPTH)
+LINE(line_swapped, .format = QTRI_RGB565_SWAPPED, DEPTH)
+LINE(line_swapped_over, .format = QTRI_RGB565_SWAPPED)
+LINE(line_gray, .format = QTRI_GRAY8, DEPTH)
+LINE(line_gray_over, .format = QTRI_GRAY8)
+
+const qtri_pipeline *const qtri_line_pipelines[] = {
+    &pipeline_less, &pipeline_over,  &line_depth,    &line_swapped, &line_swapped_over,
+    &line_gray,     &line_gray_over, &qtri_line_any, NULL};
 
 /* Spans: smooth or hard, of 500 to 800 bytes each at -Os, for a third of the generic one's time. */
 #define SPAN(name, ...)                                                                            \
@@ -94,15 +122,14 @@ const qtri_pipeline *const qtri_line_pipelines[] = {&pipeline_less, &pipeline_ov
     }                                                                                              \
     static const qtri_pipeline name = {.options = {__VA_ARGS__}, .span = name##_draw};
 
-#define LESS .depth = QTRI_LINEAR16, .compare = QTRI_LESS
-
-SPAN(span_less, .format = QTRI_RGB565, LESS, .covered = 1)
-SPAN(span_hard, .format = QTRI_RGB565, LESS)
+SPAN(span_depth, .format = QTRI_RGB565, DEPTH, .covered = 1)
+SPAN(span_hard, .format = QTRI_RGB565, DEPTH)
 SPAN(span_over, .format = QTRI_RGB565, .covered = 1)
-SPAN(span_swapped, .format = QTRI_RGB565_SWAPPED, LESS, .covered = 1)
+SPAN(span_swapped, .format = QTRI_RGB565_SWAPPED, DEPTH, .covered = 1)
+SPAN(span_gray, .format = QTRI_GRAY8, DEPTH, .covered = 1)
 
-const qtri_pipeline *const qtri_stroke_pipelines[] = {&span_less,    &span_hard,       &span_over,
-                                                      &span_swapped, &qtri_stroke_any, NULL};
+const qtri_pipeline *const qtri_stroke_pipelines[] = {
+    &span_depth, &span_hard, &span_over, &span_swapped, &span_gray, &qtri_stroke_any, NULL};
 
 /* What chooses from the list of lines: calls lead from here to line.c and never back. */
 
@@ -113,8 +140,8 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     const qtri_rect *bounds = &to->state.bounds;
     job->to = to;
     job->draw = to->state.pipeline->line;
-    if (job->draw == NULL || (qtri_tests_depth(&to->state.options) &&
-                              to->state.surface->pitch != to->state.depth_pitch)) {
+    if (job->draw == NULL ||
+        (qtri_is_paired(&to->state.options) && to->state.surface->pitch != to->state.depth_pitch)) {
         job->draw = qtri_line_any.line; /* nothing is drawn, or pixels and depths are not paired */
     }
     job->left_24p8 = bounds->x0 * 256;
