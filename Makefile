@@ -179,7 +179,7 @@ fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 $(BUILD)/tests/fuzz_%: LDFLAGS += -fsanitize=fuzzer
 $(BUILD)/tests/%_threads: LDFLAGS += -pthread
 # Random pipelines, a file of few, as the compiler takes long for each.
-RANDOM_PIPELINES ?= 36
+RANDOM_PIPELINES ?= 60
 RANDOM_PARTS     := 0 1 2 3 4 5
 random_pipelines  = $(RANDOM_PARTS:%=$(BUILD)/random_pipelines/part_%.o) $(BUILD)/random_pipelines/list.o
 $(BUILD)/random_pipelines/%.o: tests/tools/random_pipelines.awk $(BUILD)/flags $(wildcard core/include/qtri/*.h core/include/qtri/body/*.h)

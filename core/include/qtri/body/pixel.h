@@ -238,11 +238,6 @@ QTRI_BODY void qtri_pixel_put_samples(const qtri_options *o, const qtri_pixel_wa
     }
 }
 
-QTRI_BODY bool qtri_pixel_writes(const qtri_options *o, const qtri_pixel_walk *w)
-{
-    return qtri_writes_depth(o) && (o->read_only != QTRI_ANY || !w->keeps_depth);
-}
-
 /* Draws a pixel of the walk, and steps. `bent`: steps of u and v grow. */
 QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool bent,
                                    uint8_t *pixel, uint8_t *depth)

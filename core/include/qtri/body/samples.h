@@ -69,7 +69,7 @@ QTRI_BODY uint32_t qtri_sample_test(const qtri_options *o, const qtri_pixel_walk
         return samples & ~sample;
     }
     QTRI_BODY_BRANCH();
-    if (qtri_writes_depth(o) && !qtri_discards(o)) {
+    if (qtri_pixel_writes(o, w) && !qtri_discards(o)) {
         qtri_save(2, depth, z);
     }
     return samples;
@@ -94,7 +94,7 @@ QTRI_BODY uint32_t qtri_samples_test(const qtri_options *o, const qtri_pixel_wal
 QTRI_BODY void qtri_samples_write_late(const qtri_options *o, const qtri_pixel_walk *w,
                                        uint32_t samples, uint8_t *pixel, uint8_t *depth)
 {
-    if (!qtri_writes_depth(o) || !qtri_discards(o)) {
+    if (!qtri_pixel_writes(o, w) || !qtri_discards(o)) {
         return;
     }
     uint8_t *more = pixel + 4 * qtri_pixel_bytes(o);

@@ -194,6 +194,12 @@ QTRI_BODY bool qtri_depth_passes(const qtri_options *o, const qtri_pixel_walk *w
     }
 }
 
+/* Whether a pixel that passes leaves its depth. */
+QTRI_BODY bool qtri_pixel_writes(const qtri_options *o, const qtri_pixel_walk *w)
+{
+    return qtri_writes_depth(o) && (o->read_only != QTRI_ANY || !w->keeps_depth);
+}
+
 /* Bytes from a pixel to the next: a pixel of four samples is a record (antialias.h). */
 QTRI_BODY uint32_t qtri_pixel_step(const qtri_options *o)
 {
