@@ -5,7 +5,6 @@
  */
 #include "support/core.h"
 
-#include "draw/pipeline_x4.h"
 #include "raster/samples.h"
 
 enum { WIDTH = 48, HEIGHT = 40, FORMATS = 5, SIDE = 16 };

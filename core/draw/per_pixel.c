@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "per_pixel.h"
 
+#include "qtri/pipeline_make.h"
+
 #include "mesh_job.h"
 
 /* The normal of a triangle. */
@@ -64,6 +66,18 @@ static void run(qtri_primitive *primitive, const qtri_illumination *by, qtri_lit
     primitive->to.solid.state.has_linear_light = has_linear_light;
     qtri_large_light_run(&primitive->to.solid.state, by, body, with);
 }
+
+/* What most programs draw with in light by pixel on RGB565, taken before a view's generic pipeline.
+ */
+#define BY_PIXEL                                                                                   \
+    .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS, .shade = QTRI_COLORS,     \
+    .per_pixel = 1
+
+QTRI_PIPELINE(qtri_pipeline_by_pixel, BY_PIXEL)
+QTRI_PIPELINE(qtri_pipeline_texture_by_pixel, BY_PIXEL, .texel = QTRI_TEXEL_RGB565)
+
+const qtri_pipeline *const qtri_pipelines_by_pixel[] = {&qtri_pipeline_by_pixel,
+                                                        &qtri_pipeline_texture_by_pixel, NULL};
 
 static const qtri_by_pixel by_pixel = {qtri_pipelines_by_pixel, run, note, set};
 

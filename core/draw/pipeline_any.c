@@ -1,22 +1,149 @@
 /* SPDX-License-Identifier: MIT */
-/* The generic pipeline: the body with options that are read for every pixel. */
+/*
+ * The generic pipeline: the body with options that are read at run time. Of what most programs ask
+ * for there are loops in which most options are constants; each piece of a row takes one of them.
+ */
+#include <stdbool.h>
+#include <stdint.h>
+
+struct qtri_pixel_walk;
+static void draw_piece(struct qtri_pixel_walk *w, bool bent, int32_t count);
+
 #define QTRI_PIPELINE_IS_ANY
+#define QTRI_PIPELINE_IS_ANY_BY_ASKS
+#define QTRI_PIPELINE_IS_ANY_LOOP draw_piece
 #include "qtri/pipeline_make.h"
 
-QTRI_BODY_ALONE void pixel_at(qtri_pixel_walk *w, bool bent, uint8_t *pixel, uint8_t *depth)
+#include "../raster/draw_state.h"
+
+QTRI_BODY void draw_pixels(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t count)
 {
-    qtri_pixel_at(&w->state->options, w, bent, pixel, depth);
+    do {
+        qtri_pixel_at(o, w, bent, w->pixel, w->depth);
+        if (qtri_is_packed_565(o)) { /* see qtri_pixel_next() */
+            const uint32_t step = w->c_step;
+            w->c_step = w->c_other;
+            w->c_other = step;
+        }
+        w->pixel += o->pixel_bytes;
+        if (qtri_tests_depth(o)) {
+            w->depth += o->depth_bytes;
+        }
+    } while (--count > 0);
+}
+
+/* The draw call's options, without what only pipelines that are made have. */
+QTRI_BODY qtri_options options_of(const qtri_pixel_walk *w)
+{
+    qtri_options o = w->state->options;
+    o.encode = o.decode = NULL;
+    o.fetch = NULL;
+    o.read_only = 0; /* QTRI_ASK_WRITE says it */
+    return o;
+}
+
+/* Options of pixels that are shaded and stored, with 16 bits of depth or none; `asks`: a set of
+   QTRI_ASK_ bits that may be set besides. */
+QTRI_BODY qtri_options shaded(const qtri_pixel_walk *w, uint32_t asks)
+{
+    const uint32_t kind = 3u << QTRI_ASK_KIND;
+    qtri_options o = options_of(w);
+    o.depth = QTRI_LINEAR16;
+    o.depth_bytes = 2;
+    o.bilinear = o.alpha_test = o.vertex_alpha = o.keep = o.fog = o.covered = o.large_texture = 0;
+    o.blend = QTRI_STORE;
+    o.fragment = NULL;
+    o.asks &=
+        (uint16_t)(kind | 1u << QTRI_ASK_565 | 1u << QTRI_ASK_TEST | 1u << QTRI_ASK_WRITE | asks);
+    o.asks |= 1u << QTRI_ASK_DEPTH; /* it is stepped, whether it is tested or not */
+    return o;
+}
+
+/* These on RGB565, in colours of 565. */
+QTRI_BODY qtri_options on_rgb565(const qtri_pixel_walk *w, uint32_t asks)
+{
+    qtri_options o = shaded(w, asks);
+    o.format = QTRI_RGB565;
+    o.pixel_bytes = 2;
+    o.asks &= (uint16_t) ~(3u << QTRI_ASK_KIND);
+    o.asks |= QTRI_IN_565 << QTRI_ASK_KIND | 1u << QTRI_ASK_565;
+    return o;
+}
+
+QTRI_BODY_ALONE void draw_flat(qtri_pixel_walk *w, int32_t count)
+{
+    qtri_options o = shaded(w, 0);
+    o.texel = QTRI_NO_TEXEL;
+    o.shade = QTRI_FLAT;
+    o.asks |= 1u << QTRI_ASK_PLAIN;
+    draw_pixels(&o, w, false, count);
+}
+
+QTRI_BODY_ALONE void draw_smooth(qtri_pixel_walk *w, int32_t count)
+{
+    qtri_options o =
+        shaded(w, 1u << QTRI_ASK_TWO_WORDS | 1u << QTRI_ASK_PACKED | 1u << QTRI_ASK_TABLE);
+    o.texel = QTRI_NO_TEXEL;
+    draw_pixels(&o, w, false, count);
+}
+
+QTRI_BODY_ALONE void draw_smooth_rgb565(qtri_pixel_walk *w, int32_t count)
+{
+    qtri_options o = on_rgb565(w, 1u << QTRI_ASK_PACKED | 1u << QTRI_ASK_TABLE);
+    o.texel = QTRI_NO_TEXEL;
+    draw_pixels(&o, w, false, count);
+}
+
+QTRI_BODY_ALONE void draw_texture_rgb565(qtri_pixel_walk *w, bool bent, int32_t count)
+{
+    qtri_options o = on_rgb565(w, 1u << QTRI_ASK_TWO_WORDS);
+    o.texel = QTRI_TEXEL_RGB565;
+    o.key = 0;
+    draw_pixels(&o, w, bent, count);
+}
+
+QTRI_BODY_ALONE void draw_texture(qtri_pixel_walk *w, bool bent, int32_t count)
+{
+    const qtri_options o =
+        shaded(w, 1u << QTRI_ASK_TWO_WORDS | 1u << QTRI_ASK_DISCARD | 1u << QTRI_ASK_ALPHA);
+    draw_pixels(&o, w, bent, count);
+}
+
+QTRI_BODY_ALONE void draw_other(qtri_pixel_walk *w, bool bent, int32_t count)
+{
+    const qtri_options o = options_of(w);
+    draw_pixels(&o, w, bent, count);
+}
+
+static void draw_piece(struct qtri_pixel_walk *w, bool bent, int32_t count)
+{
+    const qtri_options *o = &w->state->options;
+    if ((o->bilinear | o->alpha_test | o->vertex_alpha | o->keep | o->fog | o->blend |
+         o->large_texture) != 0 ||
+        o->fragment != NULL || o->depth > QTRI_LINEAR16) {
+        draw_other(w, bent, count);
+    } else if (o->texel == QTRI_TEXEL_RGB565 && !o->key && o->format == QTRI_RGB565) {
+        draw_texture_rgb565(w, bent, count);
+    } else if (o->texel != QTRI_NO_TEXEL) {
+        draw_texture(w, bent, count);
+    } else if (o->shade == QTRI_FLAT) {
+        draw_flat(w, count);
+    } else if (o->format == QTRI_RGB565) {
+        draw_smooth_rgb565(w, count);
+    } else {
+        draw_smooth(w, count);
+    }
 }
 
 static void large(const struct qtri_large_input *triangle)
 {
-    qtri_large_triangle_draw(&triangle->state->options, pixel_at, triangle);
+    qtri_large_triangle_draw(&triangle->state->options, NULL, triangle);
 }
 
 static bool small(struct qtri_small *triangle)
 {
-    return qtri_small_instance_draw(&triangle->state->options, pixel_at, triangle);
+    return qtri_small_instance_draw(&triangle->state->options, NULL, triangle);
 }
 
 const qtri_pipeline qtri_pipeline_any = {
-    .options = {.format = QTRI_ANY}, .large = large, .small = small};
+    .options = {.format = QTRI_ANY}, .large = large, .small = small, .choose = qtri_draw_state_ask};

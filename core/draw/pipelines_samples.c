@@ -4,7 +4,6 @@
 
 #include "../frame/barrier.h"
 #include "../raster/samples.h"
-#include "pipeline_x4.h"
 
 #define LESS .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS, .samples = 4
 

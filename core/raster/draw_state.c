@@ -123,7 +123,7 @@ static bool fits(const qtri_pipeline *pipeline, const qtri_draw_state *state)
     const qtri_options *o = &pipeline->options;
     const qtri_options *wanted = &state->options;
     const qtri_texture *texture = state->texture;
-    if (o->format == QTRI_ANY) { /* without samples: see find_all() */
+    if (o->format >= QTRI_BROUGHT) { /* without samples: see find_all() */
         return o->samples == 0 || wanted->samples != 0;
     }
     return are_equal(o, wanted) && o->fragment == wanted->fragment &&
@@ -133,17 +133,21 @@ static bool fits(const qtri_pipeline *pipeline, const qtri_draw_state *state)
 }
 
 /* The first of a list that fits; NULL: none. */
-static const qtri_pipeline *find(const qtri_pipeline *const *list, const qtri_draw_state *state)
+static const qtri_pipeline *find(const qtri_pipeline *const *list, qtri_draw_state *state)
 {
-    while (list != NULL && *list != NULL && !fits(*list, state)) {
-        list++;
+    const qtri_pipeline *found = NULL;
+    for (; list != NULL && *list != NULL && found == NULL; list++) {
+        if (fits(*list, state)) {
+            found = (*list)->choose != NULL ? (*list)->choose(*list, state) : *list;
+        }
     }
-    return list != NULL ? *list : NULL;
+    return found;
 }
 
 /* What the surface's depth format and the material's blend, fog and filter bring. */
-static const qtri_pipeline *find_brought(const qtri_draw_state *state)
+static const qtri_pipeline *find_brought(const qtri_pipeline *pipeline, qtri_draw_state *state)
 {
+    (void)pipeline;
     const qtri_depth_format *depth = state->surface->depth_format;
     const qtri_material *material = state->material;
     const qtri_filter *filter = state->texture != NULL ? state->texture->filter : NULL;
@@ -163,18 +167,33 @@ const qtri_pipeline qtri_pipeline_brought = {.options = {.format = QTRI_BROUGHT}
                                              .choose = find_brought};
 
 /* What draws a pixel of samples is reached through its format, unless a view names it. */
-static const qtri_pipeline *find_all(const qtri_pipeline *const *list, const qtri_draw_state *state)
+static const qtri_pipeline *find_all(const qtri_pipeline *const *list, qtri_draw_state *state)
 {
-    const qtri_pipeline *found = NULL;
-    for (; list != NULL && *list != NULL && found == NULL; list++) {
-        found = (*list)->choose != NULL ? (*list)->choose(state)
-                : fits(*list, state)    ? *list
-                                        : NULL;
-    }
+    const qtri_pipeline *found = find(list, state);
     return found != NULL && found->options.format == QTRI_ANY &&
                    found->options.samples != state->options.samples
                ? find(qtri_sampling_of(state->surface->format)->pipelines, state)
                : found;
+}
+
+const qtri_pipeline *qtri_draw_state_ask(const qtri_pipeline *generic, qtri_draw_state *state)
+{
+    qtri_options *o = &state->options;
+    const bool asks[] = {
+        [QTRI_ASK_565] = qtri_stores_565(o),        [QTRI_ASK_ALPHA] = qtri_has_alpha(o),
+        [QTRI_ASK_ALPHA_USED] = qtri_uses_alpha(o), [QTRI_ASK_TWO_WORDS] = qtri_has_two_words(o),
+        [QTRI_ASK_PACKED] = qtri_is_packed_565(o),  [QTRI_ASK_TABLE] = qtri_uses_table(o),
+        [QTRI_ASK_TEST] = qtri_tests_depth(o),      [QTRI_ASK_WRITE] = qtri_writes_depth(o),
+        [QTRI_ASK_DEPTH] = qtri_needs_depth(o),     [QTRI_ASK_PLACE] = qtri_needs_place(o),
+        [QTRI_ASK_DISCARD] = qtri_discards(o),      [QTRI_ASK_READ] = qtri_reads_pixel(o),
+        [QTRI_ASK_PLAIN] = qtri_is_plain(o)};
+    o->pixel_bytes = (uint8_t)qtri_pixel_bytes(o);
+    o->depth_bytes = (uint8_t)qtri_depth_size(o, state->surface);
+    o->asks = (uint16_t)qtri_kind_of(o);
+    for (uint32_t i = QTRI_ASK_565; i <= QTRI_ASK_PLAIN; i++) {
+        o->asks |= (uint16_t)(asks[i] << i);
+    }
+    return generic;
 }
 
 static void set_bounds(qtri_draw_state *state, const qtri_surface *surface)

@@ -31,6 +31,10 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
                           const qtri_pipeline *const *pipelines, const qtri_material *material,
                           int shade);
 
+/* For qtri_pipeline.choose of the generic ones: finds the state's options.asks; returns `generic`.
+ */
+const qtri_pipeline *qtri_draw_state_ask(const qtri_pipeline *generic, qtri_draw_state *state);
+
 /* Where the generic pipeline was chosen: takes one of this list that fits, if there is any. */
 void qtri_draw_state_prefer(qtri_draw_state *state, const qtri_pipeline *const *pipelines);
 

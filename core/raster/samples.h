@@ -22,6 +22,11 @@ struct qtri_sampling {
     const qtri_pipeline *const *pipelines;
 };
 
+/* Draws whatever is asked for on surfaces with samples; and lists that formats name: of any format,
+   and of RGB565. */
+extern const qtri_pipeline qtri_pipeline_any_x4;
+extern const qtri_pipeline *const qtri_pipelines_x4[], *const qtri_pipelines_rgb565_x4[];
+
 /* NULL: one a pixel. */
 static inline const qtri_sampling *qtri_sampling_of(const qtri_format *format)
 {

@@ -204,6 +204,12 @@ static const struct expectation {
     {"KSs", NULL, 0},
     {"KSl", NULL, 0},
     {"KPg", NULL, 0},
+    {"S1l", BEGIN "depth lequal\n" SCREEN(ORANGE, ORANGE, ORANGE, ORANGE), 76800},
+    {"S2l", BEGIN "depth lequal\n" SCREEN("1 0 0", "0 1 0", "0 0 1", "1 1 0"), 76800},
+    {"S3l", BEGIN "depth lequal\n" FLOOR, 53290},
+    {"S4kl", BEGIN LIT "depth lequal\n" COMPACT(KNOT), 0},
+    {"S6kl", BEGIN LIT "depth lequal\n" MODULATED COMPACT(KNOT_UV), 0},
+    {"S4kg", NULL, 0},
 };
 
 static bool write_texture(const char *path)

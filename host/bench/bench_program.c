@@ -28,19 +28,15 @@ static uint32_t crc32_add(uint32_t crc, uint32_t value)
     return crc;
 }
 
-static const uint16_t *color_row(const qtri_surface *surface, int32_t y)
-{
-    return (const uint16_t *)(const void *)(surface->pixels + y * surface->pitch);
-}
-
 static uint32_t checksum(const qtri_surface *surface)
 {
     uint32_t crc = UINT32_MAX;
     for (int32_t y = 0; y < surface->rows; y++) {
-        const uint16_t *color = color_row(surface, y);
+        const qtri_pixels *pixels = surface->format->pixels;
+        const uint8_t *color = surface->pixels + y * surface->pitch;
         const uint16_t *depth = surface->depth + y * surface->depth_pitch;
         for (int32_t x = 0; x < surface->width; x++) {
-            crc = crc32_add(crc, color[x]);
+            crc = crc32_add(crc, pixels->load(color + x * pixels->bytes));
             crc = crc32_add(crc, depth[x]);
         }
     }

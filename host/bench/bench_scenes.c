@@ -23,7 +23,7 @@
  * S2 added; F2, F4, F6: S2, S4, S6 in fog, D1, D2, D3, D6: S1, S2, S3, S6 of depths float16, F5: K5
  * in fog. B5 and B6: S2, and a quad turned sideways, with alpha of their vertices. S7s, S7g, S7l:
  * S7 on RGB565 in the byte order of displays, on GRAY8, and with "less or equal"; KSs, KSl and KPg
- * likewise.
+ * likewise; S1l, S2l, S3l, S4kl, S6kl and S4kg: by the generic pipeline.
  */
 #define COMPACT(mesh)        &bench_mesh_##mesh##_compact
 #define QUAD(quad_, colors_) .work = BENCH_QUAD, .quad = (quad_), .colors = (colors_)
@@ -205,6 +205,13 @@ const bench_scene bench_scenes[] = {
      .thin = true,
      .compare = QTRI_LESS_EQUAL},
     {.name = "KPg", .work = BENCH_STROKE, .width = Q16(6), .points = true, .format = &qtri_gray8},
+    /* By the generic pipeline. */
+    {.name = "S1l", QUAD(&bench_screen, orange), FLAT, .compare = QTRI_LESS_EQUAL},
+    {.name = "S2l", QUAD(&bench_screen, rainbow), .compare = QTRI_LESS_EQUAL},
+    {.name = "S3l", QUAD(&bench_floor, white), .textured = true, .compare = QTRI_LESS_EQUAL},
+    {.name = "S4kl", MESH(COMPACT(knot), Q16(30)), .compare = QTRI_LESS_EQUAL},
+    {.name = "S6kl", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .compare = QTRI_LESS_EQUAL},
+    {.name = "S4kg", MESH(COMPACT(knot), Q16(30)), .format = &qtri_gray8},
     PAINT("P1", bench_paint_rect),
     PAINT("P2", bench_paint_rects),
     PAINT("P3", bench_paint_alpha),

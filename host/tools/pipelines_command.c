@@ -9,7 +9,7 @@
 
 #include "../../core/draw/per_pixel.h"
 #include "../../core/raster/descriptions.h"
-#include "../../core/draw/pipeline_x4.h"
+#include "../../core/raster/draw_state.h"
 #include "../../core/raster/samples.h"
 #include "commands.h"
 #include "options.h"
@@ -146,9 +146,11 @@ static bool small(struct qtri_small *triangle)
 }
 
 static const qtri_pipeline noting = {
-    .options = {.format = QTRI_ANY}, .large = large, .small = small};
-static const qtri_pipeline noting_x4 = {
-    .options = {.format = QTRI_ANY, .samples = 4}, .large = large, .small = small};
+    .options = {.format = QTRI_ANY}, .large = large, .small = small, .choose = qtri_draw_state_ask};
+static const qtri_pipeline noting_x4 = {.options = {.format = QTRI_ANY, .samples = 4},
+                                        .large = large,
+                                        .small = small,
+                                        .choose = qtri_draw_state_ask};
 static const qtri_pipeline *const noting_list[] = {&noting_x4, &noting, NULL};
 static const struct scene_pipelines noting_pipelines = {noting_list, count_pixel};
 

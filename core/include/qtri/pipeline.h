@@ -19,7 +19,7 @@
  *
  * A draw call takes the first pipeline of its view's list that fits: whose options are those that
  * surface, material and mesh ask for. &qtri_pipeline_any fits everything: it is the same body with
- * options that are read for each pixel, draws the same bits, and takes 5 to 30 times the
+ * options that are read for each pixel, draws the same bits, and takes 4 to 8 times the
  * instructions a pixel on long rows. Blends, fog, filters and formats of depth bring pipelines
  * for RGB565 with "less", which are taken where &qtri_pipeline_brought stands in the list (config.h
  * leaves them out). On a surface with samples (antialias.h) the formats' own pipelines take
@@ -86,6 +86,8 @@ typedef struct qtri_options {
     uint8_t per_pixel;     /* &qtri_per_pixel in a view's lights */
     uint8_t covered;       /* internal: strokes, of which pixels are covered in part */
     uint8_t pixel_bytes;   /* of QTRI_OTHER_FORMAT: 1..4 */
+    uint8_t depth_bytes;   /* internal: these three of draws by the generic pipeline */
+    uint16_t asks;
 
     /* Formats of the application's own that the functions below stand for. */
     const qtri_format *own_format;
@@ -116,8 +118,9 @@ struct qtri_pipeline {
     void (*span)(const struct qtri_stroke_span *span);
     void (*line)(const struct qtri_line_job *job, const struct qtri_vertex *a,
                  const struct qtri_vertex *b, const int32_t color[][3]);
-    /* Of one that stands for others: finds one among them; NULL: none. */
-    const qtri_pipeline *(*choose)(const struct qtri_draw_state *state);
+    /* Where it is not NULL and the options fit: returns what draws, the pipeline or one that it
+       stands for; NULL: none. */
+    const qtri_pipeline *(*choose)(const qtri_pipeline *pipeline, struct qtri_draw_state *state);
 };
 
 /* In a list: here is looked at what blend, fog, filter and depth format bring. */

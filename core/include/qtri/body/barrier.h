@@ -73,6 +73,15 @@ QTRI_BODY uint32_t qtri_body_shift(uint32_t x, uint32_t by)
 #define QTRI_BODY_ALONE static
 #endif
 
+/* A part of a pixel that few ask for, and its options: in place where they are constants. */
+#ifdef QTRI_PIPELINE_IS_ANY_BY_ASKS
+#define QTRI_BODY_PART          QTRI_BODY_ALONE
+#define QTRI_PART_OPTIONS(o, w) (&(w)->state->options)
+#else
+#define QTRI_BODY_PART          QTRI_BODY
+#define QTRI_PART_OPTIONS(o, w) (o)
+#endif
+
 /* A pixel: in place, but where a file has options at run time for strokes and lines. */
 #ifdef QTRI_PIXEL_IS_ALONE
 #define QTRI_BODY_PIXEL QTRI_BODY_ALONE

@@ -10,9 +10,34 @@
 
 /* What options ask for ------------------------------------------------------------------------- */
 
+/* Bits of qtri_options.asks: answers of the functions below, for the generic pipeline, which would
+   ask them of every pixel. The kind of colours is in the lowest two. */
+enum {
+    QTRI_ASK_KIND,
+    QTRI_ASK_565 = 2,
+    QTRI_ASK_ALPHA,
+    QTRI_ASK_ALPHA_USED,
+    QTRI_ASK_TWO_WORDS,
+    QTRI_ASK_PACKED,
+    QTRI_ASK_TABLE,
+    QTRI_ASK_TEST,
+    QTRI_ASK_WRITE,
+    QTRI_ASK_DEPTH,
+    QTRI_ASK_PLACE,
+    QTRI_ASK_DISCARD,
+    QTRI_ASK_READ,
+    QTRI_ASK_PLAIN
+};
+
+#if defined(QTRI_PIPELINE_IS_ANY_BY_ASKS)
+#define QTRI_ASKS(o, bit, answer) (((o)->asks >> (bit)&1) != 0)
+#else
+#define QTRI_ASKS(o, bit, answer) (answer)
+#endif
+
 QTRI_BODY bool qtri_stores_565(const qtri_options *o)
 {
-    return o->format == QTRI_RGB565 || o->format == QTRI_RGB565_SWAPPED;
+    return QTRI_ASKS(o, QTRI_ASK_565, o->format == QTRI_RGB565 || o->format == QTRI_RGB565_SWAPPED);
 }
 
 /* Four samples a pixel. The generic pipeline is made twice, so that only programs whose surfaces
@@ -37,14 +62,16 @@ QTRI_BODY bool qtri_is_textured(const qtri_options *o)
 
 QTRI_BODY bool qtri_has_alpha(const qtri_options *o)
 {
-    return (o->texel >= QTRI_TEXEL_ARGB8888 && o->texel <= QTRI_TEXEL_ALPHA8) ||
-           (o->texel == QTRI_OTHER_TEXEL && o->fetch != NULL);
+    return QTRI_ASKS(o, QTRI_ASK_ALPHA,
+                     (o->texel >= QTRI_TEXEL_ARGB8888 && o->texel <= QTRI_TEXEL_ALPHA8) ||
+                         (o->texel == QTRI_OTHER_TEXEL && o->fetch != NULL));
 }
 
 /* Alpha of texels counts: without, their colours alone are filtered. */
 QTRI_BODY bool qtri_uses_alpha(const qtri_options *o)
 {
-    return qtri_has_alpha(o) && (o->alpha_test || o->blend != QTRI_STORE);
+    return QTRI_ASKS(o, QTRI_ASK_ALPHA_USED,
+                     qtri_has_alpha(o) && (o->alpha_test || o->blend != QTRI_STORE));
 }
 
 /* The sides of the texture, or of the level that is drawn, as powers of two. */
@@ -62,6 +89,9 @@ QTRI_BODY uint32_t qtri_texture_height_log2(const qtri_options *o, const qtri_dr
    leaves of a pixel, in 8 bits, and rounded once. */
 QTRI_BODY qtri_color_kind qtri_kind_of(const qtri_options *o)
 {
+#if defined(QTRI_PIPELINE_IS_ANY_BY_ASKS)
+    return (qtri_color_kind)(o->asks & 3);
+#else
     if (qtri_stores_565(o)) {
         return (o->texel == QTRI_NO_TEXEL || o->texel == QTRI_TEXEL_RGB565) && !o->fog &&
                        !o->vertex_alpha && o->fragment == NULL &&
@@ -72,6 +102,7 @@ QTRI_BODY qtri_color_kind qtri_kind_of(const qtri_options *o)
     return o->format == QTRI_GRAY8 && o->texel == QTRI_NO_TEXEL && o->fragment == NULL
                ? QTRI_IN_GRAY
                : QTRI_IN_888;
+#endif
 }
 
 QTRI_BODY bool qtri_is_lit(const qtri_options *o)
@@ -88,24 +119,29 @@ QTRI_BODY bool qtri_varies(const qtri_options *o)
 /* Colours are two words: see qtri_pixel_walk. */
 QTRI_BODY bool qtri_has_two_words(const qtri_options *o)
 {
-    return o->shade == QTRI_COLORS && (qtri_is_textured(o) || qtri_kind_of(o) == QTRI_IN_888);
+    return QTRI_ASKS(o, QTRI_ASK_TWO_WORDS,
+                     o->shade == QTRI_COLORS &&
+                         (qtri_is_textured(o) || qtri_kind_of(o) == QTRI_IN_888));
 }
 
 /* Colours are one word, of 565. */
 QTRI_BODY bool qtri_is_packed_565(const qtri_options *o)
 {
-    return o->shade == QTRI_COLORS && !qtri_is_textured(o) && qtri_kind_of(o) == QTRI_IN_565;
+    return QTRI_ASKS(o, QTRI_ASK_PACKED,
+                     o->shade == QTRI_COLORS && !qtri_is_textured(o) &&
+                         qtri_kind_of(o) == QTRI_IN_565);
 }
 
 /* Light makes stored pixels by a table. */
 QTRI_BODY bool qtri_uses_table(const qtri_options *o)
 {
-    return qtri_is_lit(o) && !qtri_is_textured(o) && qtri_kind_of(o) == QTRI_IN_565;
+    return QTRI_ASKS(o, QTRI_ASK_TABLE,
+                     qtri_is_lit(o) && !qtri_is_textured(o) && qtri_kind_of(o) == QTRI_IN_565);
 }
 
 QTRI_BODY bool qtri_tests_depth(const qtri_options *o)
 {
-    return o->depth != QTRI_NO_DEPTH && o->compare != QTRI_DEPTH_OFF;
+    return QTRI_ASKS(o, QTRI_ASK_TEST, o->depth != QTRI_NO_DEPTH && o->compare != QTRI_DEPTH_OFF);
 }
 
 /* The material decides, which pixels look at. */
@@ -122,37 +158,43 @@ QTRI_BODY bool qtri_compares_by_any(const qtri_options *o)
 /* Where the material decides, pixels look at the walk besides. */
 QTRI_BODY bool qtri_writes_depth(const qtri_options *o)
 {
-    return qtri_tests_depth(o) && (!o->read_only || o->read_only == QTRI_ANY);
+    return QTRI_ASKS(o, QTRI_ASK_WRITE,
+                     qtri_tests_depth(o) && (!o->read_only || o->read_only == QTRI_ANY));
 }
 
 QTRI_BODY bool qtri_needs_depth(const qtri_options *o)
 {
-    return qtri_tests_depth(o) || o->fog || o->fragment != NULL;
+    return QTRI_ASKS(o, QTRI_ASK_DEPTH, qtri_tests_depth(o) || o->fog || o->fragment != NULL);
 }
 
 QTRI_BODY bool qtri_needs_place(const qtri_options *o)
 {
-    return o->blend == QTRI_SCREEN_DOOR || o->fragment != NULL || qtri_has_samples(o);
+    return QTRI_ASKS(o, QTRI_ASK_PLACE,
+                     o->blend == QTRI_SCREEN_DOOR || o->fragment != NULL || qtri_has_samples(o));
 }
 
 /* A pixel may be discarded after the depth test. */
 QTRI_BODY bool qtri_discards(const qtri_options *o)
 {
-    return o->key || o->alpha_test || o->blend == QTRI_SCREEN_DOOR || o->fragment != NULL;
+    return QTRI_ASKS(o, QTRI_ASK_DISCARD,
+                     o->key || o->alpha_test || o->blend == QTRI_SCREEN_DOOR ||
+                         o->fragment != NULL);
 }
 
 /* The pixel under it is read. */
 QTRI_BODY bool qtri_reads_pixel(const qtri_options *o)
 {
-    return o->blend == QTRI_ALPHA || o->blend == QTRI_ADD || o->blend == QTRI_MULTIPLY || o->keep ||
-           o->covered;
+    return QTRI_ASKS(o, QTRI_ASK_READ,
+                     o->blend == QTRI_ALPHA || o->blend == QTRI_ADD || o->blend == QTRI_MULTIPLY ||
+                         o->keep || o->covered);
 }
 
 /* One colour a triangle, and nothing is done to it: it is encoded once. */
 QTRI_BODY bool qtri_is_plain(const qtri_options *o)
 {
-    return !qtri_is_textured(o) && !qtri_varies(o) && !o->fog && !qtri_reads_pixel(o) &&
-           o->fragment == NULL;
+    return QTRI_ASKS(o, QTRI_ASK_PLAIN,
+                     !qtri_is_textured(o) && !qtri_varies(o) && !o->fog && !qtri_reads_pixel(o) &&
+                         o->fragment == NULL);
 }
 
 #endif

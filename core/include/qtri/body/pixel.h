@@ -131,7 +131,8 @@ QTRI_BODY uint32_t qtri_blended(const qtri_options *o, const qtri_pixel_walk *w,
 }
 
 /* Bayer's pattern: drawn where alpha of 255 is more than 16 of it + 8. */
-QTRI_BODY bool qtri_door_is_open(const qtri_options *o, const qtri_pixel_walk *w, uint32_t texel)
+QTRI_BODY_PART bool qtri_door_is_open(const qtri_options *o, const qtri_pixel_walk *w,
+                                      uint32_t texel)
 {
     static const uint8_t step[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
     return qtri_pixel_alpha(o, w, texel) > 16u * step[(w->y & 3) * 4 + (w->x & 3)] + 8;
@@ -170,7 +171,8 @@ QTRI_BODY int qtri_unrolled(const qtri_options *o, bool bent)
     return most < QTRI_BODY_UNROLLS ? most : QTRI_BODY_UNROLLS;
 }
 
-QTRI_BODY bool qtri_pixel_function(const qtri_options *o, const qtri_pixel_walk *w, uint32_t *color)
+QTRI_BODY_PART bool qtri_pixel_function(const qtri_options *o, const qtri_pixel_walk *w,
+                                        uint32_t *color)
 {
     qtri_fragment f;
     f.x = w->x;
@@ -192,8 +194,8 @@ QTRI_BODY bool qtri_pixel_function(const qtri_options *o, const qtri_pixel_walk 
 }
 
 /* What is stored of a pixel's colour over what is there. */
-QTRI_BODY uint32_t qtri_pixel_over(const qtri_options *o, const qtri_pixel_walk *w, uint32_t color,
-                                   uint32_t texel, uint32_t under)
+QTRI_BODY_PART uint32_t qtri_pixel_over(const qtri_options *o, const qtri_pixel_walk *w,
+                                        uint32_t color, uint32_t texel, uint32_t under)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t stored = qtri_decode(o, surface, under);
@@ -266,7 +268,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
         texel = qtri_texel_at(o, w, &drawn);
     }
     if (drawn && o->blend == QTRI_SCREEN_DOOR) {
-        drawn = qtri_door_is_open(o, w, texel);
+        drawn = qtri_door_is_open(QTRI_PART_OPTIONS(o, w), w, texel);
     }
     if (drawn) {
         QTRI_BODY_BRANCH();
@@ -274,7 +276,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
             color = qtri_pixel_color(o, w, texel);
         }
         if (o->fragment != NULL) {
-            drawn = qtri_pixel_function(o, w, &color);
+            drawn = qtri_pixel_function(QTRI_PART_OPTIONS(o, w), w, &color);
         }
     }
     if (drawn) {
@@ -287,15 +289,10 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
             qtri_pixel_put_samples(o, w, samples, color, texel, pixel);
         } else {
             if (qtri_reads_pixel(o)) {
-                color = qtri_pixel_over(o, w, color, texel, qtri_load(bytes, pixel));
+                color = qtri_pixel_over(QTRI_PART_OPTIONS(o, w), w, color, texel,
+                                        qtri_load(bytes, pixel));
             }
             if (qtri_pixel_writes(o, w) && !early && (!o->covered || w->cover_writes)) {
-                if (QTRI_BODY_IS_SMALL && o->depth == QTRI_LINEAR16 &&
-                    (qtri_is_lit(o) || o->fog || qtri_reads_pixel(o))) {
-                    /* a shift, where registers are few */
-                    QTRI_BODY_BARRIER(w->z);
-                    z = qtri_depth_encode(o, surface, w->z);
-                }
                 qtri_save(depth_bytes, depth, z);
             }
             if (o->blend != QTRI_KEEP_PIXEL) {
@@ -412,7 +409,18 @@ QTRI_BODY void qtri_pixel_alone(const qtri_options *o, qtri_pixel_body *pixel, q
 }
 
 /* `count` pixels of a row, 0 or less: none. */
-#if QTRI_BODY_UNROLLS <= 2
+#ifdef QTRI_PIPELINE_IS_ANY_LOOP
+/* The generic pipeline has loops of its own. */
+QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                                bool bent, int32_t count)
+{
+    (void)o;
+    (void)pixel;
+    if (count > 0) {
+        QTRI_PIPELINE_IS_ANY_LOOP(w, bent, count);
+    }
+}
+#elif QTRI_BODY_UNROLLS <= 2
 /* Where code is to be small: two pixels at a time, after one where the count is odd. */
 QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
                                 bool bent, int32_t count)

@@ -74,6 +74,10 @@ QTRI_BODY uint8_t *qtri_small_pixel_of(const qtri_pixel_walk *w)
 QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
                                  bool bent, int32_t count)
 {
+#ifdef QTRI_PIPELINE_IS_ANY_LOOP
+    w->c_other = w->c_step;
+    qtri_pixels_draw(o, pixel, w, bent, count);
+#else
     const bool paired = qtri_is_paired(o);
     const uint32_t bytes = qtri_pixel_bytes(o);
     const uint8_t *end = paired ? w->depth + (uint32_t)count * bytes : w->depth;
@@ -86,6 +90,7 @@ QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_body *pixel, 
             qtri_walk_move(o, w, 1);
         }
     } while (paired ? w->depth != end : --count != 0);
+#endif
 }
 
 /* Where texture coordinates are in a row, x columns from vertex 0's. */

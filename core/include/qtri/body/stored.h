@@ -12,6 +12,9 @@
 
 QTRI_BODY uint32_t qtri_pixel_bytes(const qtri_options *o)
 {
+#if defined(QTRI_PIPELINE_IS_ANY_BY_ASKS)
+    return o->pixel_bytes;
+#else
     switch (o->format) {
     case QTRI_RGB565:
     case QTRI_RGB565_SWAPPED:
@@ -29,6 +32,7 @@ QTRI_BODY uint32_t qtri_pixel_bytes(const qtri_options *o)
     default:
         return o->pixel_bytes;
     }
+#endif
 }
 
 /* Of pixels that a row has: NOLINTBEGIN(clang-analyzer-core.NullDereference) */
@@ -133,10 +137,15 @@ QTRI_BODY uint32_t qtri_decode(const qtri_options *o, const qtri_surface *surfac
 
 QTRI_BODY uint32_t qtri_depth_size(const qtri_options *o, const qtri_surface *surface)
 {
+#if defined(QTRI_PIPELINE_IS_ANY_BY_ASKS)
+    (void)surface;
+    return o->depth_bytes;
+#else
     return o->depth == QTRI_LINEAR24      ? 3
            : o->depth == QTRI_LINEAR32    ? 4
            : o->depth == QTRI_OTHER_DEPTH ? surface->depth_format->bytes
                                           : 2;
+#endif
 }
 
 /* What a depth starts with: the half that rounds linear16. Of finer formats it keeps what rounding
