@@ -79,7 +79,7 @@ static void report_materials(const char *input, const struct asset *asset, FILE 
     for (size_t i = 0; i < asset->count; i++) {
         const struct asset_part *part = &asset->parts[i];
         const uint8_t *c = part->material.color;
-        if (asset->count > 1) {
+        if (asset->count > 1 || part->material.name[0] != '\0') {
             fprintf(out, "material %zu, %s: %" PRIu32 " triangles, colour %d %d %d\n", i,
                     part->material.name, part->mesh.triangle_count, c[0], c[1], c[2]);
         }

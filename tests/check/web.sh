@@ -1,0 +1,20 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The page of host/web in Chromium, opened as a file: its pictures and headers are, byte for byte, those of the command,
+# wrong files are refused in words, nothing goes to the console or the network. Skipped where a tool is missing.
+gate=web
+. tests/check/files.sh
+need make
+
+chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
+for tool in "${chromium:-chromium}" node clang wasm-ld; do
+    command -v "$tool" >/dev/null 2>&1 || { echo "check: $gate skipped, it needs chromium, node, clang, lld and wasi-libc: $tool is missing"; exit 0; }
+done
+[ -d /usr/include/wasm32-wasi ] || { echo "check: $gate skipped, it needs wasi-libc"; exit 0; }
+
+build=${BUILD:-build}
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+make -s "$build/qtri" "$build/web-qtri" web >"$work/log" || { cat "$work/log"; finish 1; }
+node tests/tools/web.js "$chromium" "$build/web" "$build/web-qtri" "$work"
+finish $?
