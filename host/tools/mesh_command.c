@@ -38,6 +38,7 @@ static bool make(struct mesh_options *options, struct asset *asset, struct text_
         .colors = options->colors,
         .normals = options->normals != MODEL_NORMALS_NONE,
         .make_faces = options->no_faces ? NULL : mesh_faces_make,
+        .keep_order = options->keep_order,
     };
     const bool ok = asset_make(options->input, &model, &wanted, asset, error);
     if (ok && model.has_colors && !options->colors) {

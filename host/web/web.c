@@ -26,7 +26,8 @@ static const struct {
 };
 
 static struct scene scene;
-static struct picture pictures[3]; /* core, double precision, difference: of one frame */
+static struct scene_resources resources; /* of the scene; all zero where there is none */
+static struct picture pictures[3];       /* core, double precision, difference: of one frame */
 static struct web_figures figures;
 
 static int complain(const char *what)
@@ -47,8 +48,12 @@ int web_command(int argc, char **argv)
 int web_scene(const char *path)
 {
     struct text_error error;
+    scene_resources_free(&resources);
     scene_free(&scene);
-    return scene_read(path, &scene, &error) ? 0 : complain(error.message);
+    if (!scene_read(path, &scene, &error)) {
+        return complain(error.message);
+    }
+    return scene_resources_create(&resources, &scene) ? 0 : complain("out of memory");
 }
 
 /* Cameras go around what they look at. */
@@ -79,7 +84,7 @@ const uint8_t *web_draw(enum web_picture what, int format, int rows, int degrees
     turn(degrees);
     switch (what) {
     case WEB_CORE:
-        ok = scene_render(&scene, formats[format].core, rows, false, picture);
+        ok = scene_render_resources(&resources, formats[format].core, rows, false, picture);
         break;
     case WEB_DOUBLE:
         ok = draw_exact(format, picture);
@@ -103,7 +108,7 @@ const struct web_figures *web_count(int format, int rows, int degrees)
     struct picture picture = {0};
     enum scene_kind kind;
     turn(degrees);
-    if (!scene_render(&scene, formats[format].core, rows, true, &picture)) {
+    if (!scene_render_resources(&resources, formats[format].core, rows, true, &picture)) {
         return NULL;
     }
     figures.triangles = scene.triangle_count;

@@ -31,10 +31,6 @@ $(web_files:%=$(WEB_DIR)/%): $(WEB_DIR)/%: host/web/%
 	@mkdir -p $(@D)
 	@cp $< $@
 
-# The command without the library that orders triangles: the page writes its headers.
-$(BUILD)/web-qtri: $(BUILD)/obj/host/tools/main.o host/assets/asset_order.c host/assets/model_simplify.c $(HOST) $(LIBRARY)
-	$(call run,link $@)$(CC) -std=c99 $(CFLAGS) $(LDFLAGS) $(INCLUDES) -o $@ $^ -lm $(HOST_LIBS)
-
 .PHONY: web
 web: ## Make build/web/index.html, a page that draws models as a microcontroller would; needs clang, lld, wasi-libc
 	@[ -n "$$(command -v clang)" ] && [ -n "$$(command -v wasm-ld)" ] && [ -d /usr/include/wasm32-wasi ] || \

@@ -15,6 +15,6 @@ done
 build=${BUILD:-build}
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
-make -s "$build/qtri" "$build/web-qtri" web >"$work/log" || { cat "$work/log"; finish 1; }
-node tests/tools/web.js "$chromium" "$build/web" "$build/web-qtri" "$work"
+make -s "$build/qtri" web >"$work/log" || { cat "$work/log"; finish 1; }
+node tests/tools/web.js "$chromium" "$build/web" "$build/qtri" "$work"
 finish $?

@@ -117,6 +117,27 @@ async function main() {
         await waitFor(`document.getElementById('status').textContent + document.getElementById('error').textContent !== ''`);
     }
 
+    // Files by name, dropped on the page.
+    async function drop(contents) {
+        await evaluate(`document.getElementById('status').textContent = document.getElementById('error').textContent = ''`);
+        const files = Object.entries(contents).map(([name, content]) => [name, Buffer.from(content).toString('base64')]);
+        await evaluate(`{
+            const dataTransfer = new DataTransfer();
+            for (const [name, base64] of ${JSON.stringify(files)}) {
+                dataTransfer.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], name));
+            }
+            document.body.dispatchEvent(new DragEvent('drop', {dataTransfer, bubbles: true, cancelable: true}));
+        }`);
+        await waitFor(`document.getElementById('status').textContent + document.getElementById('error').textContent !== ''`);
+    }
+
+    async function press(id, key, code) {
+        await evaluate(`document.getElementById('${id}').focus()`);
+        for (const type of ['keyDown', 'keyUp']) {
+            await send('Input.dispatchKeyEvent', {type, key, code: key === ' ' ? 'Space' : key, windowsVirtualKeyCode: code, text: type === 'keyDown' && key === ' ' ? ' ' : undefined});
+        }
+    }
+
     // The canvases are what the command draws of the page's scene, to the byte.
     async function comparePictures(name, format, rows) {
         const scene = await evaluate('sceneText(chosen())');
@@ -153,11 +174,14 @@ async function main() {
     // At first it turns, until somebody wants it to stand.
     const first = await evaluate('degrees');
     await waitFor(`degrees !== ${first}`);
-    await set('angle', 64);
-    check(await evaluate('!isPlaying()'), 'the angle does not stop the turning');
+    await press('play', ' ', 32);
+    check(await evaluate('!isPlaying()'), 'the space bar on the button does not stop the turning');
+    await set('angle', 62);
+    await press('angle', 'ArrowRight', 39);
+    check(await evaluate('degrees === 64'), 'an arrow key does not turn the model');
     await comparePictures('knot', 'rgb565', 16);
     await compareHeader('knot', work);
-    check(/^5,760, covering [1-9]/.test(await text('triangles')), 'triangles: ' + await text('triangles'));
+    check(/^5,760 triangles, covering [1-9]/.test(await text('triangles')), 'triangles: ' + await text('triangles'));
     check(/^[0-9.]+ million on a Cortex-M0\+/.test(await text('instructions')), 'instructions: ' + await text('instructions'));
     check((await evaluate(`[...document.querySelectorAll('#chips td:last-child')].every((cell) => Number(cell.textContent) > 0)`)), 'frames a second are no numbers');
 
@@ -178,13 +202,17 @@ async function main() {
     fs.mkdirSync(path.join(work, 'textures'));
     file('textures/skin.ppm', ppm(32, 16));
     await pick(file('small.obj', OBJ), file('small.mtl', MTL), path.join(work, 'textures/skin.ppm'));
-    check((await text('status')).startsWith('small.obj is shown: 6,'), 'small.obj: ' + await text('status') + await text('error'));
+    check((await text('status')).startsWith('small.obj is shown: 6 triangles,'), 'small.obj: ' + await text('status') + await text('error'));
     await comparePictures('small.obj', 'rgb888', 8);
     await compareHeader('small.obj', work);
+    execFileSync(qtri, ['texture', path.join(work, 'textures/skin.ppm'), '-o', path.join(work, 'skin.png'), '--format', 'xrgb8888']);
+    await drop({'small.obj': OBJ, 'small.mtl': MTL.replace('textures/skin.ppm', 'skin.png'), 'skin.png': fs.readFileSync(path.join(work, 'skin.png'))});
+    file('small.mtl', MTL.replace('textures/skin.ppm', 'skin.png'));
+    await compareHeader('small.obj with a PNG', work);
     await pick(path.join(work, 'small.obj'));
     check(/left out: .*small.mtl/.test(await text('status')), 'without its MTL: ' + await text('status'));
     await pick(file('tetra.glb', glb()));
-    check((await text('status')).startsWith('tetra.glb is shown: 4,'), 'tetra.glb: ' + await text('status') + await text('error'));
+    check((await text('status')).startsWith('tetra.glb is shown: 4 triangles,'), 'tetra.glb: ' + await text('status') + await text('error'));
 
     check((await evaluate('sceneText(chosen())')).includes('color 0.486275 0.737255 0.905882'), 'tetra.glb: not the colour of its material');
 
