@@ -182,8 +182,8 @@ static void triangles_are_the_models_and_errors_as_reported(void **state)
     for (int n = 0; n < 8; n++) {
         struct asset asset;
         struct text_error error;
-        const struct asset_options options = {n % 2 == 1, n / 2 % 2 == 1, n / 4 == 0,
-                                              mesh_faces_make, false, n % 3 == 2};
+        const struct asset_options options = {n % 2 == 1,      n / 2 % 2 == 1, n / 4 == 0,
+                                              mesh_faces_make, false,          n % 3 == 2};
         const double size = n < 4 ? 1.0 : 40.0;
         struct model model = bumpy(n < 6 ? 14 : 20, size);
         assert_true(asset_make("x", &model, &options, &asset, &error));
