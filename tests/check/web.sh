@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The page of host/web in Chromium, opened as a file: its pictures and headers are, byte for byte, those of the command,
-# wrong files are refused in words, nothing goes to the console or the network. Skipped where a tool is missing.
+# wrong files are refused in words, nothing goes to the console or the network. Skipped where a tool is missing:
+# Chromium is too large for `make setup-all`.
 gate=web
 . tests/check/files.sh
 need make
