@@ -3,6 +3,8 @@
 'use strict';
 
 const MOST_BYTES = 64 << 20; /* of all files together */
+const MOST_PIXELS = 1 << 26;
+const MOST_VERTICES = 1 << 21;
 
 /* ---- Pictures: the browser knows PNG, JPEG and more ---- */
 
@@ -14,6 +16,9 @@ async function pictureToPpm(name, bytes) {
         throw new Error(name + ' is not a picture that this browser can read.');
     }
     const {width, height} = bitmap;
+    if (width * height > MOST_PIXELS) {
+        throw new Error(name + ' has ' + width + ' x ' + height + ' pixels; this page takes up to 8192 x 8192.');
+    }
     const context = new OffscreenCanvas(width, height).getContext('2d');
     context.drawImage(bitmap, 0, 0);
     const rgba = context.getImageData(0, 0, width, height).data;
@@ -138,6 +143,9 @@ function primitiveToObj(glb, primitive, matrix, obj) {
         obj.lines.push('f ' + corner(indices[i]) + ' ' + corner(indices[i + 1]) + ' ' + corner(indices[i + 2]));
     }
     obj.vertices += positions.length;
+    if (obj.vertices > MOST_VERTICES) {
+        throw new Error('has more than ' + MOST_VERTICES + ' vertices.');
+    }
     obj.uvs += uvs ? uvs.length : 0;
     obj.normals += normals ? normals.length : 0;
 }

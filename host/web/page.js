@@ -14,7 +14,7 @@ const CHIPS = [
     {name: 'RP2350', core: 'Cortex-M33', mhz: 150},
 ];
 const CYCLES = 4 / 3; /* an instruction */
-const FORMAT_BITS = [16, 32, 8];
+const FORMAT_BITS = [16, 24, 8]; /* that are sent */
 const CHECKER = 'texture 64 64 8  255 240 220 90 130 200\n';
 
 let engine = null;
@@ -228,7 +228,7 @@ async function guard(action) {
     try {
         await action();
     } catch (error) {
-        const isCrash = error instanceof WebAssembly.RuntimeError;
+        const isCrash = error.constructor !== Error; /* what the page says itself is an Error, no kind of it */
         if (isCrash) {
             engine = await createEngine();
         }
@@ -305,7 +305,10 @@ function listen() {
     element('model').addEventListener('change', () => element('model').value !== 'opened' && openBuiltIn());
     element('files').addEventListener('change', () => element('files').files.length > 0 && openPicked([...element('files').files]));
     element('download').addEventListener('click', download);
-    ['size', 'format', 'rows', 'depth', 'style', 'texture', 'backs', 'bus', 'compare'].forEach((id) => element(id).addEventListener('change', () => guard(refresh)));
+    ['size', 'format', 'rows', 'depth', 'style', 'texture', 'backs', 'bus', 'compare'].forEach((id) => element(id).addEventListener('change', () => guard(() => {
+        refresh();
+        say(element('triangles').textContent + '; RAM ' + element('ram').textContent + '.');
+    })));
     document.addEventListener('dragover', (event) => {
         event.preventDefault();
         document.body.classList.add('over');

@@ -33,8 +33,8 @@ $(web_files:%=$(WEB_DIR)/%): $(WEB_DIR)/%: host/web/%
 
 .PHONY: web
 web: ## Make build/web/index.html, a page that draws models as a microcontroller would; needs clang, lld, wasi-libc
-	@[ -n "$$(command -v clang)" ] && [ -n "$$(command -v wasm-ld)" ] && [ -d /usr/include/wasm32-wasi ] || \
-	    { echo 'web: clang, wasm-ld or wasi-libc is not installed: apt-get install clang lld wasi-libc libclang-rt-14-dev-wasm32' >&2; exit 1; }
+	@sh tests/check/have_wasm.sh || \
+	    { echo 'web: clang cannot build for WebAssembly here: apt-get install clang lld wasi-libc libclang-rt-14-dev-wasm32' >&2; exit 1; }
 	@$(MAKE) -s $(PARALLEL) $(WEB_DIR)/qtri.js $(web_files:%=$(WEB_DIR)/%)
 	@echo "web: $(WEB_DIR)/index.html, $$(du -sk $(WEB_DIR) | cut -f 1) KB"
 

@@ -8,10 +8,10 @@ gate=web
 need make
 
 chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
-for tool in "${chromium:-chromium}" node clang wasm-ld; do
-    command -v "$tool" >/dev/null 2>&1 || { echo "check: $gate skipped, it needs chromium, node, clang, lld and wasi-libc: $tool is missing"; exit 0; }
-done
-[ -d /usr/include/wasm32-wasi ] || { echo "check: $gate skipped, it needs wasi-libc"; exit 0; }
+[ -n "$chromium" ] && command -v node >/dev/null && sh tests/check/have_wasm.sh || {
+    echo "check: $gate skipped, it needs chromium, nodejs, clang, lld, wasi-libc and libclang-rt-14-dev-wasm32"
+    exit 0
+}
 
 build=${BUILD:-build}
 work=$(mktemp -d) || exit 1
