@@ -200,7 +200,9 @@ function showFigures(look, report) {
         count(line) + ' to send, ' + count(vertices + lists) + ' for vertices and lists';
     element('instructions').textContent = figures.m3 === 0 ? 'unknown for these options'
         : millions(figures.m0plus) + ' million on a Cortex-M0+, ' + millions(figures.m3) + ' on an M3, within ' + figures.costError + ' %';
-    if (element('compare').checked) {
+    if (isPlaying()) {
+        element('differing').textContent = 'counted when it stands';
+    } else if (element('compare').checked) {
         element('differing').textContent = figures.differing === 0 ? 'none'
             : count(figures.differing) + ' pixels, by at most ' + figures.largestError + ' of 255';
     }
@@ -215,7 +217,7 @@ function refresh() {
     showFigures(look, reportOfModel());
     element('command').textContent = 'qtri ' + headerWords(opened.name, opened.plain).map((word) => /[^\w.\/-]/.test(word) ? "'" + word + "'" : word).join(' ');
     element('equality').textContent = opened.isGlb
-        ? 'Of a GLB file the command reads more than this page, as its motion, so that its header is another one.'
+        ? 'Of the GLB file itself the command also writes motion and the names of materials.'
         : 'Byte for byte; --keep-order, since the page lacks the library that orders triangles for the vertex cache. Of pictures it leaves out alpha, and JPEG is decoded by this browser.';
     ['core', 'double'].forEach((id, i) => element(id).setAttribute('aria-label', opened.name + ' in ' + ['fixed point', 'double precision'][i] + ', ' + look.width + ' by ' + look.height + ' pixels'));
 }
