@@ -230,7 +230,7 @@ async function guard(action) {
     try {
         await action();
     } catch (error) {
-        const isCrash = error.constructor !== Error; /* what the page says itself is an Error, no kind of it */
+        const isCrash = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
         if (isCrash) {
             engine = await createEngine();
         }

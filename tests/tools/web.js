@@ -4,6 +4,7 @@
 'use strict';
 const {execFileSync, spawnSync} = require('child_process');
 const fs = require('fs');
+const http = require('http');
 const path = require('path');
 const {pathToFileURL} = require('url');
 const {openBrowser} = require('./browser.js');
@@ -75,6 +76,15 @@ function glb() {
 }
 
 // ---- The page ----
+
+// The folder as any file server has it, at a port of its own.
+function serve() {
+    const types = {'.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css'};
+    const server = http.createServer((request, response) => fs.readFile(path.join(folder, request.url), (error, content) => {
+        response.writeHead(error ? 404 : 200, {'content-type': types[path.extname(request.url)] ?? 'text/plain'}).end(content);
+    }));
+    return new Promise((ready) => server.listen(0, '127.0.0.1', () => ready(server)));
+}
 
 const PIXELS = `(id) => {
     const canvas = document.getElementById(id), data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
@@ -248,9 +258,14 @@ async function main() {
         }
     }
 
+    const server = await serve(), origin = 'http://127.0.0.1:' + server.address().port;
+    await send('Page.navigate', {url: origin + '/index.html'});
+    await waitFor(`document.getElementById('status')?.textContent.includes('is shown')`);
+    server.close();
+
     errors.forEach((error) => check(false, 'on the console: ' + error));
-    requests.filter((url) => !/^(file|data|blob):/.test(url)).forEach((url) => check(false, 'a request to ' + url));
-    check(requests.some((url) => url.endsWith('/page.js')), 'requests are not seen');
+    requests.filter((url) => !/^(file|data|blob):/.test(url) && !url.startsWith(origin)).forEach((url) => check(false, 'a request to ' + url));
+    check(requests.filter((url) => url.endsWith('/page.js')).length === 2, 'requests are not seen');
     await browser.close();
 }
 
