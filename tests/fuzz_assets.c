@@ -62,8 +62,9 @@ static void make_asset(struct model *model, uint8_t choice)
 {
     struct asset asset;
     struct text_error error;
-    const struct asset_options options = {choice % 2 == 1, choice / 2 % 2 == 1, choice / 4 % 2 == 1,
-                                          mesh_faces_make, choice / 128 % 2 == 1};
+    const struct asset_options options = {choice % 2 == 1,       choice / 2 % 2 == 1,
+                                          choice / 4 % 2 == 1,   mesh_faces_make,
+                                          choice / 128 % 2 == 1, false};
     double distance;
     if (choice / 8 % 2 == 1) {
         model_center(model);

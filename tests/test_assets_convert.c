@@ -182,8 +182,8 @@ static void triangles_are_the_models_and_errors_as_reported(void **state)
     for (int n = 0; n < 8; n++) {
         struct asset asset;
         struct text_error error;
-        const struct asset_options options = {n % 2 == 1, n / 2 % 2 == 1, n / 4 == 0,
-                                              mesh_faces_make, false};
+        const struct asset_options options = {n % 2 == 1,      n / 2 % 2 == 1, n / 4 == 0,
+                                              mesh_faces_make, false,          n % 3 == 2};
         const double size = n < 4 ? 1.0 : 40.0;
         struct model model = bumpy(n < 6 ? 14 : 20, size);
         assert_true(asset_make("x", &model, &options, &asset, &error));
@@ -206,6 +206,7 @@ static void triangles_are_the_models_and_errors_as_reported(void **state)
                 j++;
             }
             assert_true(j < model.triangle_count);
+            assert_true(!options.keep_order || j == i);
             found[j] = true;
         }
         free(found);
@@ -221,7 +222,7 @@ static void boxes_hold_and_vertices_follow(void **state)
     for (int n = 0; n < 2; n++) {
         struct asset asset;
         struct text_error error;
-        const struct asset_options options = {n == 1, false, true, NULL, false};
+        const struct asset_options options = {n == 1, false, true, NULL, false, false};
         struct model model = bumpy(30, 100.0);
         assert_true(asset_make("x", &model, &options, &asset, &error));
         const qtri_mesh *mesh = &asset.parts[0].mesh;
@@ -258,7 +259,7 @@ static void what_does_not_fit_is_refused(void **state)
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 99999 0\nf 1/1 2/1 3/1\n", "x: has a texture coordinate"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        const struct asset_options options = {false, false, false, mesh_faces_make, false};
+        const struct asset_options options = {false, false, false, mesh_faces_make, false, false};
         struct asset asset;
         struct text_error error;
         struct model model = parse(cases[i].text);
@@ -267,7 +268,7 @@ static void what_does_not_fit_is_refused(void **state)
         model_free(&model);
     }
     struct model model = bumpy(260, 1.0); /* 261^2 vertices */
-    const struct asset_options options = {false, false, false, NULL, false};
+    const struct asset_options options = {false, false, false, NULL, false, false};
     struct asset asset;
     struct text_error error;
     assert_false(asset_make("x", &model, &options, &asset, &error));
@@ -285,7 +286,7 @@ static void materials_become_meshes_or_colors(void **state)
     struct text_error error;
     struct asset asset;
     assert_true(model_parse_mtl("x.mtl", mtl, sizeof mtl - 1, &model, &error));
-    struct asset_options options = {false, false, false, NULL, false};
+    struct asset_options options = {false, false, false, NULL, false, false};
     assert_true(asset_make("x", &model, &options, &asset, &error));
     assert_int_equal(asset.count, 2);
     assert_string_equal(asset.parts[0].material.name, "a");

@@ -108,6 +108,30 @@ static void materials(void **state)
     shell("rm 'm x.mtl'");
     assert_refused("mesh m.obj -o bad.h", "qtri mesh: m.obj:1: there is no file m x.mtl");
     assert_int_equal(run("mesh m.obj -o one.h --plain"), 0);
+    assert_false(contains("output", "material"));
+}
+
+static void an_only_material_is_named(void **state)
+{
+    (void)state;
+    char text[512];
+    snprintf(text, sizeof text, "mtllib x.mtl\n%susemtl a\nf 1 3 2\n", tetra);
+    write_text("m.obj", text);
+    write_text("x.mtl", "newmtl a\nKd 1 0 .2\n");
+    assert_int_equal(run("mesh m.obj -o one.h"), 0);
+    assert_true(contains("output", "material 0, a: 1 triangles, colour 255 0 51"));
+}
+
+/* Two strips by turns, as no vertex cache wants them. */
+static void triangles_keep_their_order(void **state)
+{
+    (void)state;
+    write_text("two.obj",
+               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv -1 0 0\nv 4 0 0\n"
+               "f 1 2 3\nf 4 5 6\nf 1 3 7\nf 4 6 8\n");
+    assert_int_equal(run("mesh two.obj -o two.h --normals none --compact --keep-order"), 0);
+    shell("tr -s ' \\n' ' ' <two.h >output");
+    assert_true(contains("output", "{0, 1, 2}, {3, 4, 5}, {0, 2, 6}, {3, 5, 7}"));
 }
 
 static void split_files_link(void **state)
@@ -510,6 +534,8 @@ int main(void)
         cmocka_unit_test(usage_errors),
         cmocka_unit_test(generated_meshes),
         cmocka_unit_test(materials),
+        cmocka_unit_test(an_only_material_is_named),
+        cmocka_unit_test(triangles_keep_their_order),
         cmocka_unit_test(split_files_link),
         cmocka_unit_test(standard_input_and_output),
         cmocka_unit_test(bad_models),

@@ -240,13 +240,14 @@ static void add_triangles(struct draft *draft, const struct packing *packing,
     }
 }
 
-/* Triangles for the cache, vertices in the order of their first use. */
-static bool order(struct draft *draft)
+/* Triangles for the cache, or as they are; vertices in the order of their first use. */
+static bool order(struct draft *draft, bool keep_order)
 {
     struct packed *moved = calloc(draft->vertex_count + 1, sizeof *moved);
     uint32_t *place = calloc(draft->vertex_count + 1, sizeof *place); /* new index + 1, or 0 */
     bool ok = moved != NULL && place != NULL &&
-              asset_order_triangles(draft->triangles, draft->triangle_count, draft->vertex_count);
+              (keep_order ||
+               asset_order_triangles(draft->triangles, draft->triangle_count, draft->vertex_count));
     uint32_t count = 0;
     for (size_t i = 0; ok && i < 3 * draft->triangle_count; i++) {
         uint32_t *corner = &draft->triangles[i / 3][i % 3];
@@ -282,7 +283,7 @@ static bool make_draft(struct draft *draft, const struct packing *packing,
     bool ok = slots != NULL && draft->vertices != NULL && draft->triangles != NULL;
     if (ok) {
         add_triangles(draft, packing, model, material, slots, size - 1, error);
-        ok = order(draft);
+        ok = order(draft, packing->options->keep_order);
     }
     free(slots);
     return ok;

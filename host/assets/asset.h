@@ -26,6 +26,7 @@ struct asset_options {
        the material's, else the mesh has colours; without a picture it has no texture coordinates.
      */
     bool merged;
+    bool keep_order; /* triangles follow each other as in the model */
 };
 
 /* A mesh with the memory of its arrays. */
@@ -73,8 +74,8 @@ struct asset {
 /*
  * Makes meshes of a welded model. Vertices that are equal in what the microcontroller will see are
  * one, triangles that have no area there are left out, triangles follow each other so that vertices
- * are used again soon, vertices in the order of their first use. False with *error set, which
- * begins with `path`: what does not fit a qtri_mesh, or out of memory.
+ * are used again soon unless `keep_order`, vertices in the order of their first use. False with
+ * *error set, which begins with `path`: what does not fit a qtri_mesh, or out of memory.
  */
 bool asset_make(const char *path, const struct model *model, const struct asset_options *options,
                 struct asset *asset, struct text_error *error);

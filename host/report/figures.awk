@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: MIT
 # Compares README's figures with their sources: one line a figure, row, column, README's, the source's, status, source.
-# Status: ok, differs, absent (no such source here), test (not compared), unknown (figures.tsv does not name the row).
-# Reads figures.tsv, budgets.tsv, what `qtri demo` printed, README.md, in that order.
+# Status: ok, differs, absent (no such source here), unknown (figures.tsv does not name the row).
+# Reads figures.tsv, budgets.tsv, peers.tsv, what `qtri demo` printed, README.md, in that order.
 
 BEGIN { OFS = "\t" }
 FILENAME != file { file = FILENAME; files++ }
 
 files == 1 && !/^#/ { split($0, part, "\t"); source[part[1], part[2]] = $0; next }
 files == 2 && !/^#/ { split($0, part, "\t"); budget[part[1], part[2]] = part[3]; next }
-files == 3 && NF == 7 { for (i = 2; i <= 7; i++) demo[$1, i - 1] = $i; next }
-files < 4 { next }
+files == 3 && /^name\t/ { split($0, peer_title, "\t"); next }
+files == 3 && !/^#/ { count = split($0, part, "\t"); for (i = 3; i <= count; i++) peer[part[1], peer_title[i]] = part[i]; next }
+files == 4 && NF == 7 { for (i = 2; i <= 7; i++) demo[$1, i - 1] = $i; next }
+files < 5 { next }
 
 /^\|/ {
     count = split($0, cell, / *\| */)
@@ -35,7 +37,7 @@ function row(count,    part, i, s) {
     split(source[table, cell[2]], part, "\t")
     for (i = 3; i < count; i++) {
         s = lookup(part, i - 2)
-        print cell[2], title[i], cell[i], s, part[3] == "test" ? "test" : s == "-" ? "absent" : near(cell[i], s) ? "ok" : "differs", command(part)
+        print cell[2], title[i], cell[i], s, s == "-" ? "absent" : near(cell[i], s) ? "ok" : "differs", command(part)
     }
 }
 
@@ -49,13 +51,19 @@ function lookup(part, i,    cores, key) {
         key = part[4] (i % 2 ? "-Os code" : "-Os stack") SUBSEP (i < 3 ? "cortex-m0plus" : "cortex-m3")
         return key in budget ? budget[key] : "-"
     }
+    if (part[3] == "peer") {
+        key = title[i + 2]
+        sub(/[:,].*/, "", key)
+        if (part[4] != "qtri") return (part[4], key) in peer ? peer[part[4], key] : "-"
+        return key == "flash" ? budget["textured-Os code", "cortex-m0plus"] / 1000 : budget[key, "cortex-m4"] / 1000000
+    }
     key = part[4] SUBSEP i
     return part[3] == "demo" && key in demo ? demo[key] : "-"
 }
 
 function command(part) {
     return part[3] == "budget" ? "make bench BENCH_SCENES=" part[4] : part[3] == "size" ? "make size SIZE_APP=" part[4] \
-        : part[3] == "demo" ? "qtri demo --only " part[4] : "make test-plain TESTS=" part[4]
+        : part[3] == "peer" ? "host/report/peers.tsv" : "qtri demo --only " part[4]
 }
 
 # Whether a figure is what is printed of a number: within half a step of its last digit; what has more digits, to its own.

@@ -38,6 +38,7 @@ static bool make(struct mesh_options *options, struct asset *asset, struct text_
         .colors = options->colors,
         .normals = options->normals != MODEL_NORMALS_NONE,
         .make_faces = options->no_faces ? NULL : mesh_faces_make,
+        .keep_order = options->keep_order,
     };
     const bool ok = asset_make(options->input, &model, &wanted, asset, error);
     if (ok && model.has_colors && !options->colors) {
@@ -79,7 +80,7 @@ static void report_materials(const char *input, const struct asset *asset, FILE 
     for (size_t i = 0; i < asset->count; i++) {
         const struct asset_part *part = &asset->parts[i];
         const uint8_t *c = part->material.color;
-        if (asset->count > 1) {
+        if (asset->count > 1 || part->material.name[0] != '\0') {
             fprintf(out, "material %zu, %s: %" PRIu32 " triangles, colour %d %d %d\n", i,
                     part->material.name, part->mesh.triangle_count, c[0], c[1], c[2]);
         }

@@ -51,6 +51,7 @@ static const char usage[] =
     "  --plain            one mesh; materials and pictures are not looked for\n"
     "  --simplify N       at most about N triangles\n"
     "  --no-faces         without the planes that let back faces be culled early\n"
+    "  --keep-order       triangles in the order of the file, not in that of the vertex cache\n"
     "  --name NAME        in C (default: the output's, the input's)\n"
     "  --split            declarations in NAME.h, data in NAME.c\n"
     "  --panel WxH        the display for which RAM is counted (default 320x240)\n"
@@ -197,6 +198,7 @@ static const struct option all_options[] = {
     {"--split", OPTION_FLAG, AT(split), NULL},
     {"--plain", OPTION_FLAG, AT(plain), NULL},
     {"--no-faces", OPTION_FLAG, AT(no_faces), NULL},
+    {"--keep-order", OPTION_FLAG, AT(keep_order), NULL},
     /* of `qtri model` */
     {"--texture", OPTION_TEXT, AT(skin), NULL},
     {"--texture-side", OPTION_SET, 0, set_texture_side},

@@ -19,7 +19,7 @@ struct mesh_options {
     bool is_generated;           /* the input is a name that mesh_generate knows */
     bool is_obj;                 /* the output is OBJ, not C */
     bool is_changed;             /* an option asks for more than the generated text */
-    bool split, compact, center, colors, plain, no_faces;
+    bool split, compact, center, colors, plain, no_faces, keep_order;
     char up;           /* 'y' or 'z' */
     double fit, scale; /* 0: as it is */
     enum model_normals normals;

@@ -41,6 +41,7 @@ static bool build(const struct mesh_options *options, struct model *model, struc
         .merged = true,
         .normals = options->normals != MODEL_NORMALS_NONE,
         .make_faces = options->no_faces ? NULL : mesh_faces_make,
+        .keep_order = options->keep_order,
     };
     const char *path = options->input;
     if (!set_skin(options, model, error)) {

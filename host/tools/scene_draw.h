@@ -103,6 +103,10 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
 bool scene_render(const struct scene *scene, const qtri_format *format, int32_t rows,
                   bool with_dump, struct picture *picture);
 
+/* Renders a scene that is drawn more than once, by its resources. */
+bool scene_render_resources(struct scene_resources *resources, const qtri_format *format,
+                            int32_t rows, bool with_dump, struct picture *picture);
+
 /* Of a format the one with four samples a pixel; itself where there is none. */
 const qtri_format *scene_sampled_format(const qtri_format *format);
 

@@ -174,6 +174,23 @@ static bool render_pass(struct scene_resources *resources, const qtri_format *fo
     return ok;
 }
 
+bool scene_render_resources(struct scene_resources *resources, const qtri_format *format,
+                            int32_t rows, bool with_dump, struct picture *picture)
+{
+    const struct scene *scene = resources->scene;
+    if (!picture_create(picture, scene->width, scene->height, with_dump)) {
+        return false;
+    }
+    rows = rows < 1 || rows > scene->height ? scene->height : rows;
+    const bool ok =
+        render_pass(resources, format, rows, SCENE_COLORS, picture) &&
+        (!with_dump || render_pass(resources, &qtri_xrgb8888, rows, SCENE_IDS, picture));
+    if (!ok) {
+        picture_free(picture);
+    }
+    return ok;
+}
+
 static bool render_scene(const struct scene *scene, const qtri_format *format, int32_t rows,
                          bool with_dump, const struct scene_pipelines *pipelines,
                          struct picture *picture)
@@ -182,18 +199,9 @@ static bool render_scene(const struct scene *scene, const qtri_format *format, i
     if (!scene_resources_create(&resources, scene)) {
         return false;
     }
-    if (!picture_create(picture, scene->width, scene->height, with_dump)) {
-        scene_resources_free(&resources);
-        return false;
-    }
     resources.pipelines = pipelines;
-    rows = rows < 1 || rows > scene->height ? scene->height : rows;
-    bool ok = render_pass(&resources, format, rows, SCENE_COLORS, picture) &&
-              (!with_dump || render_pass(&resources, &qtri_xrgb8888, rows, SCENE_IDS, picture));
+    const bool ok = scene_render_resources(&resources, format, rows, with_dump, picture);
     scene_resources_free(&resources);
-    if (!ok) {
-        picture_free(picture);
-    }
     return ok;
 }
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The pipeline's levels: who may include whom.
-#   core/bits < math < geometry < frame < filter < paint < raster < draw, host/io < reference < assets < tools < bench and window: own folder or lower;
+#   core/bits < math < geometry < frame < filter < paint < raster < draw, host/io < reference < assets < tools < bench, window and web: own folder or lower;
 #   the same for calls between files of core, which may not go in circles either;
 #   core and port/panels: public headers and five system headers, a checked build also assert.h; neither the umbrella qtri.h nor the host;
 #   host/reference: nothing of core, not even by way of another header.
@@ -29,7 +29,7 @@ found=$(c_files core port/include port/panels host | xargs grep -n '^ *# *includ
          level["core/bits"] = 0; level["core/math"] = 1; level["core/geometry"] = 2; level["core/frame"] = 3; level["core/filter"] = 4
          level["core/paint"] = 5; level["core/raster"] = 6; level["core/draw"] = 7
         level["host/io"] = 1; level["host/reference"] = 2; level["host/assets"] = 3; level["host/tools"] = 4
-         level["host/bench"] = 5; level["host/window"] = 5
+         level["host/bench"] = 5; level["host/window"] = 5; level["host/web"] = 5
         freestanding = "^(stdint|stddef|stdbool|limits|string)\\.h$"
     }
     {

@@ -5,7 +5,7 @@
 set -eu
 what=${1:-test}
 packages='git gcc make pkg-config libcmocka-dev libmpfr-dev libpng-dev libstb-dev libassimp-dev libmeshoptimizer-dev libfreetype-dev'
-[ "$what" = test ] || packages="$packages g++ tcc cmake jq clang clang-format clang-tidy cppcheck doxygen libsdl2-dev
+[ "$what" = test ] || packages="$packages g++ tcc cmake jq clang lld wasi-libc clang-format clang-tidy cppcheck doxygen libsdl2-dev
           gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
           gcc-riscv64-unknown-elf qemu-system-misc gcc-avr avr-libc simavr
           gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user
@@ -14,7 +14,7 @@ packages=$(echo $packages)
 
 if ! command -v apt-get >/dev/null || [ "$(id -u)" != 0 ]; then
     echo "setup: make $([ "$what" = test ] && echo test || echo check) needs these packages (names of Debian)$([ "$what" = test ] || echo ", and clang's sanitizer and fuzzer runtime"):"
-    echo "    $packages$([ "$what" = test ] || echo " libclang-rt-14-dev")"
+    echo "    $packages$([ "$what" = test ] || echo " libclang-rt-14-dev libclang-rt-14-dev-wasm32")"
     command -v apt-get >/dev/null && echo "setup: run as root to install them"
     exit 1
 fi
@@ -27,7 +27,7 @@ installed()
 # clang's runtime (sanitizers, libFuzzer) carries clang's version in its name.
 runtime()
 {
-    [ "$what" = test ] || apt-cache depends clang 2>/dev/null | sed -n 's/.*Depends: clang-\([0-9]*\)$/libclang-rt-\1-dev/p' | head -n 1
+    [ "$what" = test ] || apt-cache depends clang 2>/dev/null | sed -n 's/.*Depends: clang-\([0-9]*\)$/libclang-rt-\1-dev libclang-rt-\1-dev-wasm32/p' | head -n 1
 }
 
 if ! installed $packages $(runtime); then

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What page.js calls: commands of `qtri` on files in memory, and a scene, drawn by the core, in
+ * double precision, and as their difference.
+ */
+#include "web.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "../reference/reference.h"
+#include "../reference/reference_picture.h"
+#include "../tools/commands.h"
+#include "../tools/compare.h"
+#include "../tools/scene_cost.h"
+#include "../tools/scene_draw.h"
+#include "web_files.h"
+
+static const struct {
+    const qtri_format *core;
+    enum reference_format reference;
+} formats[] = {
+    {&qtri_rgb565, REFERENCE_RGB565},
+    {&qtri_xrgb8888, REFERENCE_RGB888},
+    {&qtri_gray8, REFERENCE_GRAY8},
+};
+
+static struct scene scene;
+static struct scene_resources resources; /* of the scene; all zero where there is none */
+static struct picture pictures[3];       /* core, double precision, difference: of one frame */
+static struct web_figures figures;
+
+static int complain(const char *what)
+{
+    fprintf(stderr, "%s\n", what);
+    return 1;
+}
+
+int web_command(int argc, char **argv)
+{
+    const int status = strcmp(argv[0], "model") == 0  ? model_main(argc, argv)
+                       : strcmp(argv[0], "mesh") == 0 ? mesh_main(argc, argv)
+                                                      : texture_main(argc, argv);
+    (void)fflush(stdout);
+    return status;
+}
+
+int web_scene(const char *path)
+{
+    struct text_error error;
+    scene_resources_free(&resources);
+    scene_free(&scene);
+    if (!scene_read(path, &scene, &error)) {
+        return complain(error.message);
+    }
+    return scene_resources_create(&resources, &scene) ? 0 : complain("out of memory");
+}
+
+/* Cameras go around what they look at. */
+static void turn(int degrees)
+{
+    for (size_t i = 0; i < scene.op_count; i++) {
+        if (scene.ops[i].kind == SCENE_ORBIT) {
+            scene.ops[i].u.number[4] = degrees * 65536;
+        }
+    }
+}
+
+static bool draw_exact(int format, struct picture *picture)
+{
+    struct reference_image image = {0};
+    const bool ok = reference_render(&scene, 0, &image) &&
+                    reference_picture(&image, formats[format].reference, picture);
+    reference_free(&image);
+    return ok;
+}
+
+const uint8_t *web_draw(enum web_picture what, int format, int rows, int degrees)
+{
+    struct picture *picture = &pictures[what];
+    struct comparison comparison;
+    bool ok = false;
+    picture_free(picture);
+    turn(degrees);
+    switch (what) {
+    case WEB_CORE:
+        ok = scene_render_resources(&resources, formats[format].core, rows, false, picture);
+        break;
+    case WEB_DOUBLE:
+        ok = draw_exact(format, picture);
+        break;
+    case WEB_DIFFERENCE:
+        ok = compare_difference(&pictures[WEB_CORE], &pictures[WEB_DOUBLE], picture);
+        compare_pictures(&pictures[WEB_CORE], &pictures[WEB_DOUBLE], &comparison);
+        figures.differing = (double)comparison.differing;
+        figures.largest_error = comparison.max_color_error;
+        break;
+    }
+    return ok ? picture->rgb : NULL;
+}
+
+const struct web_figures *web_count(int format, int rows, int degrees)
+{
+    static const size_t depth_bytes[] = {
+        [SCENE_LINEAR16] = 2, [SCENE_FLOAT16] = 2, [SCENE_LINEAR24] = 3, [SCENE_LINEAR32] = 4};
+    const size_t all = (size_t)scene.width * (size_t)scene.height;
+    const int held = rows < 1 || rows > scene.height ? scene.height : rows;
+    struct picture picture = {0};
+    enum scene_kind kind;
+    turn(degrees);
+    if (!scene_render_resources(&resources, formats[format].core, rows, true, &picture)) {
+        return NULL;
+    }
+    figures.triangles = scene.triangle_count;
+    figures.pixels = 0;
+    for (size_t i = 0; i < all; i++) {
+        figures.pixels += picture.id[i] != 0 ? 1 : 0;
+    }
+    picture_free(&picture);
+    figures.band_bytes = (double)QTRI_BAND_BYTES_DEPTH(
+        scene.width, held, formats[format].core->pixels->bytes, depth_bytes[scene.depth_format]);
+    figures.m0plus = figures.m3 = figures.cost_error = 0;
+    if (scene_kind(&scene, &kind)) {
+        const struct scene_cost cost =
+            scene_cost(kind, figures.triangles, figures.pixels, (double)all);
+        figures.m0plus = cost.m0plus;
+        figures.m3 = cost.m3;
+        figures.cost_error = cost.error;
+    }
+    return &figures;
+}
