@@ -32,30 +32,24 @@ QTRI_BODY void draw_pixels(const qtri_options *o, qtri_pixel_walk *w, bool bent,
     } while (--count > 0);
 }
 
-/* The draw call's options, without what only pipelines that are made have. */
-QTRI_BODY qtri_options options_of(const qtri_pixel_walk *w)
-{
-    qtri_options o = w->state->options;
-    o.encode = o.decode = NULL;
-    o.fetch = NULL;
-    o.read_only = 0; /* QTRI_ASK_WRITE says it */
-    return o;
-}
-
 /* Options of pixels that are shaded and stored, with 16 bits of depth or none; `asks`: a set of
    QTRI_ASK_ bits that may be set besides. */
 QTRI_BODY qtri_options shaded(const qtri_pixel_walk *w, uint32_t asks)
 {
-    const uint32_t kind = 3u << QTRI_ASK_KIND;
-    qtri_options o = options_of(w);
-    o.depth = QTRI_LINEAR16;
-    o.depth_bytes = 2;
-    o.bilinear = o.alpha_test = o.vertex_alpha = o.keep = o.fog = o.covered = o.large_texture = 0;
-    o.blend = QTRI_STORE;
-    o.fragment = NULL;
-    o.asks &=
-        (uint16_t)(kind | 1u << QTRI_ASK_565 | 1u << QTRI_ASK_TEST | 1u << QTRI_ASK_WRITE | asks);
-    o.asks |= 1u << QTRI_ASK_DEPTH; /* it is stepped, whether it is tested or not */
+    const qtri_options *all = &w->state->options;
+    const uint32_t kept =
+        3u << QTRI_ASK_KIND | 1u << QTRI_ASK_565 | 1u << QTRI_ASK_TEST | 1u << QTRI_ASK_WRITE;
+    const qtri_options o = {.format = all->format,
+                            .depth = QTRI_LINEAR16,
+                            .texel = all->texel,
+                            .wrap_u = all->wrap_u,
+                            .wrap_v = all->wrap_v,
+                            .key = all->key,
+                            .shade = all->shade,
+                            .pixel_bytes = all->pixel_bytes,
+                            .depth_bytes = 2,
+                            /* Depth is stepped, whether it is tested or not. */
+                            .asks = (uint16_t)((all->asks & (kept | asks)) | 1u << QTRI_ASK_DEPTH)};
     return o;
 }
 
@@ -111,8 +105,7 @@ QTRI_BODY_ALONE void draw_texture(qtri_pixel_walk *w, bool bent, int32_t count)
 
 QTRI_BODY_ALONE void draw_other(qtri_pixel_walk *w, bool bent, int32_t count)
 {
-    const qtri_options o = options_of(w);
-    draw_pixels(&o, w, bent, count);
+    draw_pixels(&w->state->options, w, bent, count);
 }
 
 static void draw_piece(struct qtri_pixel_walk *w, bool bent, int32_t count)
