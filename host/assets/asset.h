@@ -61,13 +61,14 @@ struct asset {
     /* Of `qtri model` alone: see asset_model.h. */
     struct texture *textures;
     size_t texture_count;
-    qtri_key *keys;     /* of all nodes, one node after the other; NULL: nothing moves */
-    size_t *first_keys; /* of each node; one more at the end */
-    int16_t *parents;   /* of each node; node 0 is the model as a whole and has no keys */
-    size_t node_count;  /* with node 0; 0: nothing moves */
-    q16 seconds;        /* until the last key */
-    qtri_vec3 center;   /* the middle of its box at time 0 */
-    q16 radius;         /* no vertex is farther from there, at any key */
+    size_t blended_count; /* pictures whose partial opacity is left out */
+    qtri_key *keys;       /* of all nodes, one node after the other; NULL: nothing moves */
+    size_t *first_keys;   /* of each node; one more at the end */
+    int16_t *parents;     /* of each node; node 0 is the model as a whole and has no keys */
+    size_t node_count;    /* with node 0; 0: nothing moves */
+    q16 seconds;          /* until the last key */
+    qtri_vec3 center;     /* the middle of its box at time 0 */
+    q16 radius;           /* no vertex is farther from there, at any key */
 };
 
 /*

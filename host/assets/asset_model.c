@@ -36,6 +36,15 @@ static bool read_picture(const char *path, const struct model *model, const char
                        error);
 }
 
+/* What the file wants nothing of is not to weigh colours either. */
+static void drop_alpha(const struct image *image)
+{
+    const size_t count = (size_t)image->width * (size_t)image->height;
+    for (size_t i = 0; i < count; i++) {
+        image->rgba[4 * i + 3] = 255;
+    }
+}
+
 static bool has_holes(const struct image *image)
 {
     const size_t count = (size_t)image->width * (size_t)image->height;
@@ -44,6 +53,18 @@ static bool has_holes(const struct image *image)
         i++;
     }
     return i < count;
+}
+
+/* Whether more than one pixel in a hundred is neither opaque nor away. */
+static bool is_partly_seen_through(const struct image *image)
+{
+    const size_t count = (size_t)image->width * (size_t)image->height;
+    size_t partly = 0;
+    for (size_t i = 0; i < count; i++) {
+        const uint8_t alpha = image->rgba[4 * i + 3];
+        partly += alpha >= 16 && alpha < 240 ? 1 : 0;
+    }
+    return partly > count / 100;
 }
 
 /* Powers of two in the picture's proportion, both at most what is asked for. */
@@ -67,9 +88,13 @@ static bool add_texture(struct asset *asset, const char *path, const struct mode
     if (!read_picture(path, model, material->texture, &image, error)) {
         return false;
     }
+    if (!material->has_holes) {
+        drop_alpha(&image);
+    }
     set_size(&image, most, &options);
     options.has_key = material->has_holes && has_holes(&image);
     memcpy(options.key, key_color, sizeof options.key);
+    asset->blended_count += material->is_blended && is_partly_seen_through(&image) ? 1 : 0;
     bool ok = texture_make(path, &image, &options, &asset->textures[asset->texture_count], error);
     asset->texture_count += ok ? 1 : 0;
     image_free(&image);

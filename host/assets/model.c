@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/file_identity.h"
+
 bool model_create(struct model *model, size_t vertices, size_t triangles, size_t materials)
 {
     memset(model, 0, sizeof *model);
@@ -355,4 +357,30 @@ bool model_path_beside(char *out, size_t size, const char *beside, const char *n
     int folder = slash == NULL || name[0] == '/' ? 0 : (int)(slash - beside) + 1;
     int length = snprintf(out, size, "%.*s%s", folder, beside, name);
     return length >= 0 && (size_t)length < size;
+}
+
+/* Whether there is such a file; then it is the material's. */
+static bool take_picture(struct model_material *material, const char *beside, const char *name)
+{
+    char path[sizeof material->texture];
+    if (!model_path_beside(path, sizeof path, beside, name) ||
+        file_inspect(path, NULL) == FILE_MISSING) {
+        return false;
+    }
+    memcpy(material->texture, path, sizeof path);
+    return true;
+}
+
+bool model_picture_beside(struct model_material *material, const char *beside, int line,
+                          const char *name, struct text_error *error)
+{
+    const char *slash = strrchr(name, '/');
+    if (take_picture(material, beside, name) ||
+        (slash != NULL && take_picture(material, beside, slash + 1))) {
+        return true;
+    }
+    char path[1024];
+    (void)model_path_beside(path, sizeof path, beside, name);
+    text_error_set(error, beside, line, "there is no picture %s; --plain does without", path);
+    return false;
 }

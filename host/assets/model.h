@@ -23,6 +23,7 @@ struct model_material {
     char texture[512];     /* path of its picture; "*0", "*1": inside the file; "": none */
     bool clamp_u, clamp_v; /* the picture does not repeat */
     bool has_holes;        /* where its picture is less than half opaque, nothing is drawn */
+    bool is_blended;       /* what its picture has of alpha was meant to be blended */
     bool two_sided;
     uint16_t node; /* of its vertices, once model_merge_materials has set it */
 };
@@ -66,8 +67,14 @@ struct model {
     size_t picture_count, node_count, key_count;
     size_t file_triangles, file_vertices; /* that the file has, where that is known */
     bool has_uvs, has_colors;
-    char left_out[200]; /* what the file has and the model has not: a list in words, or "" */
+    char left_out[1000]; /* what the file has and the model has not: a list in words, or "" */
 };
+
+/* Appends ", 3 skins" to what is left out, or nothing where there are none. */
+void model_leave_out(struct model *model, size_t count, const char *one, const char *many);
+
+/* Appends words to what is left out; "" is nothing. */
+void model_leave_out_words(struct model *model, const char *words);
 
 /* Zeroed memory for so many of each; false when it runs out: then the model is empty. */
 bool model_create(struct model *model, size_t vertices, size_t triangles, size_t materials);
@@ -122,11 +129,15 @@ bool model_library_picture(const char *path, const char *text, size_t length, co
                            unsigned number, char **bytes, size_t *bytes_length,
                            struct text_error *error);
 
-/* Whether a PLY file holds what its header promises, and no more than a model may have. */
-bool model_check_ply(const char *path, const char *text, size_t length, struct text_error *error);
+/* Whether a PLY file holds what its header promises, and no more than a model may have. What the
+   library passes over is left out of *model. */
+bool model_check_ply(const char *path, const char *text, size_t length, struct model *model,
+                     struct text_error *error);
 
-/* Whether a glTF or GLB file is complete, and needs nothing that cannot be read. */
-bool model_check_gltf(const char *path, const char *text, size_t length, struct text_error *error);
+/* Whether a glTF or GLB file is complete, and needs nothing that cannot be read. What the library
+   passes over is left out of *model. */
+bool model_check_gltf(const char *path, const char *text, size_t length, struct model *model,
+                      struct text_error *error);
 
 /* Materials of an MTL file by name: colour (Kd), opacity (d) and texture (map_Kd) of those that the
    model has. Statements that are not known are passed over, as their number grows. */
@@ -135,6 +146,11 @@ bool model_parse_mtl(const char *path, const char *text, size_t length, struct m
 
 /* FOLDER OF `beside`/name in `out`, or `name` where it is absolute. False if that does not fit. */
 bool model_path_beside(char *out, size_t size, const char *beside, const char *name);
+
+/* Sets the material's picture: what is at `name` or, where that is the name on another computer,
+   beside the file `beside`. False with *error set, of a line unless it is 0: there is none. */
+bool model_picture_beside(struct model_material *material, const char *beside, int line,
+                          const char *name, struct text_error *error);
 
 /* Numbers finite and below MODEL_MAX_VALUE, normals of length 1 or none, indices in range. */
 bool model_check(const char *path, struct model *model, struct text_error *error);

@@ -52,6 +52,7 @@ static uint16_t merge_one(struct merge *merge, const struct model_vertex *vertex
         merge->merged[merge->count] = *material;
         merge->merged[merge->count++].node = vertex->node;
     }
+    merge->merged[i].is_blended = merge->merged[i].is_blended || material->is_blended;
     merge->last = pair;
     merge->last_merged = (uint16_t)i;
     return (uint16_t)i;

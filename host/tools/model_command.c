@@ -100,6 +100,10 @@ static bool run(struct mesh_options *options, struct text_error *error)
         ok = mesh_check_budget(options, &asset, error) &&
              mesh_write_preview(options, &asset, error) && write_c(options, &asset, error);
         if (ok) {
+            if (asset.blended_count > 0) {
+                fprintf(stderr, "%s: left out: partial opacity of %zu picture%s\n", options->input,
+                        asset.blended_count, asset.blended_count == 1 ? "" : "s");
+            }
             report(options, &asset, mesh_is_piped(options) ? stderr : stdout);
         }
         asset_free(&asset);
