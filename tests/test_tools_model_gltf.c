@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include "assets/model.h"
+#include "assets/asset_model.h"
 
 /* ---- A small glTF ---- */
 
@@ -194,7 +194,7 @@ static void skins_rest_where_their_joints_are(void **state)
     static const double expected[3][2] = {{7, 0}, {6, 0}, {7, -1}};
     struct model model;
     need_library();
-    write_model("s.gltf", ",\"JOINTS_0\":5,\"WEIGHTS_0\":6}",
+    write_model("s.gltf", ",\"JOINTS_0\":5,\"WEIGHTS_0\":6},\"targets\":[{\"POSITION\":0}]",
                 "\"skins\":[{\"joints\":[2],\"inverseBindMatrices\":4}],"
                 "\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[{\"mesh\":0,\"skin\":0,"
                 "\"translation\":[0,9,0]},{\"name\":\"body\",\"translation\":[2,0,0],"
@@ -205,8 +205,97 @@ static void skins_rest_where_their_joints_are(void **state)
     for (int i = 0; i < 3; i++) {
         assert_true(fabs(model.vertices[i].position[0] - expected[i][0]) < 1e-5);
         assert_true(fabs(model.vertices[i].position[1] - expected[i][1]) < 1e-5);
+        const double *shift = model.shifts[model.vertices[i].shift]; /* 0, x, y: turned as well */
+        assert_true(fabs(shift[0] - (expected[i][0] - 7)) < 1e-5);
+        assert_true(fabs(shift[1] - expected[i][1]) < 1e-5);
     }
     model_free(&model);
+}
+
+/* ---- Morph targets ---- */
+
+/* Where a vertex is, of a part that target and key frames shape. */
+static void shaped(const struct asset *asset, q16 time, qtri_position16 *positions, double z[3])
+{
+    q16 weights[MODEL_TRACK_WEIGHTS];
+    const struct asset_part *part = &asset->parts[0];
+    asset_weights(asset, time, weights);
+    assert_true(asset_shape(part, weights, positions));
+    for (uint32_t i = 0; i < part->mesh.vertex_count; i++) {
+        z[i] = (part->mesh.origin.z + (double)part->mesh.extent * positions[i].z / 32768.0) / 65536;
+    }
+}
+
+static bool planes_are_made;
+
+static bool make_planes(qtri_mesh *mesh, qtri_face8 *planes)
+{
+    (void)mesh;
+    (void)planes;
+    planes_are_made = true;
+    return false;
+}
+
+/* Vertex 2 goes 4 along z, times a weight from 0 to 1 in a second, of a node twice as large that
+   goes along x. */
+static void targets_are_mixed_by_their_weights(void **state)
+{
+    (void)state;
+    struct model model;
+    struct asset asset;
+    struct text_error error;
+    const struct asset_options wanted = {
+        .merged = true, .compact = true, .normals = true, .make_faces = make_planes};
+    need_library();
+    write_model("w.gltf", "},\"targets\":[{\"POSITION\":7}]",
+                "\"animations\":[{\"samplers\":[{\"input\":2,\"output\":3},"
+                "{\"input\":2,\"output\":0}],\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,"
+                "\"path\":\"weights\"}},{\"sampler\":1,\"target\":{\"node\":0,"
+                "\"path\":\"translation\"}}]}],\"scenes\":[{\"nodes\":[0]}],\"nodes\":["
+                "{\"mesh\":0,\"scale\":[2,2,2]}]");
+    assert_left_out("w.gltf", "");
+    assert_program_compiles("l.h");
+    assert_true(contains("l.h", "const qtri_position16 l_target_0[]"));
+    read_model("w.gltf", &model);
+    assert_true(model_merge_materials(&model));
+    assert_true(asset_make("w", &model, &wanted, &asset, &error));
+    assert_true(asset_add_motion(&asset, "w", &model, &error));
+    assert_int_equal(asset.seconds, Q16(1));
+    assert_int_equal(asset.parts[0].mesh.vertex_count, 3);
+    for (int step = 0; step <= 4; step++) {
+        qtri_position16 positions[3];
+        double z[3];
+        shaped(&asset, Q16(0.25) * step, positions, z);
+        double most = fmax(z[0], fmax(z[1], z[2]));
+        assert_true(fabs(most - 2.0 * step) < 1e-3);
+        assert_true(fabs(z[0] + z[1] + z[2] - most) < 1e-3);
+    }
+    /* A sphere about the middle of what is at rest, as far as the last key reaches. */
+    assert_int_equal(asset.node_count, 2);
+    assert_true(fabs(asset.radius / 65536.0 - sqrt(1 + 64)) < 1e-3);
+    assert_false(planes_are_made);
+    const qtri_box *box = &asset.parts[0].mesh.bounds;
+    assert_true(box->center.z + box->half.z >= Q16(8) - 40);
+    asset_free(&asset);
+    model_free(&model);
+}
+
+static void targets_are_left_out_where_there_is_no_place(void **state)
+{
+    (void)state;
+    need_library();
+    write_model("w.gltf", ",\"NORMAL\":7},\"targets\":[{\"POSITION\":7,\"NORMAL\":7}]", NODE);
+    assert_left_out("w.gltf", "1 morph target's normals");
+    assert_program_compiles("l.h");
+    assert_int_equal(run("model w.gltf -o w.h --wide"), 0);
+    assert_true(contains("messages", "left out: morph targets, which --wide meshes cannot have\n"));
+    assert_false(contains("w.h", "target"));
+    assert_program_compiles("w.h");
+    assert_int_equal(run("mesh w.gltf -o w.h"), 0);
+    assert_true(contains("messages", "w.gltf: left out: 1 morph target\n"));
+    assert_int_equal(run("model w.gltf -o s.h --split --name w --up z --preview s.ppm"), 0);
+    assert_compiles("s.h", "w_targets[0]");
+    assert_file_compiles("s.c", false);
 }
 
 int main(void)
@@ -218,6 +307,8 @@ int main(void)
         cmocka_unit_test(a_cloud_of_points_is_called_so),
         cmocka_unit_test(pictures_are_placed_as_the_file_says),
         cmocka_unit_test(skins_rest_where_their_joints_are),
+        cmocka_unit_test(targets_are_mixed_by_their_weights),
+        cmocka_unit_test(targets_are_left_out_where_there_is_no_place),
     };
     return command_is_known() ? cmocka_run_group_tests(tests, make_folder, NULL) : 1;
 }

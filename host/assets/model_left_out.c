@@ -29,7 +29,7 @@ void model_leave_out(struct model *model, size_t count, const char *one, const c
 
 /* Counts of what no model has. */
 struct left_out {
-    size_t skins, morphs, flat, uvs, colors, opacities;
+    size_t skins, targets, target_normals, flat, uvs, colors, opacities;
     size_t pictures, mirrored, emissive;
 };
 
@@ -53,7 +53,10 @@ static void count_mesh(const struct aiScene *scene, const struct aiMesh *mesh,
                        struct left_out *count)
 {
     count->skins += mesh->mNumBones > 0 ? 1 : 0;
-    count->morphs += mesh->mNumAnimMeshes;
+    for (unsigned i = 0; i < mesh->mNumAnimMeshes; i++) {
+        count->target_normals += mesh->mAnimMeshes[i]->mNormals != NULL ? 1 : 0;
+    }
+    count->targets += mesh->mNumAnimMeshes;
     count->flat += mesh->mPrimitiveTypes & (aiPrimitiveType_POINT | aiPrimitiveType_LINE) ? 1 : 0;
     for (unsigned i = 1; i < AI_MAX_NUMBER_OF_TEXTURECOORDS; i++) {
         count->uvs += mesh->mTextureCoords[i] != NULL ? 1 : 0;
@@ -86,10 +89,20 @@ static void count_material(const struct aiMaterial *material, struct left_out *c
     }
 }
 
+/* Whether something of the model does as the animation says. */
+static bool moves(const struct model *model)
+{
+    bool found = model->node_count > 0;
+    for (size_t i = 0; !found && i < model->track_count; i++) {
+        found = model->tracks[i].key_count > 1;
+    }
+    return found;
+}
+
 void model_list_left_out(const struct aiScene *scene, bool is_all, struct model *model)
 {
     struct left_out count = {0};
-    const unsigned moving = model->node_count > 0 ? 1 : 0;
+    const unsigned moving = moves(model) ? 1 : 0;
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {
         count_mesh(scene, scene->mMeshes[i], &count);
     }
@@ -97,7 +110,9 @@ void model_list_left_out(const struct aiScene *scene, bool is_all, struct model 
         count_material(scene->mMaterials[i], &count);
     }
     model_leave_out(model, count.skins, "skin", "skins");
-    model_leave_out(model, count.morphs, "morph target", "morph targets");
+    model_leave_out(model, is_all ? 0 : count.targets, "morph target", "morph targets");
+    model_leave_out(model, is_all ? count.target_normals : 0, "morph target's normals",
+                    "morph targets' normals");
     model_leave_out(model, scene->mNumAnimations - moving,
                     moving > 0 ? "further animation" : "animation",
                     moving > 0 ? "further animations" : "animations");

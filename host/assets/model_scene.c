@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model_morph.h"
 #include "model_motion.h"
 
 bool model_request_fail(const struct model_request *request, const char *problem, const char *what)
@@ -230,8 +231,10 @@ static void copy_vertex(const struct walk *walk, const struct aiMesh *mesh, cons
     vertex->node = turn->node;
 }
 
-/* Appends a mesh at the model's counts, which allocation has made room for. */
-static void copy_mesh(const struct walk *walk, const struct aiMesh *mesh, const struct turn *turn)
+/* Appends a mesh at the model's counts, which allocation has made room for. has_targets: those of
+   the model's last morph. */
+static void copy_mesh(const struct walk *walk, const struct aiMesh *mesh, const struct turn *turn,
+                      bool has_targets)
 {
     struct model *model = walk->model;
     const uint32_t first = (uint32_t)model->vertex_count;
@@ -245,6 +248,14 @@ static void copy_mesh(const struct walk *walk, const struct aiMesh *mesh, const 
             make_turn(&at_rest, &own);
         }
         copy_vertex(walk, mesh, &own, &uvs, i);
+        if (has_targets) {
+            const struct aiMatrix4x4 *m = &own.points;
+            const double f = own.factor;
+            const double matrix[3][3] = {{f * (double)m->a1, f * (double)m->a2, f * (double)m->a3},
+                                         {f * (double)m->b1, f * (double)m->b2, f * (double)m->b3},
+                                         {f * (double)m->c1, f * (double)m->c2, f * (double)m->c3}};
+            morph_copy(model, mesh, i, matrix, &model->vertices[first + i]);
+        }
     }
     free(skin);
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
@@ -300,6 +311,43 @@ static bool enter(const struct walk *walk, const struct aiNode *node, struct pla
     return model_request_fail(walk->request, "more parts move than there is memory for", "");
 }
 
+static const struct aiMeshMorphAnim *morph_channel_of(const struct walk *walk,
+                                                      const struct aiNode *node)
+{
+    for (unsigned i = 0; walk->animation != NULL && i < walk->animation->mNumMorphMeshChannels;
+         i++) {
+        const struct aiMeshMorphAnim *channel = walk->animation->mMorphMeshChannels[i];
+        if (strcmp(channel->mName.data, node->mName.data) == 0) {
+            return channel;
+        }
+    }
+    return NULL;
+}
+
+/* The meshes of a node that have as many targets share their weights. */
+static bool copy_meshes(const struct walk *walk, const struct aiNode *node, const struct turn *turn)
+{
+    const bool is_all = walk->request->content == MODEL_ALL;
+    unsigned targets = 0; /* of the morph that was added last */
+    for (unsigned i = 0; i < node->mNumMeshes; i++) {
+        const struct aiMesh *mesh = walk->scene->mMeshes[node->mMeshes[i]];
+        const unsigned own = is_all ? morph_targets(mesh) : 0;
+        const bool has_targets = own > 0 && morph_reserve(walk->model, mesh);
+        if (has_targets && own != targets) {
+            const double ticks = walk->animation != NULL ? walk->animation->mTicksPerSecond : 0.0;
+            if (!morph_add(walk->model, mesh, morph_channel_of(walk, node),
+                           ticks > 0.0 ? ticks : 25.0)) {
+                return model_request_fail(walk->request, "out of memory", "");
+            }
+            targets = own;
+        }
+        model_leave_out(walk->model, is_all && !has_targets ? mesh->mNumAnimMeshes : 0,
+                        "morph target", "morph targets");
+        copy_mesh(walk, mesh, turn, has_targets);
+    }
+    return true;
+}
+
 static bool copy_node(const struct walk *walk, const struct aiNode *node, struct place place)
 {
     struct turn turn;
@@ -307,10 +355,7 @@ static bool copy_node(const struct walk *walk, const struct aiNode *node, struct
         return false;
     }
     make_turn(&place, &turn);
-    for (unsigned i = 0; i < node->mNumMeshes; i++) {
-        copy_mesh(walk, walk->scene->mMeshes[node->mMeshes[i]], &turn);
-    }
-    bool ok = true;
+    bool ok = copy_meshes(walk, node, &turn);
     for (unsigned i = 0; ok && i < node->mNumChildren; i++) {
         ok = copy_node(walk, node->mChildren[i], place);
     }
