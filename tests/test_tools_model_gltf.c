@@ -135,6 +135,9 @@ static void what_obj_has_besides_is_named(void **state)
     (void)state;
     write_text("l.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\nl 1 2\nl 2 3\np 1\n");
     assert_left_out("l.obj", "2 lines, 1 statement of points, 1 triangle without area");
+    write_text("l.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv .3 .3 0\nv .3000001 .3 0\n"
+                        "v .3 .3000001 0\nf 1 2 3\nf 4 5 6\n");
+    assert_left_out("l.obj", "1 triangle too small to be stored");
     write_text("l.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
     assert_refused("model l.obj -o bad.h",
                    "qtri model: l.obj: has no faces, only lines, points or curves\n");
@@ -142,12 +145,15 @@ static void what_obj_has_besides_is_named(void **state)
                         "usemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 3/1 2/1 1/1\n");
     write_text("one.mtl", "newmtl a\nKe 0 0 0\nKd 1 0 0\nTr 0.6\nmap_bump n.png\n"
                           "newmtl other\nmap_Ks s.png\n");
-    write_text("two.mtl", "newmtl b\nKe 0 1 0\n"
+    write_text("two.mtl", "newmtl b\nKe 0 1 0\nTr 1\n"
                           "map_Kd -colorspace sRGB -o 0.1 C:\\pictures\\t.ppm\n");
     write_text("t.ppm", "P6 2 1 255\nabcdef");
     assert_left_out("k.obj", "1 picture of other things than colour, 1 emissive colour");
     assert_true(contains("l.h", "a: 1 triangles, colour 255 0 0, 40 % opaque\n"));
     assert_true(contains("l.h", "b: 1 triangles, texture 0 of 2x1\n"));
+    write_text("two.mtl", "newmtl b\nd 0.8\nTr 0.6\n");
+    assert_left_out("k.obj", "1 picture of other things than colour");
+    assert_true(contains("l.h", "b: 1 triangles, colour 255 255 255, 80 % opaque\n"));
     write_text("two.mtl", "newmtl b\nmap_Kd C:\\pictures\\other.ppm\n");
     assert_refused("model k.obj -o bad.h", "qtri model: two.mtl:2: there is no picture "
                                            "C:/pictures/other.ppm; --plain does without\n");

@@ -645,6 +645,7 @@ bool asset_make(const char *path, const struct model *model, const struct asset_
         asset_free(asset);
         return false;
     }
+    asset->flat_triangles = model->triangle_count - asset_triangle_count(asset);
     struct model_box box = model_bounds(model);
     double largest = 0.0;
     for (int i = 0; i < 3; i++) {

@@ -60,6 +60,7 @@ struct asset {
     struct asset_part *parts; /* one a material that triangles have, or one */
     size_t count;
     struct asset_error error;
+    size_t flat_triangles; /* of the model's, that have no area as they are stored: left out */
 
     /* Of `qtri model` alone: see asset_model.h. */
     struct texture *textures;

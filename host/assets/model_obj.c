@@ -19,6 +19,7 @@ struct mtl_parser {
     struct model *model;
     struct model_material *material; /* NULL: one that the model has not */
     int line;
+    bool has_opacity;          /* the material has a d */
     size_t pictures, emissive; /* that are left out */
     struct text_error *error;
 };
@@ -46,6 +47,7 @@ static void begin_material(struct mtl_parser *parser, struct line *line)
 {
     struct token name = rest_of(line);
     parser->material = NULL;
+    parser->has_opacity = false;
     for (size_t i = 0; i < parser->model->material_count; i++) {
         struct model_material *known = &parser->model->materials[i];
         size_t length = name.length < sizeof known->name ? name.length : sizeof known->name - 1;
@@ -90,13 +92,14 @@ static bool parse_opacity(struct mtl_parser *parser, struct line *line)
          number_parse_real(token.text, token.length, &value) != NUMBER_OK)) {
         return fail(parser, "d needs a number", "");
     }
+    parser->has_opacity = true;
     if (parser->material != NULL && !token_equals(&token, "-halo")) {
         parser->material->opacity = (uint8_t)lround(255.0 * fmin(fmax(value, 0.0), 1.0));
     }
     return true;
 }
 
-/* Tr 1 - opacity: where a file has both, they say the same. */
+/* Tr 1 - opacity, where there is no d. Programs write Tr 1 of what is not seen through at all. */
 static bool parse_transparency(struct mtl_parser *parser, struct line *line)
 {
     struct token token;
@@ -105,8 +108,8 @@ static bool parse_transparency(struct mtl_parser *parser, struct line *line)
         number_parse_real(token.text, token.length, &value) != NUMBER_OK) {
         return fail(parser, "Tr needs a number", "");
     }
-    if (parser->material != NULL) {
-        parser->material->opacity = (uint8_t)lround(255.0 * fmin(fmax(1.0 - value, 0.0), 1.0));
+    if (parser->material != NULL && !parser->has_opacity && value > 0.0 && value < 1.0) {
+        parser->material->opacity = (uint8_t)lround(255.0 * (1.0 - value));
     }
     return true;
 }
