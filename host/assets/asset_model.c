@@ -306,7 +306,7 @@ void asset_weights(const struct asset *asset, q16 time, q16 *weights)
 
 bool asset_shape(const struct asset_part *part, const q16 *weights, qtri_position16 *out)
 {
-    const qtri_position16 **targets = calloc(part->target_count + 1, sizeof *targets);
+    const qtri_position16 **targets = calloc(part->target_count + 1, sizeof(void *));
     for (size_t i = 0; targets != NULL && i < part->target_count; i++) {
         targets[i] = &part->targets[i * part->mesh.vertex_count];
     }
