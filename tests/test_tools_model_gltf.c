@@ -99,11 +99,11 @@ static void what_gltf_has_besides_is_named(void **state)
                 "\"materials\":[{\"emissiveFactor\":[0,1,0],\"extensions\":{"
                 "\"KHR_materials_sheen\":{}}}],\"cameras\":[{\"type\":\"perspective\","
                 "\"perspective\":{\"yfov\":1,\"znear\":1}}],\"extensionsUsed\":["
-                "\"KHR_materials_sheen\",\"KHR_texture_transform\", \"OF\\\"]\"],"
+                "\"KHR_materials_sheen\",\"KHR_texture_transform\", \"OF\\\"]\",\"OF_last\"],"
                 "\"scenes\":[{\"name\":\"}]\",\"nodes\":[0,1]},{\"nodes\":[0]},{\"extras\":{}}],"
                 "\"nodes\":[{\"mesh\":0},{\"camera\":0}]");
     assert_left_out("u.gltf", "1 further set of texture coordinates, 1 emissive colour, 1 camera, "
-                              "KHR_materials_sheen, OF\"], 2 further scenes");
+                              "KHR_materials_sheen, OF\"], OF_last, 2 further scenes");
     write_model("m.gltf", ",\"TEXCOORD_0\":1},\"material\":0",
                 "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}},"
                 "\"normalTexture\":{\"index\":0}}],\"textures\":[{\"source\":0,\"sampler\":0}],"

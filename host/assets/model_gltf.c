@@ -55,8 +55,9 @@ static const char *skip(const char *from, const char *end)
     bool is_text = false;
     for (; from < end; from++) {
         if (is_text) {
-            from += *from == '\\' ? 1 : 0;
-            is_text = from < end && *from != '"';
+            const bool is_escape = *from == '\\' && from + 1 < end;
+            is_text = is_escape || *from != '"';
+            from += is_escape ? 1 : 0;
         } else if (*from == '"') {
             is_text = true;
         } else if (*from == '[' || *from == '{') {
@@ -128,16 +129,24 @@ static void leave_out_extensions(const char *json, size_t length, struct model *
     }
 }
 
-static void leave_out(const char *json, size_t length, struct model *model)
+static size_t count_scenes(const char *json, size_t length)
 {
     const char *end;
-    const char *scene = find_list(json, length, "\"scenes\"", &end);
-    size_t scenes = 0;
-    for (scene += scene != NULL ? 1 : 0;
-         scene != NULL && (scene = memchr(scene, '{', (size_t)(end - scene))) != NULL;
-         scene = skip(scene, end)) {
-        scenes++;
+    const char *list = find_list(json, length, "\"scenes\"", &end);
+    size_t count = 0;
+    if (list != NULL) {
+        const char *scene = list + 1;
+        while (scene < end && (scene = memchr(scene, '{', (size_t)(end - scene))) != NULL) {
+            scene = skip(scene, end);
+            count++;
+        }
     }
+    return count;
+}
+
+static void leave_out(const char *json, size_t length, struct model *model)
+{
+    const size_t scenes = count_scenes(json, length);
     leave_out_extensions(json, length, model);
     model_leave_out(model, scenes > 1 ? scenes - 1 : 0, "further scene", "further scenes");
     if (find(json, length, "\"CUBICSPLINE\"") != NULL) {
