@@ -297,6 +297,10 @@ check-tree:         ## No overlong or binary files, tabs, paths of one machine o
 $(GATES): check-%:
 	@sh tests/check/$*.sh
 
+.PHONY: check-models
+check-models: $(BUILD)/qtri ## Convert every model of a folder, MODELS: each header compiles, or the refusal is a line
+	@QTRI_COMMAND=$(BUILD)/qtri sh tests/check/models.sh '$(MODELS)'
+
 .PHONY: help
 help: ## List these targets; V=1 with any of them shows commands in full
 	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## / { printf "make %-20s%s\n", $$1, $$2 }' $(MAKEFILE_LIST)

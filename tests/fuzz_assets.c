@@ -103,6 +103,20 @@ static void fuzz_obj(const char *text, size_t length, uint8_t choice)
     model_free(&model);
 }
 
+/* What is looked at before a library reads the file. */
+static void fuzz_checks(const char *text, size_t length)
+{
+    struct model model = {0};
+    struct text_error error;
+    if (!model_check_ply(NAME, text, length, &model, &error)) {
+        check_message(&error);
+    }
+    if (!model_check_gltf(NAME, text, length, &model, &error)) {
+        check_message(&error);
+    }
+    require(strlen(model.left_out) < sizeof model.left_out);
+}
+
 static void fuzz_mtl(const char *text, size_t length)
 {
     struct model model;
@@ -144,7 +158,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     }
     const char *text = (const char *)data + 2;
-    struct text_error error;
     switch (data[0] % 4) {
     case 0:
         fuzz_obj(text, size - 2, data[1]);
@@ -156,9 +169,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         fuzz_picture(text, size - 2, data[1]);
         break;
     default:
-        if (!model_check_ply(NAME, text, size - 2, &error)) {
-            check_message(&error);
-        }
+        fuzz_checks(text, size - 2);
         break;
     }
     return 0;

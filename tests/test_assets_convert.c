@@ -316,7 +316,7 @@ static void mtl_errors_have_a_line(void **state)
         {"newmtl a\nKd 1 0\n", "f/x.mtl:2: Kd needs one or three numbers"},
         {"newmtl a\nKd 1 zero 1\n", "f/x.mtl:2: Kd needs numbers"},
         {"newmtl a\n\nmap_Kd -s 1 1 1 -clamp on no such.png\n",
-         "f/x.mtl:3: there is no picture f/no such.png"},
+         "f/x.mtl:3: there is no picture f/no such.png; --plain does without"},
         {"newmtl a\nmap_Kd -s 1\n", "f/x.mtl:2: map_Kd needs the name of a picture"},
         {"\x01\x02\n", "f/x.mtl:1: is not text: is this an MTL file?"},
     };
@@ -337,17 +337,18 @@ static void ply_files_are_complete(void **state)
                                "element face 1\nproperty list uchar short v\nend_header\n";
     static const char data[] = "\0\0\0\0\0\0\0\0\3\0\1\0\2\0\3";
     char text[512];
+    struct model model = {0};
     struct text_error error;
     for (size_t cut = 0; cut < sizeof data; cut++) {
         int length = snprintf(text, sizeof text, head, "binary_little_endian");
         memcpy(text + length, data, sizeof data - 1);
         size_t bytes = (size_t)length + sizeof data - 1 - cut;
-        assert_true(model_check_ply("x", text, bytes, &error) == (cut == 0));
+        assert_true(model_check_ply("x", text, bytes, &model, &error) == (cut == 0));
     }
     int length = snprintf(text, sizeof text, head, "ascii");
-    assert_false(model_check_ply("x", text, (size_t)length, &error));
+    assert_false(model_check_ply("x", text, (size_t)length, &model, &error));
     snprintf(text + length, sizeof text - (size_t)length, "1\n\n2\n3 0 1 0");
-    assert_true(model_check_ply("x", text, strlen(text), &error));
+    assert_true(model_check_ply("x", text, strlen(text), &model, &error));
     static const struct {
         const char *data, *message; /* NULL: complete */
     } lines[] = {{"1\n2\n3 0 1 0\n", NULL},
@@ -361,19 +362,32 @@ static void ply_files_are_complete(void **state)
                  {"1\n2\n", "x:9: ends before the last of its elements"}};
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
         snprintf(text + length, sizeof text - (size_t)length, "%s", lines[i].data);
-        const bool ok = model_check_ply("x", text, strlen(text), &error);
+        const bool ok = model_check_ply("x", text, strlen(text), &model, &error);
         assert_true(ok == (lines[i].message == NULL));
         if (!ok) {
             assert_string_equal(error.message, lines[i].message);
         }
     }
     static const char two[] = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
-                              "property float y\nend_header\n1\n2\n";
-    assert_false(model_check_ply("x", two, sizeof two - 1, &error));
-    assert_string_equal(error.message, "x:7: fewer values than its element has");
+                              "property float y\nelement face 1\nend_header\n1\n2\n";
+    assert_false(model_check_ply("x", two, sizeof two - 1, &model, &error));
+    assert_string_equal(error.message, "x:8: fewer values than its element has");
     static const char many[] = "ply\nelement face 10000000\nend_header\n";
-    assert_false(model_check_ply("x", many, sizeof many - 1, &error));
+    assert_false(model_check_ply("x", many, sizeof many - 1, &model, &error));
     assert_memory_equal(error.message, "x:2: more than", 14);
+    static const char none[] = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                               "end_header\n1\n";
+    assert_false(model_check_ply("x", none, sizeof none - 1, &model, &error));
+    assert_string_equal(error.message, "x: has no faces: is it a cloud of points?");
+    static const char returns[] = "ply\rformat ascii 1.0\relement vertex 1\rend_header\r";
+    assert_false(model_check_ply("x", returns, sizeof returns - 1, &model, &error));
+    assert_non_null(strstr(error.message, "its lines end with carriage returns alone"));
+    assert_string_equal(model.left_out, "");
+    static const char painted[] = "ply\nformat ascii 1.0\nelement face 1\n"
+                                  "property list uchar int v\nproperty uchar red\nend_header\n"
+                                  "3 0 1 2 9\n";
+    assert_true(model_check_ply("x", painted, sizeof painted - 1, &model, &error));
+    assert_string_equal(model.left_out, "colours of faces");
 }
 
 static void real_numbers_are_those_of_strtod(void **state)

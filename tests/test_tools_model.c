@@ -127,19 +127,6 @@ static void need_libraries(void)
     }
 }
 
-/* The program in the comment, as printed: it compiles. */
-static void assert_program_compiles(const char *header)
-{
-    char line[512];
-    snprintf(line, sizeof line,
-             "{ echo 'struct qtri_bus; void show(const struct qtri_bus *bus);'; "
-             "sed -n 's/^ \\*     //p' %s; } >program.c && grep -q 'void show' program.c",
-             header);
-    assert_int_equal(shell(line), 0);
-    assert_int_equal(shell("sed -i '1s/.*/#include <qtri_port\\/bus.h>\\n&/' program.c"), 0);
-    assert_file_compiles("program.c", true);
-}
-
 /* ---- What becomes of materials ---- */
 
 static void materials_of_equal_look_are_one_part(void **state)

@@ -25,7 +25,8 @@ enum {
     PACKED_NORMAL = 3,
     PACKED_UV = 6,
     PACKED_COLOR = 8,
-    PACKED_NUMBERS = 11
+    PACKED_SHIFT = 11, /* the first of its morph's shifts */
+    PACKED_NUMBERS = 12
 };
 struct packed {
     int32_t number[PACKED_NUMBERS];
@@ -50,6 +51,7 @@ static void part_free(struct asset_part *part)
     free(part->uvs16);
     free(part->triangles8);
     free(part->planes);
+    free(part->targets);
 }
 
 void asset_free(struct asset *asset)
@@ -105,6 +107,7 @@ static void pack(const struct packing *packing, const struct model *model,
     const uint8_t *color = model->materials[vertex->material].color;
     memset(out, 0, sizeof *out);
     pack_position(packing, vertex->position, &out->number[PACKED_POSITION]);
+    out->number[PACKED_SHIFT] = (int32_t)vertex->shift;
     for (int i = 0; i < 3; i++) {
         if (packing->options->normals) {
             double scale = packing->options->compact ? 127.0 : 16384.0;
@@ -428,19 +431,64 @@ static bool make_triangles(struct asset_part *part, const struct draft *draft,
     return true;
 }
 
-/* The smallest box of whole units that holds what the core will see. */
-static void set_bounds(qtri_mesh *mesh, const struct draft *draft, const struct packing *packing)
+/* The targets of a morph as 16-bit positions, which wide meshes have none of. */
+static bool make_targets(struct asset_part *part, const struct draft *draft,
+                         const struct packing *packing, const struct model *model)
 {
+    const size_t count = draft->vertex_count;
+    const struct model_morph *morph = &model->morphs[part->material.morph - 1];
+    part->target_count = morph->target_count;
+    part->first_weight = MODEL_TRACK_WEIGHTS * morph->first_track;
+    part->targets = calloc(count * part->target_count + 1, sizeof *part->targets);
+    for (size_t i = 0; part->targets != NULL && i < count * part->target_count; i++) {
+        const int32_t *base = draft->vertices[i % count].number;
+        const double *shift = model->shifts[(size_t)base[PACKED_SHIFT] + i / count];
+        int16_t to[3];
+        for (int axis = 0; axis < 3; axis++) {
+            to[axis] =
+                (int16_t)held(base[axis] + shift[axis] * ONE * 32768.0 / packing->extent, 32767.0);
+        }
+        const qtri_position16 target = {to[0], to[1], to[2]};
+        part->targets[i] = target;
+    }
+    return part->targets != NULL;
+}
+
+/* Between what a vertex is with weights from 0 to 1. */
+static void part_extremes(const struct asset_part *part, const struct draft *draft, size_t at,
+                          int32_t low[3], int32_t high[3])
+{
+    const int32_t *base = draft->vertices[at].number;
+    memcpy(low, base, 3 * sizeof *low);
+    memcpy(high, base, 3 * sizeof *high);
+    for (size_t i = 0; i < part->target_count; i++) {
+        const qtri_position16 *target = &part->targets[i * draft->vertex_count + at];
+        const int32_t shift[3] = {target->x - base[0], target->y - base[1], target->z - base[2]};
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] += shift[axis] < 0 ? shift[axis] : 0;
+            high[axis] += shift[axis] > 0 ? shift[axis] : 0;
+        }
+    }
+}
+
+/* The smallest box of whole units that holds what the core will see. */
+static void set_bounds(struct asset_part *part, const struct draft *draft,
+                       const struct packing *packing)
+{
+    qtri_mesh *mesh = &part->mesh;
     q16 *center[3] = {&mesh->bounds.center.x, &mesh->bounds.center.y, &mesh->bounds.center.z};
     q16 *half[3] = {&mesh->bounds.half.x, &mesh->bounds.half.y, &mesh->bounds.half.z};
     double low[3] = {INFINITY, INFINITY, INFINITY};
     double high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (size_t i = 0; i < draft->vertex_count; i++) {
-        double at[3];
-        unpack_position(packing, &draft->vertices[i].number[PACKED_POSITION], at);
+        int32_t least[3], most[3];
+        double from[3], to[3];
+        part_extremes(part, draft, i, least, most);
+        unpack_position(packing, least, from);
+        unpack_position(packing, most, to);
         for (int axis = 0; axis < 3; axis++) {
-            low[axis] = fmin(low[axis], at[axis] * ONE);
-            high[axis] = fmax(high[axis], at[axis] * ONE);
+            low[axis] = fmin(low[axis], from[axis] * ONE);
+            high[axis] = fmax(high[axis], to[axis] * ONE);
         }
     }
     for (int axis = 0; axis < 3; axis++) {
@@ -451,19 +499,21 @@ static void set_bounds(qtri_mesh *mesh, const struct draft *draft, const struct 
 }
 
 static bool make_part(struct asset_part *part, const struct draft *draft,
-                      const struct packing *packing)
+                      const struct packing *packing, const struct model *model)
 {
+    const bool has_targets = part->material.morph > 0 && packing->options->compact;
     bool ok = (packing->options->compact ? make_compact(part, draft, packing)
                                          : make_wide(part, draft, packing)) &&
               make_uvs(part, draft, packing) && make_colors(part, draft, packing) &&
-              make_triangles(part, draft, packing);
+              make_triangles(part, draft, packing) &&
+              (!has_targets || make_targets(part, draft, packing, model));
     if (!ok) {
         return false;
     }
     part->mesh.vertex_count = (uint32_t)draft->vertex_count;
     part->mesh.triangle_count = (uint32_t)draft->triangle_count;
-    set_bounds(&part->mesh, draft, packing);
-    if (packing->options->make_faces != NULL) {
+    set_bounds(part, draft, packing);
+    if (packing->options->make_faces != NULL && !has_targets) { /* planes stay where they are */
         part->planes = calloc(draft->triangle_count, sizeof *part->planes);
         if (part->planes == NULL) {
             return false;
@@ -538,7 +588,7 @@ static bool add_part(struct asset *asset, const char *path, const struct packing
         if (packing->colors) {
             memset(part->material.color, 255, sizeof part->material.color);
         }
-        ok = make_part(part, &draft, packing) || fail(error, path, "out of memory");
+        ok = make_part(part, &draft, packing, model) || fail(error, path, "out of memory");
         if (ok && packing->options->merged) {
             share_color(part);
         }
@@ -596,6 +646,7 @@ bool asset_make(const char *path, const struct model *model, const struct asset_
         asset_free(asset);
         return false;
     }
+    asset->flat_triangles = model->triangle_count - asset_triangle_count(asset);
     struct model_box box = model_bounds(model);
     double largest = 0.0;
     for (int i = 0; i < 3; i++) {

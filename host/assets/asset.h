@@ -44,6 +44,9 @@ struct asset_part {
     qtri_uv16 *uvs16;
     uint8_t (*triangles8)[3];
     qtri_face8 *planes;
+    qtri_position16 *targets; /* target_count times vertex_count positions */
+    size_t target_count;
+    size_t first_weight; /* the asset's weight of its first target */
 };
 
 /* Of all parts together. */
@@ -58,17 +61,20 @@ struct asset {
     struct asset_part *parts; /* one a material that triangles have, or one */
     size_t count;
     struct asset_error error;
+    size_t flat_triangles; /* of the model's, that have no area as they are stored: left out */
 
     /* Of `qtri model` alone: see asset_model.h. */
     struct texture *textures;
     size_t texture_count;
-    qtri_key *keys;     /* of all nodes, one node after the other; NULL: nothing moves */
-    size_t *first_keys; /* of each node; one more at the end */
-    int16_t *parents;   /* of each node; node 0 is the model as a whole and has no keys */
-    size_t node_count;  /* with node 0; 0: nothing moves */
-    q16 seconds;        /* until the last key */
-    qtri_vec3 center;   /* the middle of its box at time 0 */
-    q16 radius;         /* no vertex is farther from there, at any key */
+    size_t blended_count; /* pictures whose partial opacity is left out */
+    qtri_key *keys;       /* of all nodes and tracks, one after the other; NULL: nothing moves */
+    size_t *first_keys;   /* of each node and track; one more at the end */
+    int16_t *parents;     /* of each node; node 0 is the model as a whole and has no keys */
+    size_t node_count;    /* with node 0; 0: nothing moves */
+    size_t track_count;   /* of weights, three each: positions of keys */
+    q16 seconds;          /* until the last key */
+    qtri_vec3 center;     /* the middle of its box at time 0 */
+    q16 radius;           /* no vertex is farther from there, at any key */
 };
 
 /*

@@ -36,6 +36,15 @@ static bool read_picture(const char *path, const struct model *model, const char
                        error);
 }
 
+/* What the file wants nothing of is not to weigh colours either. */
+static void drop_alpha(const struct image *image)
+{
+    const size_t count = (size_t)image->width * (size_t)image->height;
+    for (size_t i = 0; i < count; i++) {
+        image->rgba[4 * i + 3] = 255;
+    }
+}
+
 static bool has_holes(const struct image *image)
 {
     const size_t count = (size_t)image->width * (size_t)image->height;
@@ -44,6 +53,18 @@ static bool has_holes(const struct image *image)
         i++;
     }
     return i < count;
+}
+
+/* Whether more than one pixel in a hundred is neither opaque nor away. */
+static bool is_partly_seen_through(const struct image *image)
+{
+    const size_t count = (size_t)image->width * (size_t)image->height;
+    size_t partly = 0;
+    for (size_t i = 0; i < count; i++) {
+        const uint8_t alpha = image->rgba[4 * i + 3];
+        partly += alpha >= 16 && alpha < 240 ? 1 : 0;
+    }
+    return partly > count / 100;
 }
 
 /* Powers of two in the picture's proportion, both at most what is asked for. */
@@ -67,9 +88,13 @@ static bool add_texture(struct asset *asset, const char *path, const struct mode
     if (!read_picture(path, model, material->texture, &image, error)) {
         return false;
     }
+    if (!material->has_holes) {
+        drop_alpha(&image);
+    }
     set_size(&image, most, &options);
     options.has_key = material->has_holes && has_holes(&image);
     memcpy(options.key, key_color, sizeof options.key);
+    asset->blended_count += material->is_blended && is_partly_seen_through(&image) ? 1 : 0;
     bool ok = texture_make(path, &image, &options, &asset->textures[asset->texture_count], error);
     asset->texture_count += ok ? 1 : 0;
     image_free(&image);
@@ -149,36 +174,49 @@ static bool copy_key(const struct model_key *from, qtri_key *to)
     return true;
 }
 
+/* Appends the keys of the next node or track; false where one does not fit. */
+static bool copy_keys(struct asset *asset, const struct model *model, const struct model_node *node,
+                      size_t at)
+{
+    bool ok = true;
+    size_t count = asset->first_keys[at];
+    for (size_t i = 0; ok && i < node->key_count; i++) {
+        qtri_key *key = &asset->keys[count++];
+        ok = copy_key(&model->keys[node->first_key + i], key);
+        asset->seconds = key->time > asset->seconds ? key->time : asset->seconds;
+    }
+    asset->first_keys[at + 1] = count;
+    return ok;
+}
+
 static bool copy_nodes(struct asset *asset, const struct model *model)
 {
     bool ok = true;
-    size_t count = 0;
     asset->node_count = model->node_count + 1;
+    asset->track_count = model->track_count;
     asset->parents[0] = -1;
     for (size_t i = 0; ok && i < model->node_count; i++) {
-        const struct model_node *node = &model->nodes[i];
-        asset->parents[i + 1] = (int16_t)node->parent;
-        asset->first_keys[i + 1] = count;
-        for (size_t j = 0; ok && j < node->key_count; j++) {
-            qtri_key *key = &asset->keys[count++];
-            ok = copy_key(&model->keys[node->first_key + j], key);
-            asset->seconds = key->time > asset->seconds ? key->time : asset->seconds;
-        }
+        asset->parents[i + 1] = (int16_t)model->nodes[i].parent;
+        ok = copy_keys(asset, model, &model->nodes[i], i + 1);
     }
-    asset->first_keys[model->node_count + 1] = count;
+    for (size_t i = 0; ok && i < model->track_count; i++) {
+        ok = copy_keys(asset, model, &model->tracks[i], asset->node_count + i);
+    }
     return ok;
 }
 
 /* The greatest distance of a vertex from a place, at one time. */
 static double reach(const struct model *model, double time, const double from[3],
-                    double (*world)[3][4])
+                    double (*world)[3][4], double *weights)
 {
     double most = 0.0;
     model_pose(model, time, world);
+    model_weights(model, time, weights);
     for (size_t i = 0; i < model->vertex_count; i++) {
-        const struct model_vertex *vertex = &model->vertices[i];
+        struct model_vertex vertex = model->vertices[i];
         double at[3], sum = 0.0;
-        model_vertex_at((const double(*)[4])world[vertex->node], vertex, at);
+        model_shape_at(model, weights, &model->vertices[i], vertex.position);
+        model_vertex_at((const double(*)[4])world[vertex.node], &vertex, at);
         for (int axis = 0; axis < 3; axis++) {
             sum += (at[axis] - from[axis]) * (at[axis] - from[axis]);
         }
@@ -195,7 +233,10 @@ static bool set_bounds(struct asset *asset, const struct model *model)
     const int steps = asset->seconds > 0 ? STEPS : 0;
     double middle[3], most = 0.0;
     double(*world)[3][4] = malloc((model->node_count + 1) * sizeof *world);
-    if (world == NULL) {
+    double *weights = malloc((model->track_count + 1) * MODEL_TRACK_WEIGHTS * sizeof *weights);
+    if (world == NULL || weights == NULL) {
+        free(world);
+        free(weights);
         return false;
     }
     for (int axis = 0; axis < 3; axis++) {
@@ -203,9 +244,10 @@ static bool set_bounds(struct asset *asset, const struct model *model)
     }
     for (int i = 0; i <= steps; i++) {
         const double time = asset->seconds / ONE * i / STEPS;
-        most = fmax(most, reach(model, time, middle, world));
+        most = fmax(most, reach(model, time, middle, world, weights));
     }
     free(world);
+    free(weights);
     asset->center.x = q16_of(middle[0]);
     asset->center.y = q16_of(middle[1]);
     asset->center.z = q16_of(middle[2]);
@@ -219,9 +261,10 @@ bool asset_add_motion(struct asset *asset, const char *path, const struct model 
     if (model->node_count > INT16_MAX - 1) {
         return fail(error, path, "more than 32766 parts that move");
     }
-    if (model->node_count > 0) {
+    if (model->node_count + model->track_count > 0) {
         asset->keys = calloc(model->key_count + 1, sizeof *asset->keys);
-        asset->first_keys = calloc(model->node_count + 2, sizeof *asset->first_keys);
+        asset->first_keys =
+            calloc(model->node_count + model->track_count + 2, sizeof *asset->first_keys);
         asset->parents = calloc(model->node_count + 1, sizeof *asset->parents);
         if (asset->keys == NULL || asset->first_keys == NULL || asset->parents == NULL) {
             return fail(error, path, "out of memory");
@@ -247,6 +290,32 @@ void asset_pose(const struct asset *asset, const qtri_transform *pose, q16 time,
     if (asset->node_count > 0) {
         qtri_poses_compose(poses, poses, asset->parents, (int32_t)asset->node_count);
     }
+}
+
+void asset_weights(const struct asset *asset, q16 time, q16 *weights)
+{
+    for (size_t i = 0; i < asset->track_count; i++) {
+        const size_t *first = &asset->first_keys[asset->node_count + i];
+        const qtri_key key =
+            qtri_keys_at(&asset->keys[first[0]], (int32_t)(first[1] - first[0]), time);
+        weights[MODEL_TRACK_WEIGHTS * i] = key.position.x;
+        weights[MODEL_TRACK_WEIGHTS * i + 1] = key.position.y;
+        weights[MODEL_TRACK_WEIGHTS * i + 2] = key.position.z;
+    }
+}
+
+bool asset_shape(const struct asset_part *part, const q16 *weights, qtri_position16 *out)
+{
+    const qtri_position16 **targets = calloc(part->target_count + 1, sizeof(void *));
+    for (size_t i = 0; targets != NULL && i < part->target_count; i++) {
+        targets[i] = &part->targets[i * part->mesh.vertex_count];
+    }
+    if (targets != NULL) {
+        qtri_morph_targets(out, part->mesh.positions16, targets, &weights[part->first_weight],
+                           (int32_t)part->target_count, part->mesh.vertex_count);
+    }
+    free(targets);
+    return targets != NULL;
 }
 
 /* ---- Materials ---- */

@@ -23,6 +23,11 @@ qtri_material asset_material(const struct asset_part *part);
 void asset_pose(const struct asset *asset, const qtri_transform *pose, q16 time,
                 qtri_transform *poses);
 
+/* The weights of all targets at a time, three a track; and a part's positions with them, as many as
+   it has vertices. False when memory runs out. */
+void asset_weights(const struct asset *asset, q16 time, q16 *weights);
+bool asset_shape(const struct asset_part *part, const q16 *weights, qtri_position16 *out);
+
 /*
  * C source, as C99 and C++11: textures, meshes and materials as `const qtri_part NAME[NAME_PARTS]`,
  * the keys of what moves, and at the top, as a comment, a program that draws all of it. As

@@ -29,7 +29,9 @@ static const char program_begin[] =
     " *\n"
     " *     static uint8_t band_memory[QTRI_SCREEN_BYTES(320, 16, QTRI_RGB565_BYTES)];\n"
     " *     static uint8_t @_memory[$_BYTES(240, 16)];\n"
-    " *     static qtri_prepared prepared[$_PARTS];\n"
+    " *     static qtri_prepared prepared[$_PARTS];\n";
+
+static const char program_show[] =
     " *\n"
     " *     void show(const qtri_bus *bus)\n"
     " *     {\n"
@@ -58,13 +60,9 @@ static const char program_begin[] =
     " *         for (q16 angle = 0;; angle = q16_mod(angle + Q16(2), Q16(360))) {\n";
 
 static const char program_at_rest[] =
-    " *             qtri_transform pose;\n"
-    " *             qtri_transform_identity(&pose);\n"
-    " *             qtri_transform_rotate_about(&pose, angle, up, center);\n"
-    " *             for (int i = 0; i < $_PARTS; i++) {\n"
-    " *                 qtri_prepare_mesh(&prepared[i], &screen.frame, &view, &pose, &@[i].mesh,\n"
-    " *                                   &@[i].material);\n"
-    " *             }\n";
+    " *             qtri_transform pose[1];\n"
+    " *             qtri_transform_identity(&pose[0]);\n"
+    " *             qtri_transform_rotate_about(&pose[0], angle, up, center);\n";
 
 static const char program_moving[] =
     " *             static q16 seconds;\n"
@@ -79,11 +77,54 @@ static const char program_moving[] =
     " *             }\n"
     " *             qtri_transform_identity(&pose[0]);\n"
     " *             qtri_transform_rotate_about(&pose[0], angle, up, center);\n"
-    " *             qtri_poses_compose(pose, pose, @_parents, $_NODES);\n"
+    " *             qtri_poses_compose(pose, pose, @_parents, $_NODES);\n";
+
+/* Of the weights, which are positions of keys, three are of one track. */
+static const char program_weights[] =
+    " *             q16 weights[3 * $_TRACKS];\n"
+    " *             for (int i = 0; i < $_TRACKS; i++) {\n"
+    " *                 const int32_t *first = &@_first_keys[$_NODES + i];\n"
+    " *                 const qtri_key key =\n"
+    " *                     qtri_keys_at(&@_keys[first[0]], first[1] - first[0], seconds);\n"
+    " *                 weights[3 * i] = key.position.x;\n"
+    " *                 weights[3 * i + 1] = key.position.y;\n"
+    " *                 weights[3 * i + 2] = key.position.z;\n"
+    " *             }\n"
+    " *             qtri_position16 *shape = shapes;\n"
     " *             for (int i = 0; i < $_PARTS; i++) {\n"
-    " *                 qtri_prepare_mesh(&prepared[i], &screen.frame, &view, &pose[@[i].node],\n"
-    " *                                   &@[i].mesh, &@[i].material);\n"
+    " *                 const int32_t targets = @_first_targets[i + 1] - @_first_targets[i];\n"
+    " *                 meshes[i] = @[i].mesh;\n"
+    " *                 if (targets > 0) {\n"
+    " *                     qtri_morph_targets(shape, meshes[i].positions16,\n"
+    " *                                        &@_targets[@_first_targets[i]],\n"
+    " *                                        &weights[@_first_weights[i]], targets,\n"
+    " *                                        meshes[i].vertex_count);\n"
+    " *                     meshes[i].positions16 = shape;\n"
+    " *                     shape += meshes[i].vertex_count;\n"
+    " *                 }\n"
     " *             }\n";
+
+static const char program_memory[] = " *     static qtri_mesh meshes[$_PARTS];\n"
+                                     " *     static qtri_position16 shapes[$_SHAPES];\n";
+
+/* What is prepared: its pose, and its mesh. */
+static void write_prepare(const struct asset *asset, const char *name, const char *capitals,
+                          FILE *out)
+{
+    char node[120] = "0", mesh[120] = "meshes[i]";
+    if (asset->node_count > 0) {
+        (void)snprintf(node, sizeof node, "%s[i].node", name);
+    }
+    if (asset->track_count == 0) {
+        (void)snprintf(mesh, sizeof mesh, "%s[i].mesh", name);
+    }
+    fprintf(out,
+            " *             for (int i = 0; i < %s_PARTS; i++) {\n"
+            " *                 qtri_prepare_mesh(&prepared[i], &screen.frame, &view, &pose[%s],\n"
+            " *                                   &%s, &%s[i].material);\n"
+            " *             }\n",
+            capitals, node, mesh, name);
+}
 
 static const char program_end[] =
     " *             while (qtri_screen_next(&screen, &band)) {\n"
@@ -129,7 +170,15 @@ static void write_summary(const struct asset *asset, const char *name, const cha
         write_part_line(asset, i, name, out);
     }
     write_template(out, program_begin, name, capitals);
+    if (asset->track_count > 0) {
+        write_template(out, program_memory, name, capitals);
+    }
+    write_template(out, program_show, name, capitals);
     write_template(out, asset->node_count > 0 ? program_moving : program_at_rest, name, capitals);
+    if (asset->track_count > 0) {
+        write_template(out, program_weights, name, capitals);
+    }
+    write_prepare(asset, name, capitals, out);
     write_template(out, program_end, name, capitals);
     fputs(" */\n", out);
 }
@@ -166,7 +215,21 @@ static void write_sizes(const struct asset *asset, const char *capitals, FILE *o
                 "/* What moves by itself: poses, node 0 being the whole model; until the last key. "
                 "*/\n"
                 "#define %s_NODES %zu\n#define %s_SECONDS %" PRId32 "\n\n",
-                capitals, asset->node_count, capitals, asset->seconds);
+                capitals, asset->node_count, capitals,
+                asset->seconds > 0 ? asset->seconds : Q16(1));
+    }
+    if (asset->track_count > 0) {
+        uint32_t vertices = 0;
+        for (size_t i = 0; i < asset->count; i++) {
+            const struct asset_part *part = &asset->parts[i];
+            vertices += part->target_count > 0 ? part->mesh.vertex_count : 0;
+        }
+        fprintf(
+            out,
+            "/* Weights of morph targets, three a track, and the vertices that they move. Normals "
+            "stay. */\n"
+            "#define %s_TRACKS %zu\n#define %s_SHAPES %" PRIu32 "\n\n",
+            capitals, asset->track_count, capitals, vertices > 0 ? vertices : 1);
     }
 }
 
@@ -175,7 +238,8 @@ static void write_sizes(const struct asset *asset, const char *capitals, FILE *o
 static void write_keys(const struct asset *asset, const char *name, const char *capitals,
                        const char *linkage, FILE *out)
 {
-    const size_t count = asset->first_keys[asset->node_count];
+    const size_t lists = asset->node_count + asset->track_count;
+    const size_t count = asset->first_keys[lists];
     fprintf(out, "%sconst qtri_key %s_keys[%zu] = {\n", linkage, name, count);
     for (size_t i = 0; i < count; i++) {
         const qtri_key *k = &asset->keys[i];
@@ -186,8 +250,8 @@ static void write_keys(const struct asset *asset, const char *name, const char *
                 k->orientation.x, k->orientation.y, k->orientation.z, k->scale.x, k->scale.y,
                 k->scale.z);
     }
-    fprintf(out, "};\n\n%sconst int32_t %s_first_keys[%s_NODES + 1] = {", linkage, name, capitals);
-    for (size_t i = 0; i <= asset->node_count; i++) {
+    fprintf(out, "};\n\n%sconst int32_t %s_first_keys[%zu] = {", linkage, name, lists + 1);
+    for (size_t i = 0; i <= lists; i++) {
         fprintf(out, "%s%zu,", i % 12 == 0 ? "\n    " : " ", asset->first_keys[i]);
     }
     fprintf(out, "\n};\n\n%sconst int16_t %s_parents[%s_NODES] = {", linkage, name, capitals);
@@ -195,6 +259,33 @@ static void write_keys(const struct asset *asset, const char *name, const char *
         fprintf(out, "%s%d,", i % 12 == 0 ? "\n    " : " ", asset->parents[i]);
     }
     fputs("\n};\n\n", out);
+}
+
+/* The targets of all parts, and where those of each begin, and their weights. */
+static void write_targets(const struct asset *asset, const char *name, const char *capitals,
+                          const char *linkage, FILE *out)
+{
+    size_t first = 0;
+    fprintf(out, "%sconst qtri_position16 *const %s_targets[] = {\n", linkage, name);
+    for (size_t i = 0; i < asset->count; i++) {
+        const struct asset_writer writer = {out, name, i, asset->count};
+        for (size_t j = 0; j < asset->parts[i].target_count; j++) {
+            char target[160];
+            asset_target_name(&writer, j, target);
+            fprintf(out, "    %s,\n", target);
+        }
+    }
+    fprintf(out, "    NULL,\n};\n\n%sconst int32_t %s_first_targets[%s_PARTS + 1] = {0", linkage,
+            name, capitals);
+    for (size_t i = 0; i < asset->count; i++) {
+        first += asset->parts[i].target_count;
+        fprintf(out, ", %zu", first);
+    }
+    fprintf(out, "};\n\n%sconst int32_t %s_first_weights[%s_PARTS] = {", linkage, name, capitals);
+    for (size_t i = 0; i < asset->count; i++) {
+        fprintf(out, "%s%zu", i > 0 ? ", " : "", asset->parts[i].first_weight);
+    }
+    fputs("};\n\n", out);
 }
 
 /* Members by their places, as C++11 has no names in initialisers. */
@@ -227,9 +318,13 @@ static void write_data(const struct asset *asset, const char *name, const char *
     for (size_t i = 0; i < asset->count; i++) {
         const struct asset_writer writer = {out, name, i, asset->count};
         asset_write_arrays(&writer, &asset->parts[i].mesh);
+        asset_write_targets(&writer, &asset->parts[i]);
     }
     if (asset->node_count > 0) {
         write_keys(asset, name, capitals, linkage, out);
+    }
+    if (asset->track_count > 0) {
+        write_targets(asset, name, capitals, linkage, out);
     }
     fprintf(out, "%sconst qtri_part %s[%s_PARTS] = {\n", linkage, name, capitals);
     for (size_t i = 0; i < asset->count; i++) {
@@ -251,9 +346,17 @@ static void write_declarations(const struct asset *asset, const char *name, cons
     if (asset->node_count > 0) {
         fprintf(out,
                 "extern const qtri_key %s_keys[%zu];\n"
-                "extern const int32_t %s_first_keys[%s_NODES + 1];\n"
+                "extern const int32_t %s_first_keys[%zu];\n"
                 "extern const int16_t %s_parents[%s_NODES];\n",
-                name, asset->first_keys[asset->node_count], name, capitals, name, capitals);
+                name, asset->first_keys[asset->node_count + asset->track_count], name,
+                asset->node_count + asset->track_count + 1, name, capitals);
+    }
+    if (asset->track_count > 0) {
+        fprintf(out,
+                "extern const qtri_position16 *const %s_targets[];\n"
+                "extern const int32_t %s_first_targets[%s_PARTS + 1];\n"
+                "extern const int32_t %s_first_weights[%s_PARTS];\n",
+                name, name, capitals, name, capitals);
     }
     fputs("\n#ifdef __cplusplus\n}\n#endif\n", out);
 }

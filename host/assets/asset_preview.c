@@ -129,8 +129,14 @@ static bool make_skins(const struct asset *asset, struct skins *skins)
 
 /* ---- The picture ---- */
 
-static void draw(const struct asset *asset, const struct skins *skins, qtri_transform *poses,
-                 const qtri_surface *surface, const qtri_view *view)
+/* Weights of targets, and room for the positions of a part that they shape. */
+struct shape {
+    q16 *weights;
+    qtri_position16 *positions;
+};
+
+static void draw(const struct asset *asset, const struct skins *skins, const struct shape *shape,
+                 qtri_transform *poses, const qtri_surface *surface, const qtri_view *view)
 {
     qtri_transform pose;
     const qtri_rgb sky = {24, 32, 48};
@@ -144,7 +150,11 @@ static void draw(const struct asset *asset, const struct skins *skins, qtri_tran
             material.texture = &skins->textures[part->texture];
         }
         const size_t node = asset->node_count > 0 ? part->material.node : 0;
-        qtri_draw_mesh(surface, view, &poses[node], &part->mesh, &material);
+        qtri_mesh mesh = part->mesh;
+        if (part->target_count > 0 && asset_shape(part, shape->weights, shape->positions)) {
+            mesh.positions16 = shape->positions;
+        }
+        qtri_draw_mesh(surface, view, &poses[node], &mesh, &material);
     }
 }
 
@@ -178,9 +188,12 @@ bool asset_preview(const struct asset *asset, int width, int height, struct pict
     void *memory = malloc(bytes);
     qtri_vertex *vertices = malloc((most + (size_t)1) * sizeof *vertices);
     qtri_transform *poses = malloc((asset->node_count + 1) * sizeof *poses);
+    struct shape shape = {calloc(asset->track_count + 1, 3 * sizeof(q16)),
+                          malloc((most + (size_t)1) * sizeof(qtri_position16))};
     struct skins skins;
     qtri_surface surface;
     bool ok = make_skins(asset, &skins) && memory != NULL && vertices != NULL && poses != NULL &&
+              shape.weights != NULL && shape.positions != NULL &&
               qtri_surface_init(&surface, &qtri_xrgb8888, width, height, 0, height, memory,
                                 bytes) == QTRI_OK &&
               picture_create(picture, width, height, false);
@@ -193,10 +206,13 @@ bool asset_preview(const struct asset *asset, int width, int height, struct pict
         view.light = &light;
         view.vertices = vertices;
         view.vertex_count = most;
-        draw(asset, &skins, poses, &surface, &view);
+        asset_weights(asset, 0, shape.weights);
+        draw(asset, &skins, &shape, poses, &surface, &view);
         copy_pixels(&surface, picture, drawn);
     }
     free_skins(asset, &skins);
+    free(shape.weights);
+    free(shape.positions);
     free(poses);
     free(memory);
     free(vertices);

@@ -51,6 +51,8 @@ size_t asset_flash_bytes(const struct asset *asset)
         size_t triangle = if_there(mesh->triangles, sizeof *mesh->triangles) +
                           if_there(mesh->triangles8, sizeof *mesh->triangles8) +
                           if_there(mesh->faces.planes, sizeof *mesh->faces.planes);
+        vertex += asset->parts[i].target_count * sizeof(qtri_position16);
+        bytes += 4 * asset->parts[i].target_count; /* pointers */
         bytes += MESH_BYTES + mesh->vertex_count * vertex + mesh->triangle_count * triangle;
     }
     if (asset->radius > 0) { /* a model's parts, and what they name */
@@ -60,8 +62,10 @@ size_t asset_flash_bytes(const struct asset *asset)
         }
     }
     if (asset->node_count > 0) {
-        bytes += asset->first_keys[asset->node_count] * sizeof(qtri_key) + 4 +
-                 asset->node_count * (sizeof(int32_t) + sizeof(int16_t));
+        const size_t tracks = asset->track_count;
+        bytes += asset->first_keys[asset->node_count + tracks] * sizeof(qtri_key) + 4 +
+                 asset->node_count * (sizeof(int32_t) + sizeof(int16_t)) +
+                 tracks * sizeof(int32_t) + (tracks > 0 ? 8 * asset->count + 8 : 0);
     }
     return bytes;
 }
@@ -80,6 +84,9 @@ struct asset_memory asset_ram(const struct asset *asset, int32_t width, int32_t 
     for (size_t i = 0; i < asset->count; i++) {
         const qtri_mesh *mesh = &asset->parts[i].mesh;
         memory.vertices += mesh->vertex_count * sizeof(qtri_vertex);
+        if (asset->parts[i].target_count > 0) {
+            memory.vertices += mesh->vertex_count * sizeof(qtri_position16) + MESH_BYTES;
+        }
         memory.lists += QTRI_PREPARED_LISTS(mesh->triangle_count, height, rows) * sizeof(uint16_t);
     }
     return memory;

@@ -184,6 +184,24 @@ void asset_write_arrays(const struct asset_writer *writer, const qtri_mesh *mesh
     write_planes(writer, mesh);
 }
 
+void asset_target_name(const struct asset_writer *writer, size_t target, char out[160])
+{
+    char what[40];
+    (void)snprintf(what, sizeof what, "target_%zu", target);
+    name_of(out, writer->name, writer->part, writer->count, what);
+}
+
+void asset_write_targets(const struct asset_writer *writer, const struct asset_part *part)
+{
+    qtri_mesh mesh = part->mesh;
+    for (size_t i = 0; i < part->target_count; i++) {
+        char what[40];
+        (void)snprintf(what, sizeof what, "target_%zu", i);
+        mesh.positions16 = &part->targets[i * mesh.vertex_count];
+        write_vertices(writer, &mesh, "qtri_position16", what, 3, element_position16);
+    }
+}
+
 /* ---- The mesh itself ---- */
 
 /* An array's name, or NULL where the mesh has it not. */

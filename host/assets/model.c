@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/file_identity.h"
+
 bool model_create(struct model *model, size_t vertices, size_t triangles, size_t materials)
 {
     memset(model, 0, sizeof *model);
@@ -37,6 +39,9 @@ void model_free(struct model *model)
     free(model->pictures);
     free(model->nodes);
     free(model->keys);
+    free(model->morphs);
+    free(model->tracks);
+    free(model->shifts);
     memset(model, 0, sizeof *model);
 }
 
@@ -75,6 +80,15 @@ static bool check_vertex(struct model_vertex *vertex)
     return true;
 }
 
+static bool check_shifts(const struct model *model)
+{
+    bool ok = true;
+    for (size_t i = 0; ok && i < model->shift_count; i++) {
+        ok = is_in_range(model->shifts[i], 3);
+    }
+    return ok;
+}
+
 static bool check_key(struct model_key *key)
 {
     double length = 0.0;
@@ -95,6 +109,10 @@ bool model_check(const char *path, struct model *model, struct text_error *error
             text_error_set(error, path, 0, "a key of its animation is not a number, or beyond 1e9");
             return false;
         }
+    }
+    if (!check_shifts(model)) {
+        text_error_set(error, path, 0, "a morph target is not a number, or beyond 1e9");
+        return false;
     }
     for (size_t i = 0; i < model->vertex_count; i++) {
         if (!check_vertex(&model->vertices[i]) ||
@@ -233,7 +251,10 @@ struct model_box model_vertex_bounds(const struct model *model)
 {
     struct model_box box = {{0, 0, 0}, {0, 0, 0}};
     for (size_t i = 0; i < model->vertex_count; i++) {
-        extend(&box, model->vertices[i].position, i == 0);
+        double low[3], high[3];
+        model_shape_bounds(model, &model->vertices[i], low, high);
+        extend(&box, low, i == 0);
+        extend(&box, high, false);
     }
     return box;
 }
@@ -249,8 +270,7 @@ void model_vertex_at(const double world[3][4], const struct model_vertex *vertex
 struct model_box model_bounds(const struct model *model)
 {
     struct model_box box = {{0, 0, 0}, {0, 0, 0}};
-    double(*world)[3][4] =
-        model->node_count > 0 ? malloc((model->node_count + 1) * sizeof *world) : NULL;
+    double(*world)[3][4] = malloc((model->node_count + 1) * sizeof *world);
     if (world == NULL) {
         return model_vertex_bounds(model);
     }
@@ -282,6 +302,15 @@ static void turn_quaternion(double q[4])
     q[3] = half * (z - y);
 }
 
+/* As the model was read, no two vertices share their shifts. */
+static void turn_shifts(struct model *model, const struct model_vertex *vertex)
+{
+    const uint32_t count = vertex->morph > 0 ? model->morphs[vertex->morph - 1].target_count : 0;
+    for (uint32_t i = 0; i < count; i++) {
+        turn(model->shifts[vertex->shift + i]);
+    }
+}
+
 /* Whether a key moves its node in the space of the model. */
 static bool is_topmost(const struct model_node *node)
 {
@@ -297,6 +326,7 @@ void model_turn_up(struct model *model, char up)
         if (model->vertices[i].node == 0) {
             turn(model->vertices[i].position);
             turn(model->vertices[i].normal);
+            turn_shifts(model, &model->vertices[i]);
         }
     }
     for (size_t i = 0; i < model->node_count; i++) {
@@ -331,8 +361,14 @@ void model_scale(struct model *model, double factor)
         for (size_t i = 0; i < model->vertex_count; i++) {
             model->vertices[i].position[axis] *= factor;
         }
-        for (size_t i = 0; i < model->key_count; i++) {
-            model->keys[i].position[axis] *= factor;
+        for (size_t i = 0; i < model->shift_count; i++) {
+            model->shifts[i][axis] *= factor;
+        }
+        for (size_t i = 0; i < model->node_count; i++) {
+            const struct model_node *node = &model->nodes[i];
+            for (size_t j = 0; j < node->key_count; j++) {
+                model->keys[node->first_key + j].position[axis] *= factor;
+            }
         }
     }
 }
@@ -355,4 +391,30 @@ bool model_path_beside(char *out, size_t size, const char *beside, const char *n
     int folder = slash == NULL || name[0] == '/' ? 0 : (int)(slash - beside) + 1;
     int length = snprintf(out, size, "%.*s%s", folder, beside, name);
     return length >= 0 && (size_t)length < size;
+}
+
+/* Whether there is such a file; then it is the material's. */
+static bool take_picture(struct model_material *material, const char *beside, const char *name)
+{
+    char path[sizeof material->texture];
+    if (!model_path_beside(path, sizeof path, beside, name) ||
+        file_inspect(path, NULL) == FILE_MISSING) {
+        return false;
+    }
+    memcpy(material->texture, path, sizeof path);
+    return true;
+}
+
+bool model_picture_beside(struct model_material *material, const char *beside, int line,
+                          const char *name, struct text_error *error)
+{
+    const char *slash = strrchr(name, '/');
+    if (take_picture(material, beside, name) ||
+        (slash != NULL && take_picture(material, beside, slash + 1))) {
+        return true;
+    }
+    char path[1024];
+    (void)model_path_beside(path, sizeof path, beside, name);
+    text_error_set(error, beside, line, "there is no picture %s; --plain does without", path);
+    return false;
 }

@@ -23,8 +23,9 @@ struct model_material {
     char texture[512];     /* path of its picture; "*0", "*1": inside the file; "": none */
     bool clamp_u, clamp_v; /* the picture does not repeat */
     bool has_holes;        /* where its picture is less than half opaque, nothing is drawn */
+    bool is_blended;       /* what its picture has of alpha was meant to be blended */
     bool two_sided;
-    uint16_t node; /* of its vertices, once model_merge_materials has set it */
+    uint16_t node, morph; /* of its vertices, once model_merge_materials has set them */
 };
 
 /* Without bytes between members: vertices are compared as bytes. */
@@ -35,7 +36,10 @@ struct model_vertex {
     uint8_t color[3]; /* sRGB, to be multiplied with the material's */
     uint8_t zero;
     uint16_t material;
-    uint16_t node; /* which of the model's nodes moves it */
+    uint16_t node;  /* which of the model's nodes moves it */
+    uint16_t morph; /* which of its morphs shapes it; 0: none */
+    uint16_t zero_too;
+    uint32_t shift; /* the first of its morph's shifts that are its */
 };
 
 /* A picture that is stored inside the model's file, as PNG or JPEG. */
@@ -55,19 +59,36 @@ struct model_node {
     size_t first_key, key_count; /* 1: at rest */
 };
 
+/* Shapes that are added to vertices, each times its weight. Tracks hold the weights: those of three
+   targets are the position of a key. */
+enum { MODEL_TRACK_WEIGHTS = 3 };
+struct model_morph {
+    uint32_t target_count;
+    size_t first_track;
+};
+
 struct model {
     struct model_vertex *vertices;
     uint32_t (*triangles)[3]; /* all three of one material and one node */
     struct model_material *materials;
     size_t vertex_count, triangle_count, material_count; /* 1 or more materials */
     struct model_picture *pictures;
-    struct model_node *nodes; /* besides node 0: nodes[0] is node 1 */
-    struct model_key *keys;
-    size_t picture_count, node_count, key_count;
+    struct model_node *nodes;   /* besides node 0: nodes[0] is node 1 */
+    struct model_key *keys;     /* of nodes and of tracks */
+    struct model_morph *morphs; /* morphs[0] is morph 1 */
+    struct model_node *tracks;
+    double (*shifts)[3]; /* of each vertex with a morph, one a target */
+    size_t picture_count, node_count, key_count, morph_count, track_count, shift_count;
     size_t file_triangles, file_vertices; /* that the file has, where that is known */
     bool has_uvs, has_colors;
-    char left_out[200]; /* what the file has and the model has not: a list in words, or "" */
+    char left_out[1000]; /* what the file has and the model has not: a list in words, or "" */
 };
+
+/* Appends ", 3 skins" to what is left out, or nothing where there are none. */
+void model_leave_out(struct model *model, size_t count, const char *one, const char *many);
+
+/* Appends words to what is left out; "" is nothing. */
+void model_leave_out_words(struct model *model, const char *words);
 
 /* Zeroed memory for so many of each; false when it runs out: then the model is empty. */
 bool model_create(struct model *model, size_t vertices, size_t triangles, size_t materials);
@@ -79,6 +100,17 @@ enum model_content {
     MODEL_MATERIALS, /* colours and textures, which must be there */
     MODEL_ALL        /* the pictures inside and the first animation as well */
 };
+
+/* The weights of all targets at a time, MODEL_TRACK_WEIGHTS a track; where a vertex is with them,
+   and between what bounds with any from 0 to 1, in the space of its node. */
+void model_weights(const struct model *model, double time, double *weights);
+void model_shape_at(const struct model *model, const double *weights,
+                    const struct model_vertex *vertex, double at[3]);
+void model_shape_bounds(const struct model *model, const struct model_vertex *vertex, double low[3],
+                        double high[3]);
+
+/* All vertices stay where they are without targets. */
+void model_drop_morphs(struct model *model);
 
 /*
  * One material for all that look alike and move together: colours of materials become those of
@@ -122,11 +154,15 @@ bool model_library_picture(const char *path, const char *text, size_t length, co
                            unsigned number, char **bytes, size_t *bytes_length,
                            struct text_error *error);
 
-/* Whether a PLY file holds what its header promises, and no more than a model may have. */
-bool model_check_ply(const char *path, const char *text, size_t length, struct text_error *error);
+/* Whether a PLY file holds what its header promises, and no more than a model may have. What the
+   library passes over is left out of *model. */
+bool model_check_ply(const char *path, const char *text, size_t length, struct model *model,
+                     struct text_error *error);
 
-/* Whether a glTF or GLB file is complete, and needs nothing that cannot be read. */
-bool model_check_gltf(const char *path, const char *text, size_t length, struct text_error *error);
+/* Whether a glTF or GLB file is complete, and needs nothing that cannot be read. What the library
+   passes over is left out of *model. */
+bool model_check_gltf(const char *path, const char *text, size_t length, struct model *model,
+                      struct text_error *error);
 
 /* Materials of an MTL file by name: colour (Kd), opacity (d) and texture (map_Kd) of those that the
    model has. Statements that are not known are passed over, as their number grows. */
@@ -135,6 +171,11 @@ bool model_parse_mtl(const char *path, const char *text, size_t length, struct m
 
 /* FOLDER OF `beside`/name in `out`, or `name` where it is absolute. False if that does not fit. */
 bool model_path_beside(char *out, size_t size, const char *beside, const char *name);
+
+/* Sets the material's picture: what is at `name` or, where that is the name on another computer,
+   beside the file `beside`. False with *error set, of a line unless it is 0: there is none. */
+bool model_picture_beside(struct model_material *material, const char *beside, int line,
+                          const char *name, struct text_error *error);
 
 /* Numbers finite and below MODEL_MAX_VALUE, normals of length 1 or none, indices in range. */
 bool model_check(const char *path, struct model *model, struct text_error *error);
@@ -148,7 +189,7 @@ struct model_box {
 };
 struct model_box model_bounds(const struct model *model); /* at time 0 */
 
-/* Vertices as they are stored, each in the space of its node. */
+/* Vertices as they are stored, in all of their shapes, each in the space of its node. */
 struct model_box model_vertex_bounds(const struct model *model);
 
 /* Where a vertex is, of a node that model_pose has placed. */

@@ -101,7 +101,11 @@ static bool write_model(FILE *file, const struct model *model)
               (model->node_count == 0 ||
                write_all(file, model->nodes, sizeof *model->nodes, model->node_count)) &&
               (model->key_count == 0 ||
-               write_all(file, model->keys, sizeof *model->keys, model->key_count));
+               write_all(file, model->keys, sizeof *model->keys, model->key_count)) &&
+              (model->morph_count == 0 ||
+               (write_all(file, model->morphs, sizeof *model->morphs, model->morph_count) &&
+                write_all(file, model->tracks, sizeof *model->tracks, model->track_count) &&
+                write_all(file, model->shifts, sizeof *model->shifts, model->shift_count)));
     for (size_t i = 0; ok && i < model->picture_count; i++) {
         const struct model_picture *picture = &model->pictures[i];
         ok = write_all(file, &picture->length, sizeof picture->length, 1) &&
@@ -131,18 +135,24 @@ static bool read_model(FILE *file, struct model *model)
     if (!read_all(file, &sent, sizeof sent, 1)) {
         return false;
     }
-    void *arrays[5] = {NULL};
+    void *arrays[8] = {NULL};
     bool ok = read_new(file, &arrays[0], sizeof *sent.vertices, sent.vertex_count) &&
               read_new(file, &arrays[1], sizeof *sent.triangles, sent.triangle_count) &&
               read_new(file, &arrays[2], sizeof *sent.materials, sent.material_count) &&
               read_new(file, &arrays[3], sizeof *sent.nodes, sent.node_count) &&
-              read_new(file, &arrays[4], sizeof *sent.keys, sent.key_count);
+              read_new(file, &arrays[4], sizeof *sent.keys, sent.key_count) &&
+              read_new(file, &arrays[5], sizeof *sent.morphs, sent.morph_count) &&
+              read_new(file, &arrays[6], sizeof *sent.tracks, sent.track_count) &&
+              read_new(file, &arrays[7], sizeof *sent.shifts, sent.shift_count);
     *model = sent;
     model->vertices = arrays[0];
     model->triangles = arrays[1];
     model->materials = arrays[2];
     model->nodes = arrays[3];
     model->keys = arrays[4];
+    model->morphs = arrays[5];
+    model->tracks = arrays[6];
+    model->shifts = arrays[7];
     model->pictures = NULL;
     model->picture_count = 0;
     return ok && read_pictures(file, model, sent.picture_count);

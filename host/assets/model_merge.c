@@ -9,6 +9,12 @@ static bool is_see_through(const struct model_material *material)
     return material->opacity < 255;
 }
 
+/* Whether what moves and shapes the vertex is what the merged material has. */
+static bool moves_alike(const struct model_material *material, const struct model_vertex *vertex)
+{
+    return material->node == vertex->node && material->morph == vertex->morph;
+}
+
 static bool looks_alike(const struct model_material *a, const struct model_material *b)
 {
     return a->opacity == b->opacity && a->clamp_u == b->clamp_u && a->clamp_v == b->clamp_v &&
@@ -31,7 +37,7 @@ struct merge {
     const struct model *model;
     struct model_material *merged;
     size_t count;
-    uint32_t last; /* pair of a material and a node, and what it has become */
+    uint64_t last; /* a material, a node and a morph, and what they have become */
     uint16_t last_merged;
 };
 
@@ -39,20 +45,23 @@ struct merge {
 static uint16_t merge_one(struct merge *merge, const struct model_vertex *vertex)
 {
     const struct model_material *material = &merge->model->materials[vertex->material];
-    const uint32_t pair = (uint32_t)vertex->material << 16 | vertex->node;
+    const uint64_t key =
+        (uint64_t)vertex->material << 32 | (uint64_t)vertex->morph << 16 | vertex->node;
     size_t i = 0;
-    if (pair == merge->last && merge->count > 0) {
+    if (key == merge->last && merge->count > 0) {
         return merge->last_merged;
     }
     while (i < merge->count &&
-           (merge->merged[i].node != vertex->node || !looks_alike(&merge->merged[i], material))) {
+           (!moves_alike(&merge->merged[i], vertex) || !looks_alike(&merge->merged[i], material))) {
         i++;
     }
     if (i == merge->count) {
         merge->merged[merge->count] = *material;
-        merge->merged[merge->count++].node = vertex->node;
+        merge->merged[merge->count].node = vertex->node;
+        merge->merged[merge->count++].morph = vertex->morph;
     }
-    merge->last = pair;
+    merge->merged[i].is_blended = merge->merged[i].is_blended || material->is_blended;
+    merge->last = key;
     merge->last_merged = (uint16_t)i;
     return (uint16_t)i;
 }
@@ -78,7 +87,8 @@ static void merge_vertices(struct merge *merge, struct model *model, uint16_t *t
 
 bool model_merge_materials(struct model *model)
 {
-    const size_t pairs = model->material_count * (model->node_count + 1);
+    /* A morph is of one node. */
+    const size_t pairs = model->material_count * (model->node_count + 1 + model->morph_count);
     const size_t most = pairs < model->vertex_count ? pairs : model->vertex_count;
     struct merge merge = {.model = model, .merged = calloc(most + 1, sizeof *merge.merged)};
     uint16_t *to = calloc(model->vertex_count + 1, sizeof *to);

@@ -45,7 +45,7 @@ static struct model_key between(const struct model_key *a, const struct model_ke
     return key;
 }
 
-static struct model_key key_at(const struct model *model, const struct model_node *node,
+struct model_key motion_key_at(const struct model *model, const struct model_node *node,
                                double time)
 {
     const struct model_key *keys = &model->keys[node->first_key];
@@ -92,7 +92,7 @@ void model_pose(const struct model *model, double time, double (*world)[3][4])
     }
     for (size_t i = 0; i < model->node_count; i++) {
         double local[3][4];
-        const struct model_key key = key_at(model, &model->nodes[i], time);
+        const struct model_key key = motion_key_at(model, &model->nodes[i], time);
         matrix_of(&key, local);
         multiply((const double(*)[4])world[model->nodes[i].parent], (const double(*)[4])local,
                  world[i + 1]);
@@ -217,8 +217,7 @@ static bool add_node(struct model *model, size_t keys, uint16_t *node, double *f
     return true;
 }
 
-/* Room for so many more keys, zeroed; NULL when memory runs out. */
-static struct model_key *append_keys(struct model *model, size_t count)
+struct model_key *motion_append_keys(struct model *model, size_t count)
 {
     struct model_key *keys = realloc(model->keys, (model->key_count + count) * sizeof *model->keys);
     if (keys == NULL) {
@@ -248,7 +247,7 @@ bool motion_add_rest(struct model *model, const struct aiMatrix4x4 *matrix, uint
         *factor *= rest.scale[0];
         return true;
     }
-    struct model_key *key = append_keys(model, 1);
+    struct model_key *key = motion_append_keys(model, 1);
     if (key == NULL) {
         return false;
     }
@@ -299,8 +298,7 @@ static bool is_close(const struct model_key *a, const struct model_key *b, doubl
     return off <= 1e-4 * size && scale <= 1e-4 && fabs(dot) >= 1.0 - 1e-8;
 }
 
-/* Leaves out keys that their neighbours make as well: tools write one for each frame. */
-static size_t thin_keys(struct model_key *keys, size_t count)
+size_t motion_thin_keys(struct model_key *keys, size_t count)
 {
     double size = 0.0;
     for (size_t i = 1; i < count; i++) {
@@ -331,7 +329,7 @@ bool motion_add_channel(struct model *model, const struct aiAnimation *animation
     const double per_second = animation->mTicksPerSecond > 0.0 ? animation->mTicksPerSecond : 25.0;
     const size_t most =
         (size_t)channel->mNumPositionKeys + channel->mNumRotationKeys + channel->mNumScalingKeys;
-    struct model_key *keys = append_keys(model, most);
+    struct model_key *keys = motion_append_keys(model, most);
     if (keys == NULL) {
         return false;
     }
@@ -344,7 +342,7 @@ bool motion_add_channel(struct model *model, const struct aiAnimation *animation
         quaternion_at(channel->mRotationKeys, channel->mNumRotationKeys, time, keys[i].orientation);
         keys[i].time = time / per_second;
     }
-    const size_t kept = thin_keys(keys, count);
+    const size_t kept = motion_thin_keys(keys, count);
     model->key_count -= most - kept;
     return add_node(model, kept, node, factor);
 }

@@ -7,6 +7,17 @@
 
 #include "model.h"
 
+/* What node or track, which are of the model's keys, have at a time. */
+struct model_key motion_key_at(const struct model *model, const struct model_node *node,
+                               double time);
+
+/* Room for so many more keys, zeroed; NULL when memory runs out. */
+struct model_key *motion_append_keys(struct model *model, size_t count);
+
+/* Leaves out keys that their neighbours make as well, as tools write one for each frame; returns
+   how many are left. */
+size_t motion_thin_keys(struct model_key *keys, size_t count);
+
 struct aiNodeAnim;
 struct aiAnimation;
 struct aiMatrix4x4;

@@ -19,6 +19,8 @@ struct mtl_parser {
     struct model *model;
     struct model_material *material; /* NULL: one that the model has not */
     int line;
+    bool has_opacity;          /* the material has a d */
+    size_t pictures, emissive; /* that are left out */
     struct text_error *error;
 };
 
@@ -45,6 +47,7 @@ static void begin_material(struct mtl_parser *parser, struct line *line)
 {
     struct token name = rest_of(line);
     parser->material = NULL;
+    parser->has_opacity = false;
     for (size_t i = 0; i < parser->model->material_count; i++) {
         struct model_material *known = &parser->model->materials[i];
         size_t length = name.length < sizeof known->name ? name.length : sizeof known->name - 1;
@@ -89,8 +92,24 @@ static bool parse_opacity(struct mtl_parser *parser, struct line *line)
          number_parse_real(token.text, token.length, &value) != NUMBER_OK)) {
         return fail(parser, "d needs a number", "");
     }
+    parser->has_opacity = true;
     if (parser->material != NULL && !token_equals(&token, "-halo")) {
         parser->material->opacity = (uint8_t)lround(255.0 * fmin(fmax(value, 0.0), 1.0));
+    }
+    return true;
+}
+
+/* Tr 1 - opacity, where there is no d. Programs write Tr 1 of what is not seen through at all. */
+static bool parse_transparency(struct mtl_parser *parser, struct line *line)
+{
+    struct token token;
+    double value = 0.0;
+    if (!line_token(line, &token) ||
+        number_parse_real(token.text, token.length, &value) != NUMBER_OK) {
+        return fail(parser, "Tr needs a number", "");
+    }
+    if (parser->material != NULL && !parser->has_opacity && value > 0.0 && value < 1.0) {
+        parser->material->opacity = (uint8_t)lround(255.0 * (1.0 - value));
     }
     return true;
 }
@@ -101,9 +120,9 @@ static int option_length(const struct token *option)
     static const struct {
         const char *name;
         int length;
-    } options[] = {{"-blendu", 1}, {"-blendv", 1}, {"-cc", 1},     {"-clamp", 1},  {"-mm", 2},
-                   {"-o", -3},     {"-s", -3},     {"-t", -3},     {"-texres", 1}, {"-bm", 1},
-                   {"-boost", 1},  {"-type", 1},   {"-imfchan", 1}};
+    } options[] = {{"-blendu", 1}, {"-blendv", 1}, {"-cc", 1},      {"-clamp", 1},     {"-mm", 2},
+                   {"-o", -3},     {"-s", -3},     {"-t", -3},      {"-texres", 1},    {"-bm", 1},
+                   {"-boost", 1},  {"-type", 1},   {"-imfchan", 1}, {"-colorspace", 1}};
     for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
         if (token_equals(option, options[i].name)) {
             return options[i].length;
@@ -153,14 +172,31 @@ static bool parse_texture(struct mtl_parser *parser, struct line *line)
         }
         name[i] = (char)(c == '\\' ? '/' : c);
     }
-    struct model_material *material = parser->material;
-    if (!model_path_beside(material->texture, sizeof material->texture, parser->path, name)) {
-        return fail(parser, "the picture's name is too long", "");
+    return model_picture_beside(parser->material, parser->path, parser->line, name, parser->error);
+}
+
+/* Statements of what no model has, of a material that the model has. */
+static void count_left_out(struct mtl_parser *parser, const struct token *keyword,
+                           const struct line *line)
+{
+    static const char *const pictures[] = {"map_Ka",   "map_Ks", "map_Ns", "map_d", "map_Ke",
+                                           "map_Pr",   "map_Pm", "map_Ps", "norm",  "map_bump",
+                                           "map_Bump", "bump",   "disp",   "decal", "refl"};
+    struct line rest = *line;
+    struct token token;
+    if (parser->material == NULL) {
+        return;
     }
-    if (file_inspect(material->texture, NULL) == FILE_MISSING) {
-        return fail(parser, "there is no picture ", material->texture);
+    for (size_t i = 0; i < sizeof pictures / sizeof pictures[0]; i++) {
+        parser->pictures += token_equals(keyword, pictures[i]) ? 1 : 0;
     }
-    return true;
+    bool glows = false;
+    while (token_equals(keyword, "Ke") && line_token(&rest, &token)) {
+        double value = 0.0;
+        (void)number_parse_real(token.text, token.length, &value);
+        glows = glows || value > 0.0;
+    }
+    parser->emissive += glows ? 1 : 0;
 }
 
 bool model_parse_mtl(const char *path, const char *text, size_t length, struct model *model,
@@ -185,24 +221,31 @@ bool model_parse_mtl(const char *path, const char *text, size_t length, struct m
             ok = parse_color(&parser, &line);
         } else if (token_equals(&keyword, "d")) {
             ok = parse_opacity(&parser, &line);
+        } else if (token_equals(&keyword, "Tr")) {
+            ok = parse_transparency(&parser, &line);
         } else if (token_equals(&keyword, "map_Kd")) {
             ok = parse_texture(&parser, &line);
+        } else {
+            count_left_out(&parser, &keyword, &line);
         }
     }
+    model_leave_out(model, parser.pictures, "picture of other things than colour",
+                    "pictures of other things than colour");
+    model_leave_out(model, parser.emissive, "emissive colour", "emissive colours");
     return ok;
 }
 
-static bool read_mtl(const char *obj, const struct obj_name *name, struct model *model,
+static bool read_mtl(const char *obj, int line, const char *name, struct model *model,
                      struct text_error *error)
 {
     char path[1024];
     struct file_content file;
-    if (!model_path_beside(path, sizeof path, obj, name->text)) {
-        text_error_set(error, obj, name->line, "the name of the materials is too long");
+    if (!model_path_beside(path, sizeof path, obj, name)) {
+        text_error_set(error, obj, line, "the name of the materials is too long");
         return false;
     }
     if (file_inspect(path, NULL) == FILE_MISSING) {
-        text_error_set(error, obj, name->line, "there is no file %s; --plain does without", path);
+        text_error_set(error, obj, line, "there is no file %s; --plain does without", path);
         return false;
     }
     if (!file_read(path, &file, error)) {
@@ -210,6 +253,33 @@ static bool read_mtl(const char *obj, const struct obj_name *name, struct model 
     }
     bool ok = model_parse_mtl(path, file.bytes, file.length, model, error);
     free(file.bytes);
+    return ok;
+}
+
+static bool is_beside(const char *obj, const struct token *name)
+{
+    char path[1024], text[1024];
+    (void)snprintf(text, sizeof text, "%.*s", (int)name->length, name->text);
+    return model_path_beside(path, sizeof path, obj, text) &&
+           file_inspect(path, NULL) != FILE_MISSING;
+}
+
+/* mtllib takes several names; where the first is not there, its line is one name with spaces. */
+static bool read_library(const char *obj, const struct obj_name *library, struct model *model,
+                         struct text_error *error)
+{
+    const struct token whole = {library->text, strlen(library->text)};
+    struct line line = {library->text, library->text + whole.length, library->line};
+    struct token token;
+    char name[1024];
+    bool ok = true;
+    if (is_beside(obj, &whole) || !line_token(&line, &token) || !is_beside(obj, &token)) {
+        return read_mtl(obj, library->line, library->text, model, error);
+    }
+    do {
+        (void)snprintf(name, sizeof name, "%.*s", (int)token.length, token.text);
+        ok = read_mtl(obj, library->line, name, model, error);
+    } while (ok && line_token(&line, &token));
     return ok;
 }
 
@@ -258,18 +328,54 @@ static bool build(const struct obj_source *source, bool with_materials, struct m
     return true;
 }
 
+/* Faces, and what the parser passes over. */
+struct obj_count {
+    size_t faces, lines, points, curved;
+};
+
+static void count_statements(const char *text, size_t length, struct obj_count *count)
+{
+    struct line_reader reader;
+    struct line line;
+    memset(count, 0, sizeof *count);
+    lines_begin(&reader, text, length, true);
+    while (lines_next(&reader, &line)) {
+        struct token keyword = {text, 0};
+        (void)line_token(&line, &keyword);
+        count->faces += token_equals(&keyword, "f") || token_equals(&keyword, "fo") ? 1 : 0;
+        count->lines += token_equals(&keyword, "l") ? 1 : 0;
+        count->points += token_equals(&keyword, "p") ? 1 : 0;
+        count->curved += token_equals(&keyword, "curv") || token_equals(&keyword, "curv2") ||
+                                 token_equals(&keyword, "surf")
+                             ? 1
+                             : 0;
+    }
+}
+
 bool model_parse_obj(const char *path, const char *text, size_t length, bool with_materials,
                      struct model *model, struct text_error *error)
 {
     struct obj_source source = {.full = true};
+    struct obj_count count;
     memset(model, 0, sizeof *model);
+    count_statements(text, length, &count);
+    if (count.faces == 0 && count.lines + count.points + count.curved > 0) {
+        text_error_set(error, path, 0, "has no faces, only lines, points or curves");
+        return false;
+    }
     bool ok = obj_parse_source(path, text, length, &source, error);
     if (ok && !build(&source, with_materials, model)) {
         text_error_set(error, path, 0, "out of memory");
         ok = false;
     }
+    if (ok) {
+        model_leave_out(model, count.lines, "line", "lines");
+        model_leave_out(model, count.points, "statement of points", "statements of points");
+        model_leave_out(model, count.curved, "curve or curved surface",
+                        "curves and curved surfaces");
+    }
     for (size_t i = 0; ok && with_materials && i < source.libraries.count; i++) {
-        ok = read_mtl(path, &source.libraries.items[i], model, error);
+        ok = read_library(path, &source.libraries.items[i], model, error);
     }
     obj_source_free(&source);
     if (!ok) {

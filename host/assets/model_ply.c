@@ -28,6 +28,8 @@ struct ply {
     struct text_error *error;
     int line;
     bool is_ascii, is_big_endian, ended;
+    bool in_faces, has_face_colors;
+    int64_t faces;
     struct element elements[MOST_ELEMENTS];
     int element_count;
 };
@@ -75,7 +77,9 @@ static bool parse_element(struct ply *ply, struct line *line)
             ply, ply->line,
             "its triangles are strips (tristrips), which cannot be read: store it as faces");
     }
-    if (token_equals(&name, "face") && element->count > (int64_t)MODEL_MAX_TRIANGLES) {
+    ply->in_faces = token_equals(&name, "face");
+    ply->faces += ply->in_faces ? element->count : 0;
+    if (ply->in_faces && element->count > (int64_t)MODEL_MAX_TRIANGLES) {
         return fail(ply, ply->line,
                     "more than 2097152 triangles; simplify the model elsewhere first");
     }
@@ -84,7 +88,7 @@ static bool parse_element(struct ply *ply, struct line *line)
 
 static bool parse_property(struct ply *ply, struct line *line)
 {
-    struct token type;
+    struct token type, name;
     struct property property = {0, 0};
     if (ply->element_count == 0) {
         return fail(ply, ply->line, "a property before the first element");
@@ -101,6 +105,9 @@ static bool parse_property(struct ply *ply, struct line *line)
         return fail(ply, ply->line, "a property of no known type");
     }
     element->properties[element->property_count++] = property;
+    ply->has_face_colors = ply->has_face_colors ||
+                           (ply->in_faces && line_token(line, &name) &&
+                            (token_equals(&name, "red") || token_equals(&name, "diffuse_red")));
     return true;
 }
 
@@ -218,7 +225,8 @@ static bool check_binary(const struct ply *ply, const char *at, const char *end)
     return true;
 }
 
-bool model_check_ply(const char *path, const char *text, size_t length, struct text_error *error)
+bool model_check_ply(const char *path, const char *text, size_t length, struct model *model,
+                     struct text_error *error)
 {
     struct ply *ply = calloc(1, sizeof *ply);
     struct line_reader reader;
@@ -236,10 +244,16 @@ bool model_check_ply(const char *path, const char *text, size_t length, struct t
         ok = parse_line(ply, &line);
     }
     if (ok && !ply->ended) {
-        ok = fail(ply, ply->line, "the header does not end");
+        ok = fail(ply, ply->line,
+                  length > 4 && text[3] == '\r' && text[4] != '\n'
+                      ? "its lines end with carriage returns alone: store it with newlines"
+                      : "the header does not end");
+    } else if (ok && ply->faces == 0) {
+        ok = fail(ply, 0, "has no faces: is it a cloud of points?");
     } else if (ok) {
         ok = ply->is_ascii ? check_text(ply, &reader) : check_binary(ply, reader.at, reader.end);
     }
+    model_leave_out_words(model, ply->has_face_colors ? "colours of faces" : "");
     free(ply);
     return ok;
 }

@@ -109,15 +109,15 @@ static bool face_normals(const char *path, struct model *model, struct text_erro
     return ok;
 }
 
-/* What the library would not notice. */
+/* What the library would not notice; what it passes over is left out of *model. */
 static bool check_complete(const char *path, const char *text, size_t length, const char *format,
-                           struct text_error *error)
+                           struct model *model, struct text_error *error)
 {
     if (strcmp(format, "ply") == 0) {
-        return model_check_ply(path, text, length, error);
+        return model_check_ply(path, text, length, model, error);
     }
     if (format[0] == 'g') {
-        return model_check_gltf(path, text, length, error);
+        return model_check_gltf(path, text, length, model, error);
     }
     return strcmp(format, "stl") != 0 || check_stl(path, text, length, error);
 }
@@ -142,9 +142,13 @@ static bool read_as(const char *path, const char *text, size_t length, enum mode
         text_error_set(error, path, 0, "%s (%s)", problem, format);
         return false;
     }
-    if (!check_complete(path, text, length, format, error) ||
+    struct model passed_over = {0};
+    if (!check_complete(path, text, length, format, &passed_over, error) ||
         !model_read_library(path, text, length, format, content, model, error)) {
         return false;
+    }
+    if (content == MODEL_ALL) {
+        model_leave_out_words(model, passed_over.left_out);
     }
     if (strcmp(format, "stl") == 0 &&
         (!model_check(path, model, error) || !face_normals(path, model, error))) {
@@ -159,7 +163,8 @@ static bool check_use(const char *path, const struct model *model, struct text_e
 {
     enum { MOST_LOSS = 100 };
     if (model->triangle_count == 0) {
-        text_error_set(error, path, 0, "has no triangle with an area");
+        text_error_set(error, path, 0, "has no triangle with an area%s%s",
+                       model->left_out[0] != '\0' ? ", but: " : "", model->left_out);
         return false;
     }
     if (model->file_triangles / MOST_LOSS > model->triangle_count) {
@@ -201,6 +206,8 @@ bool model_read(const char *path, enum model_content content, struct model *mode
         model_free(model);
         return false;
     }
+    model_leave_out(model, model->file_triangles - model->triangle_count, "triangle without area",
+                    "triangles without area");
     return true;
 }
 

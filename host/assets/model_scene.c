@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#define _XOPEN_SOURCE 700
 #include "model_scene.h"
 
 #ifdef QTRI_HAVE_ASSIMP
@@ -11,8 +10,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "model_morph.h"
 #include "model_motion.h"
 
 bool model_request_fail(const struct model_request *request, const char *problem, const char *what)
@@ -46,42 +45,35 @@ static void copy_color(const struct model_request *request, const struct aiColor
     to[2] = byte_of(encode(request, (double)from->b));
 }
 
-/* The name of a material's picture, which of the vertices' texture coordinates are its, and how it
-   goes on beyond its edges. False: it has none. */
-static bool find_texture(const struct aiMaterial *material, struct aiString *name,
-                         unsigned *channel, enum aiTextureMapMode mode[2])
+bool model_find_picture(const struct aiMaterial *material, struct model_picture_use *use)
 {
-    *channel = 0;
-    mode[0] = aiTextureMapMode_Wrap;
-    mode[1] = aiTextureMapMode_Wrap;
-    return aiGetMaterialTexture(material, aiTextureType_BASE_COLOR, 0, name, NULL, channel, NULL,
-                                NULL, mode, NULL) == aiReturn_SUCCESS ||
-           aiGetMaterialTexture(material, aiTextureType_DIFFUSE, 0, name, NULL, channel, NULL, NULL,
-                                mode, NULL) == aiReturn_SUCCESS;
+    static const enum aiTextureType types[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
+        memset(use, 0, sizeof *use); /* the picture repeats */
+        use->type = types[i];
+        if (aiGetMaterialTexture(material, types[i], 0, &use->name, NULL, &use->channel, NULL, NULL,
+                                 use->mode, NULL) == aiReturn_SUCCESS) {
+            return true;
+        }
+    }
+    use->channel = 0;
+    return false;
 }
 
 static bool copy_texture(const struct model_request *request, const struct aiMaterial *from,
                          struct model_material *to)
 {
-    struct aiString name;
-    unsigned channel;
-    enum aiTextureMapMode mode[2];
-    if (!find_texture(from, &name, &channel, mode)) {
+    struct model_picture_use use;
+    if (!model_find_picture(from, &use)) {
         return true;
     }
-    to->clamp_u = mode[0] == aiTextureMapMode_Clamp;
-    to->clamp_v = mode[1] == aiTextureMapMode_Clamp;
-    if (name.data[0] == '*') { /* inside the file */
-        (void)snprintf(to->texture, sizeof to->texture, "%.15s", name.data);
+    to->clamp_u = use.mode[0] == aiTextureMapMode_Clamp;
+    to->clamp_v = use.mode[1] == aiTextureMapMode_Clamp;
+    if (use.name.data[0] == '*') { /* inside the file */
+        (void)snprintf(to->texture, sizeof to->texture, "%.15s", use.name.data);
         return true;
     }
-    if (!model_path_beside(to->texture, sizeof to->texture, request->path, name.data)) {
-        return model_request_fail(request, "the name of a picture is too long", "");
-    }
-    if (access(to->texture, F_OK) != 0) {
-        return model_request_fail(request, "there is no picture ", to->texture);
-    }
-    return true;
+    return model_picture_beside(to, request->path, 0, use.name.data, request->error);
 }
 
 /* glTF says how its alpha is meant; other formats have an opacity. */
@@ -91,7 +83,8 @@ static void copy_opacity(const struct aiMaterial *from, double alpha, struct mod
     ai_real opacity = 1.0f;
     if (aiGetMaterialString(from, "$mat.gltf.alphaMode", 0, 0, &mode) == aiReturn_SUCCESS) {
         to->has_holes = strcmp(mode.data, "OPAQUE") != 0;
-        to->opacity = strcmp(mode.data, "BLEND") == 0 ? byte_of(alpha) : 255;
+        to->is_blended = strcmp(mode.data, "BLEND") == 0;
+        to->opacity = to->is_blended ? byte_of(alpha) : 255;
     } else if (aiGetMaterialFloatArray(from, AI_MATKEY_OPACITY, &opacity, NULL) ==
                aiReturn_SUCCESS) {
         to->opacity = byte_of((double)opacity);
@@ -174,8 +167,47 @@ static void copy_normal(const struct aiVector3D *from, const struct turn *turn, 
     }
 }
 
+/* Which texture coordinates a mesh has of its picture, and what becomes of them. */
+struct uvs {
+    const struct aiVector3D *from; /* NULL: none */
+    double matrix[2][3];
+};
+
+/*
+ * The library turns a picture about its middle and counts from its last row; with aiProcess_FlipUVs
+ * its angle is that of glTF's KHR_texture_transform. Of that this is the matrix: scale, rotation,
+ * offset, in this order.
+ */
+static void set_matrix(const struct aiUVTransform *use, double matrix[2][3])
+{
+    const double angle = (double)use->mRotation, c = cos(angle), s = sin(angle);
+    const double x = (double)use->mScaling.x, y = (double)use->mScaling.y;
+    matrix[0][0] = c * x;
+    matrix[0][1] = s * y;
+    matrix[0][2] = (double)use->mTranslation.x - 0.5 * x * (1.0 + s - c);
+    matrix[1][0] = -s * x;
+    matrix[1][1] = c * y;
+    matrix[1][2] = (double)use->mTranslation.y + 0.5 * y * (s + c - 1.0) + 1.0 - y;
+}
+
+static void find_uvs(const struct walk *walk, const struct aiMesh *mesh, struct uvs *uvs)
+{
+    struct model_picture_use use;
+    struct aiUVTransform transform = {.mScaling = {1, 1}};
+    const struct aiMaterial *material = walk->scene->mMaterials[mesh->mMaterialIndex];
+    if (model_find_picture(material, &use)) {
+        (void)aiGetMaterialUVTransform(material, AI_MATKEY_UVTRANSFORM(use.type, 0), &transform);
+    }
+    if (use.channel >= AI_MAX_NUMBER_OF_TEXTURECOORDS ||
+        mesh->mTextureCoords[use.channel] == NULL) {
+        use.channel = 0;
+    }
+    uvs->from = mesh->mTextureCoords[use.channel];
+    set_matrix(&transform, uvs->matrix);
+}
+
 static void copy_vertex(const struct walk *walk, const struct aiMesh *mesh, const struct turn *turn,
-                        unsigned channel, unsigned at)
+                        const struct uvs *uvs, unsigned at)
 {
     struct model_vertex *vertex = &walk->model->vertices[walk->model->vertex_count++];
     struct aiVector3D position = mesh->mVertices[at];
@@ -187,9 +219,9 @@ static void copy_vertex(const struct walk *walk, const struct aiMesh *mesh, cons
     if (mesh->mNormals != NULL) {
         copy_normal(&mesh->mNormals[at], turn, vertex->normal);
     }
-    if (mesh->mTextureCoords[channel] != NULL) {
-        vertex->uv[0] = (double)mesh->mTextureCoords[channel][at].x;
-        vertex->uv[1] = (double)mesh->mTextureCoords[channel][at].y;
+    for (int i = 0; uvs->from != NULL && i < 2; i++) {
+        vertex->uv[i] = uvs->matrix[i][0] * (double)uvs->from[at].x +
+                        uvs->matrix[i][1] * (double)uvs->from[at].y + uvs->matrix[i][2];
     }
     memset(vertex->color, 255, sizeof vertex->color);
     if (mesh->mColors[0] != NULL) {
@@ -199,31 +231,43 @@ static void copy_vertex(const struct walk *walk, const struct aiMesh *mesh, cons
     vertex->node = turn->node;
 }
 
-/* Appends a mesh at the model's counts, which allocation has made room for. */
-static void copy_mesh(const struct walk *walk, const struct aiMesh *mesh, const struct turn *turn)
+/* Appends a mesh at the model's counts, which allocation has made room for. has_targets: those of
+   the model's last morph. */
+static void copy_mesh(const struct walk *walk, const struct aiMesh *mesh, const struct turn *turn,
+                      bool has_targets)
 {
     struct model *model = walk->model;
     const uint32_t first = (uint32_t)model->vertex_count;
-    struct aiString name;
-    unsigned channel;
-    enum aiTextureMapMode mode[2];
-    if (!find_texture(walk->scene->mMaterials[mesh->mMaterialIndex], &name, &channel, mode) ||
-        channel >= AI_MAX_NUMBER_OF_TEXTURECOORDS || mesh->mTextureCoords[channel] == NULL) {
-        channel = 0;
-    }
+    struct uvs uvs;
+    struct turn own = *turn;
+    struct aiMatrix4x4 *skin = model_skin_at_rest(walk->scene, mesh);
+    find_uvs(walk, mesh, &uvs);
     for (unsigned i = 0; i < mesh->mNumVertices; i++) {
-        copy_vertex(walk, mesh, turn, channel, i);
+        if (skin != NULL && skin[i].d4 > 0) {
+            const struct place at_rest = {skin[i], 1.0, 0};
+            make_turn(&at_rest, &own);
+        }
+        copy_vertex(walk, mesh, &own, &uvs, i);
+        if (has_targets) {
+            const struct aiMatrix4x4 *m = &own.points;
+            const double f = own.factor;
+            const double matrix[3][3] = {{f * (double)m->a1, f * (double)m->a2, f * (double)m->a3},
+                                         {f * (double)m->b1, f * (double)m->b2, f * (double)m->b3},
+                                         {f * (double)m->c1, f * (double)m->c2, f * (double)m->c3}};
+            morph_copy(model, mesh, i, matrix, &model->vertices[first + i]);
+        }
     }
+    free(skin);
     for (unsigned i = 0; i < mesh->mNumFaces; i++) {
         const struct aiFace *face = &mesh->mFaces[i];
         if (face->mNumIndices == 3) {
             uint32_t *corner = model->triangles[model->triangle_count++];
             for (int j = 0; j < 3; j++) {
-                corner[j] = first + face->mIndices[turn->mirrors ? 2 - j : j];
+                corner[j] = first + face->mIndices[own.mirrors ? 2 - j : j];
             }
         }
     }
-    model->has_uvs = model->has_uvs || mesh->mTextureCoords[channel] != NULL;
+    model->has_uvs = model->has_uvs || uvs.from != NULL;
     model->has_colors = model->has_colors || mesh->mColors[0] != NULL;
 }
 
@@ -267,6 +311,43 @@ static bool enter(const struct walk *walk, const struct aiNode *node, struct pla
     return model_request_fail(walk->request, "more parts move than there is memory for", "");
 }
 
+static const struct aiMeshMorphAnim *morph_channel_of(const struct walk *walk,
+                                                      const struct aiNode *node)
+{
+    for (unsigned i = 0; walk->animation != NULL && i < walk->animation->mNumMorphMeshChannels;
+         i++) {
+        const struct aiMeshMorphAnim *channel = walk->animation->mMorphMeshChannels[i];
+        if (strcmp(channel->mName.data, node->mName.data) == 0) {
+            return channel;
+        }
+    }
+    return NULL;
+}
+
+/* The meshes of a node that have as many targets share their weights. */
+static bool copy_meshes(const struct walk *walk, const struct aiNode *node, const struct turn *turn)
+{
+    const bool is_all = walk->request->content == MODEL_ALL;
+    unsigned targets = 0; /* of the morph that was added last */
+    for (unsigned i = 0; i < node->mNumMeshes; i++) {
+        const struct aiMesh *mesh = walk->scene->mMeshes[node->mMeshes[i]];
+        const unsigned own = is_all ? morph_targets(mesh) : 0;
+        const bool has_targets = own > 0 && morph_reserve(walk->model, mesh);
+        if (has_targets && own != targets) {
+            const double ticks = walk->animation != NULL ? walk->animation->mTicksPerSecond : 0.0;
+            if (!morph_add(walk->model, mesh, morph_channel_of(walk, node),
+                           ticks > 0.0 ? ticks : 25.0)) {
+                return model_request_fail(walk->request, "out of memory", "");
+            }
+            targets = own;
+        }
+        model_leave_out(walk->model, is_all && !has_targets ? mesh->mNumAnimMeshes : 0,
+                        "morph target", "morph targets");
+        copy_mesh(walk, mesh, turn, has_targets);
+    }
+    return true;
+}
+
 static bool copy_node(const struct walk *walk, const struct aiNode *node, struct place place)
 {
     struct turn turn;
@@ -274,10 +355,7 @@ static bool copy_node(const struct walk *walk, const struct aiNode *node, struct
         return false;
     }
     make_turn(&place, &turn);
-    for (unsigned i = 0; i < node->mNumMeshes; i++) {
-        copy_mesh(walk, walk->scene->mMeshes[node->mMeshes[i]], &turn);
-    }
-    bool ok = true;
+    bool ok = copy_meshes(walk, node, &turn);
     for (unsigned i = 0; ok && i < node->mNumChildren; i++) {
         ok = copy_node(walk, node->mChildren[i], place);
     }
@@ -295,54 +373,6 @@ static void count_node(const struct aiScene *scene, const struct aiNode *node, s
     for (unsigned i = 0; i < node->mNumChildren; i++) {
         count_node(scene, node->mChildren[i], vertices, triangles);
     }
-}
-
-/* ---- What is left out ---- */
-
-/* Appends ", 3 skins" to the list, or nothing where there are none. */
-static void leave_out(struct model *model, size_t count, const char *one, const char *many)
-{
-    const size_t length = strlen(model->left_out);
-    if (count > 0) {
-        (void)snprintf(model->left_out + length, sizeof model->left_out - length, "%s%zu %s",
-                       length > 0 ? ", " : "", count, count == 1 ? one : many);
-    }
-}
-
-/* Pictures that say something else than a colour. */
-static size_t count_other_pictures(const struct aiScene *scene)
-{
-    static const enum aiTextureType types[] = {aiTextureType_NORMALS,   aiTextureType_HEIGHT,
-                                               aiTextureType_EMISSIVE,  aiTextureType_SPECULAR,
-                                               aiTextureType_METALNESS, aiTextureType_LIGHTMAP};
-    size_t count = 0;
-    for (unsigned i = 0; i < scene->mNumMaterials; i++) {
-        for (size_t j = 0; j < sizeof types / sizeof types[0]; j++) {
-            count += aiGetMaterialTextureCount(scene->mMaterials[i], types[j]);
-        }
-    }
-    return count;
-}
-
-static void list_left_out(const struct walk *walk)
-{
-    const struct aiScene *scene = walk->scene;
-    const bool is_all = walk->request->content == MODEL_ALL;
-    size_t skins = 0, morphs = 0, flat = 0;
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
-        const struct aiMesh *mesh = scene->mMeshes[i];
-        skins += mesh->mNumBones > 0 ? 1 : 0;
-        morphs += mesh->mNumAnimMeshes;
-        flat += mesh->mPrimitiveTypes & (aiPrimitiveType_POINT | aiPrimitiveType_LINE) ? 1 : 0;
-    }
-    leave_out(walk->model, skins, "skin", "skins");
-    leave_out(walk->model, morphs, "morph target", "morph targets");
-    leave_out(walk->model, scene->mNumAnimations - (walk->animation != NULL ? 1U : 0U),
-              is_all ? "further animation" : "animation",
-              is_all ? "further animations" : "animations");
-    leave_out(walk->model, flat, "mesh of points or lines", "meshes of points or lines");
-    leave_out(walk->model, is_all ? count_other_pictures(scene) : 0,
-              "picture of other things than colour", "pictures of other things than colour");
 }
 
 /* ---- The scene ---- */
@@ -400,9 +430,12 @@ bool model_copy_scene(const struct model_request *request, const struct aiScene 
     if (request->content == MODEL_ALL && scene->mNumAnimations > 0) {
         walk.animation = scene->mAnimations[0];
     }
-    list_left_out(&walk);
-    return copy_node(&walk, scene->mRootNode, place) && (materials == 0 || copy_materials(&walk)) &&
-           (request->content != MODEL_ALL || copy_pictures(&walk));
+    if (!copy_node(&walk, scene->mRootNode, place) || (materials > 0 && !copy_materials(&walk)) ||
+        (request->content == MODEL_ALL && !copy_pictures(&walk))) {
+        return false;
+    }
+    model_list_left_out(scene, request->content == MODEL_ALL, model);
+    return true;
 }
 
 #endif

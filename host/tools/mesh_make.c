@@ -164,7 +164,9 @@ bool mesh_write_preview(const struct mesh_options *options, const struct asset *
         return false;
     }
     if (drawn == 0) {
-        fprintf(stderr, "qtri: %s: nothing of the mesh is seen in the picture\n", options->preview);
+        fprintf(stderr,
+                "qtri: %s: nothing of the mesh is seen in the picture: its faces look away\n",
+                options->preview);
     }
     bool ok = image_write_picture(options->preview, &picture, error);
     picture_free(&picture);
@@ -174,6 +176,10 @@ bool mesh_write_preview(const struct mesh_options *options, const struct asset *
 void mesh_report(const struct mesh_options *options, const struct asset *asset, FILE *out)
 {
     const struct asset_error *error = &asset->error;
+    if (asset->flat_triangles > 0) {
+        fprintf(stderr, "%s: left out: %zu triangle%s too small to be stored\n", options->input,
+                asset->flat_triangles, asset->flat_triangles == 1 ? "" : "s");
+    }
     struct asset_memory ram =
         asset_ram(asset, options->panel_width, options->panel_height, options->rows);
     fprintf(out, "%s: %" PRIu32 " vertices, %" PRIu32 " triangles", options->name,

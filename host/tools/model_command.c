@@ -44,6 +44,10 @@ static bool build(const struct mesh_options *options, struct model *model, struc
         .keep_order = options->keep_order,
     };
     const char *path = options->input;
+    if (!options->compact && model->morph_count > 0) {
+        fprintf(stderr, "%s: left out: morph targets, which --wide meshes cannot have\n", path);
+        model_drop_morphs(model);
+    }
     if (!set_skin(options, model, error)) {
         return false;
     }
@@ -84,7 +88,15 @@ static void report(const struct mesh_options *options, const struct asset *asset
     }
     if (asset->node_count > 0) {
         fprintf(out, "motion: %zu nodes, %zu keys, %.2f seconds\n", asset->node_count - 1,
-                asset->first_keys[asset->node_count], asset->seconds / 65536.0);
+                asset->first_keys[asset->node_count + asset->track_count],
+                asset->seconds / 65536.0);
+    }
+    for (size_t i = 0; i < asset->count; i++) {
+        const struct asset_part *part = &asset->parts[i];
+        if (part->target_count > 0) {
+            fprintf(out, "morph targets: %zu of mesh %zu, %zu bytes\n", part->target_count, i,
+                    part->target_count * part->mesh.vertex_count * sizeof *part->targets);
+        }
     }
 }
 
@@ -101,6 +113,10 @@ static bool run(struct mesh_options *options, struct text_error *error)
         ok = mesh_check_budget(options, &asset, error) &&
              mesh_write_preview(options, &asset, error) && write_c(options, &asset, error);
         if (ok) {
+            if (asset.blended_count > 0) {
+                fprintf(stderr, "%s: left out: partial opacity of %zu picture%s\n", options->input,
+                        asset.blended_count, asset.blended_count == 1 ? "" : "s");
+            }
             report(options, &asset, mesh_is_piped(options) ? stderr : stdout);
         }
         asset_free(&asset);

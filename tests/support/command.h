@@ -140,6 +140,19 @@ static inline void assert_compiles(const char *header, const char *object)
     assert_file_compiles("user.c", false);
 }
 
+/* The program in a model's comment, as printed: it compiles. */
+static inline void assert_program_compiles(const char *header)
+{
+    char line[512];
+    snprintf(line, sizeof line,
+             "{ echo 'struct qtri_bus; void show(const struct qtri_bus *bus);'; "
+             "sed -n 's/^ \\*     //p' %s; } >program.c && grep -q 'void show' program.c",
+             header);
+    assert_int_equal(shell(line), 0);
+    assert_int_equal(shell("sed -i '1s/.*/#include <qtri_port\\/bus.h>\\n&/' program.c"), 0);
+    assert_file_compiles("program.c", true);
+}
+
 /* A group's setup: the folder. */
 static inline int make_folder(void **state)
 {
