@@ -140,7 +140,7 @@ test-others: ## Run the tests of other builds: plain, narrow, memory, threads, f
 
 # One emulator after the other leaves processors idle: these run beside each other.
 TOGETHER := test-threads $(if $(wildcard port/boards/boards.mk),test-boards) \
-            $(if $(wildcard port/examples/examples.mk),test-examples) test-math-targets
+            $(if $(wildcard port/examples/examples.mk),test-examples test-rp2040) test-math-targets
 
 .PHONY: test-plain
 test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=test_core_project runs one
