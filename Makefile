@@ -264,7 +264,7 @@ test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V,
 GATES := check-format check-packages check-cppcheck check-warnings check-headers check-levels \
          check-freestanding check-options check-same check-tree \
          check-tidy check-budgets check-matrix check-checked check-stack check-version \
-         check-house check-words check-reference check-figures check-window
+         check-house check-words check-reference check-figures check-window check-windows
 
 .PHONY: check $(GATES)
 check: ## Run the tests of other builds (test-others) and every gate below
@@ -291,6 +291,7 @@ check-words:        ## Names and comments have plain words, subjects of commits 
 check-reference:    ## Doxygen reads every public header, and no public name is without documentation
 check-figures:      ## README's figures are those of budgets and demo that they stand for
 check-window:       ## The window, without a screen, shows the pixels of `qtri render` and of the examples
+check-windows:      ## The command compiles for Windows by MinGW and, under Wine, writes the same bytes as here
 check-tree:         ## No overlong or binary files, tabs, paths of one machine or sources of one name
 
 $(GATES): check-%:
@@ -310,3 +311,4 @@ help: ## List these targets; V=1 with any of them shows commands in full
 -include port/packages/packages.mk
 -include port/examples/examples.mk
 -include host/window/window.mk
+-include host/windows.mk

@@ -9,7 +9,7 @@ packages='git gcc make pkg-config libcmocka-dev libmpfr-dev libpng-dev libstb-de
           gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
           gcc-riscv64-unknown-elf qemu-system-misc gcc-avr avr-libc simavr
           gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user
-          gcc-i686-linux-gnu libc6-dev-i386-cross nodejs"
+          gcc-i686-linux-gnu libc6-dev-i386-cross gcc-mingw-w64-x86-64-win32 nodejs"
 [ "$what" = test ] || command -v npm >/dev/null || packages="$packages npm"
 packages=$(echo $packages)
 
