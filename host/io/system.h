@@ -45,6 +45,9 @@ char *system_collect(void (*write)(FILE *out, const char *name), const char *nam
 /* Calls `end` with the signal's number in a signal that ends the program, unless it is ignored. */
 void system_on_end(void (*end)(int number));
 
+/* Calls `stop` for Ctrl-C. */
+void system_on_interrupt(void (*stop)(int number));
+
 /* Calls `ring` once, after so many seconds, whatever the program is at. */
 void system_alarm(unsigned seconds, void (*ring)(int number));
 

@@ -96,14 +96,25 @@ void system_on_end(void (*end)(int number))
     }
 }
 
-void system_alarm(unsigned seconds, void (*ring)(int number))
+/* signal() of strict C99 would hold for one signal only. */
+static void handle(int number, void (*handler)(int number))
 {
     struct sigaction action;
     memset(&action, 0, sizeof action);
-    action.sa_handler = ring;
+    action.sa_handler = handler;
     action.sa_flags = SA_RESTART;
     (void)sigemptyset(&action.sa_mask);
-    (void)sigaction(SIGALRM, &action, NULL);
+    (void)sigaction(number, &action, NULL);
+}
+
+void system_on_interrupt(void (*stop)(int number))
+{
+    handle(SIGINT, stop);
+}
+
+void system_alarm(unsigned seconds, void (*ring)(int number))
+{
+    handle(SIGALRM, ring);
     (void)alarm(seconds);
 }
 

@@ -144,6 +144,12 @@ void system_on_end(void (*end)(int number))
     }
 }
 
+/* The second ends the program. */
+void system_on_interrupt(void (*stop)(int number))
+{
+    (void)signal(SIGINT, stop);
+}
+
 static void (*ring_alarm)(int number);
 
 static void CALLBACK ring(void *nothing, BOOLEAN fired)
