@@ -140,7 +140,7 @@ test-others: ## Run the tests of other builds: plain, narrow, memory, threads, f
 
 # One emulator after the other leaves processors idle: these run beside each other.
 TOGETHER := test-threads $(if $(wildcard port/boards/boards.mk),test-boards) \
-            $(if $(wildcard port/examples/examples.mk),test-examples) test-math-targets
+            $(if $(wildcard port/examples/examples.mk),test-examples test-rp2040) test-math-targets
 
 .PHONY: test-plain
 test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=test_core_project runs one
@@ -264,7 +264,7 @@ test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V,
 GATES := check-format check-packages check-cppcheck check-warnings check-headers check-levels \
          check-freestanding check-options check-same check-tree \
          check-tidy check-budgets check-matrix check-checked check-stack check-version \
-         check-house check-words check-reference check-figures check-window check-web
+         check-house check-words check-reference check-figures check-window check-windows check-web
 
 .PHONY: check $(GATES)
 check: ## Run the tests of other builds (test-others) and every gate below
@@ -292,6 +292,7 @@ check-reference:    ## Doxygen reads every public header, and no public name is 
 check-figures:      ## README's figures are those of budgets and demo that they stand for
 check-window:       ## The window, without a screen, shows the pixels of `qtri render` and of the examples
 check-web:          ## The page, in Chromium, shows and writes what `qtri` does, and refuses wrong files in words
+check-windows:      ## The command compiles for Windows by MinGW and, under Wine, writes the same bytes as here
 check-tree:         ## No overlong or binary files, tabs, paths of one machine or sources of one name
 
 $(GATES): check-%:
@@ -316,3 +317,4 @@ help: ## List these targets; V=1 with any of them shows commands in full
 -include port/examples/examples.mk
 -include host/window/window.mk
 -include host/web/web.mk
+-include host/windows.mk

@@ -2,6 +2,8 @@
 #define _XOPEN_SOURCE 700
 #include "apart.h"
 
+#ifndef _WIN32
+
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -109,3 +111,5 @@ FILE *apart_run(const char *path, apart_work *work, void *context, struct text_e
     }
     return ok ? file : NULL;
 }
+
+#endif

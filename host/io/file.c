@@ -5,7 +5,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
-#include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,19 +13,9 @@
 
 #include "file_identity.h"
 #include "file_inputs.h"
+#include "system.h"
 
 #define FIRST_READ ((size_t)1 << 16)
-
-/* Nobody who writes to a pipe, or nothing from him, for so long is an error: ETIMEDOUT. */
-static int wait_for_input(int descriptor)
-{
-    struct pollfd input = {descriptor, POLLIN, 0};
-    int ready = 0;
-    do {
-        ready = poll(&input, 1, FILE_PIPE_SECONDS * 1000);
-    } while (ready < 0 && errno == EINTR);
-    return ready > 0 ? 0 : (ready == 0 ? ETIMEDOUT : errno);
-}
 
 /* Reads to the end; returns 0 or an errno. The bytes read so far are in *content either way. */
 static int read_all(int descriptor, struct file_content *content)
@@ -44,7 +33,7 @@ static int read_all(int descriptor, struct file_content *content)
             }
             content->bytes = larger;
         }
-        int failure = wait_for_input(descriptor);
+        int failure = system_await_input(descriptor, FILE_PIPE_SECONDS);
         if (failure != 0) {
             return failure;
         }
@@ -67,7 +56,7 @@ bool file_read(const char *path, struct file_content *content, struct text_error
     content->length = 0;
     /* Without waiting in open(): a pipe that nobody writes to would never let us go. */
     const bool standard = strcmp(path, "-") == 0;
-    int descriptor = standard ? STDIN_FILENO : open(path, O_RDONLY | O_NONBLOCK);
+    int descriptor = standard ? STDIN_FILENO : system_open_input(path);
     if (descriptor < 0) {
         text_error_set(error, path, 0, "cannot be opened: %s", strerror(errno));
         return false;
@@ -125,31 +114,18 @@ static void remove_and_end(int number)
     (void)raise(number);
 }
 
-/* Signals that are ignored stay ignored, as nohup wants it. */
-static void catch_signals(void)
-{
-    static const int numbers[] = {SIGINT, SIGQUIT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU, SIGXFSZ};
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        struct sigaction action;
-        if (sigaction(numbers[i], NULL, &action) == 0 && action.sa_handler == SIG_DFL) {
-            action.sa_handler = remove_and_end;
-            (void)sigaction(numbers[i], &action, NULL);
-        }
-    }
-}
-
 /* From before the file exists, or a signal could come in between. */
 static void remember(const char *temporary)
 {
     is_unfinished = 0;
     if (strlen(temporary) < sizeof unfinished) {
         memcpy(unfinished, temporary, strlen(temporary) + 1);
-        catch_signals();
+        system_on_end(remove_and_end);
         is_unfinished = 1;
     }
 }
 
-/* Opens output->temporary for writing; returns 0 or an errno. The user's umask applies. */
+/* Opens output->temporary for writing; returns 0 or an errno. */
 static int open_temporary(struct file_output *output)
 {
     for (int attempt = 0;; attempt++) {
@@ -158,7 +134,7 @@ static int open_temporary(struct file_output *output)
             return ENOMEM;
         }
         remember(output->temporary);
-        int descriptor = open(output->temporary, O_CREAT | O_EXCL | O_WRONLY, 0666);
+        int descriptor = system_create(output->temporary);
         if (descriptor >= 0) {
             output->stream = file_inputs_except(descriptor) == 0 ? fdopen(descriptor, "wb") : NULL;
             if (output->stream != NULL) {
@@ -221,7 +197,7 @@ bool file_output_open(struct file_output *output, const char *path, struct text_
     }
     /* Behind a link: it is the picture that is replaced, not the link. */
     const bool is_stream = file_is_stream(path);
-    char *target = is_stream ? NULL : realpath(path, NULL);
+    char *target = is_stream ? NULL : system_real_path(path);
     output->path = target != NULL ? target : strdup(path);
     int failure = output->path == NULL ? ENOMEM : 0;
     if (failure == 0 && !is_stream && file_inspect(output->path, NULL) == FILE_OTHER) {
@@ -254,8 +230,8 @@ bool file_output_commit(struct file_output *output, struct text_error *error)
         output->failure = errno;
     }
     if (output->temporary != NULL) {
-        if (output->failure == 0 && rename(output->temporary, output->path) != 0) {
-            output->failure = errno;
+        if (output->failure == 0) {
+            output->failure = system_replace(output->temporary, output->path);
         }
         if (output->failure != 0) {
             (void)unlink(output->temporary);

@@ -2,6 +2,8 @@
 #define _XOPEN_SOURCE 700
 #include "file_identity.h"
 
+#ifndef _WIN32
+
 #include <errno.h>
 #include <stddef.h>
 #include <sys/stat.h>
@@ -29,3 +31,5 @@ enum file_kind file_inspect_open(int descriptor, struct file_identity *identity)
     struct stat status;
     return fstat(descriptor, &status) == 0 ? kind_of(&status, identity) : FILE_OTHER;
 }
+
+#endif

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "system.h"
+
 /* An absolute path as it is, another one in the folder of the scene file. NULL with the error. */
 static char *join_path(struct scene_parser *parser, int argument)
 {
@@ -42,7 +44,7 @@ static bool is_allowed(struct scene_parser *parser, const char *path,
         return true;
     }
     const size_t length = strlen(parser->root);
-    char *real = realpath(path, NULL);
+    char *real = system_real_path(path);
     const bool below = real != NULL && strncmp(real, parser->root, length) == 0 &&
                        (real[length] == '/' || length == 1);
     free(real);

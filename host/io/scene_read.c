@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads the text of a scene. */
-#define _XOPEN_SOURCE 700 /* realpath */
 #include "scene.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "scene_parser.h"
+#include "system.h"
 
 /* ---- Lines ---- */
 
@@ -116,7 +116,7 @@ static char *folder_of(const char *path)
     }
     memcpy(folder, path, length);
     memcpy(folder + length, ".", 2);
-    char *real = realpath(folder, NULL);
+    char *real = system_real_path(folder);
     free(folder);
     return real;
 }

@@ -6,10 +6,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
+#include "../io/array.h"
 #include "../io/file.h"
+#include "../io/system.h"
 #include "../reference/reference.h"
 #include "../reference/reference_picture.h"
 #include "accuracy.h"
@@ -137,32 +138,55 @@ static bool ends_with(const char *text, const char *ending)
     return length > tail && strcmp(text + length - tail, ending) == 0;
 }
 
-static int is_scene(const struct dirent *entry)
+typedef char file_name[256];
+
+static int compare_names(const void *a, const void *b)
 {
-    return ends_with(entry->d_name, ".scene");
+    return strcmp(a, b);
 }
 
-static int is_model(const struct dirent *entry)
+/* Names of the folder's entries that end so, in order: how many, or -1 with errno. free() them. */
+static long list_names(const char *folder, const char *ending, file_name **names)
 {
-    return ends_with(entry->d_name, ".obj");
+    DIR *entries = opendir(folder);
+    size_t count = 0, capacity = 0;
+    bool ok = entries != NULL;
+    const struct dirent *entry = NULL;
+    *names = NULL;
+    while (ok && (entry = readdir(entries)) != NULL) {
+        if (!ends_with(entry->d_name, ending)) {
+            continue;
+        }
+        file_name *larger = array_grow(*names, count, &capacity, sizeof **names);
+        ok = larger != NULL;
+        if (ok) {
+            *names = larger;
+            (void)snprintf(larger[count++], sizeof *larger, "%s", entry->d_name);
+        }
+    }
+    if (entries != NULL) {
+        (void)closedir(entries);
+    }
+    if (ok && count > 0) {
+        qsort(*names, count, sizeof **names, compare_names);
+    }
+    return ok ? (long)count : -1;
 }
 
-/* Calls `run` for the folder's entries that `filter` accepts, in order of their names. */
-static bool for_each(struct demo *demo, const char *folder, int (*filter)(const struct dirent *),
+/* Calls `run` for the folder's entries that end so, in order of their names. */
+static bool for_each(struct demo *demo, const char *folder, const char *ending,
                      bool (*run)(struct demo *, const char *folder, const char *file))
 {
-    struct dirent **entries = NULL;
-    int count = scandir(folder, &entries, filter, alphasort);
+    file_name *names = NULL;
+    const long count = list_names(folder, ending, &names);
     if (count < 0) {
         fprintf(stderr, "qtri demo: %s: %s\n", folder, strerror(errno));
-        return false;
     }
-    bool ok = true;
-    for (int i = 0; i < count; i++) {
-        ok = run(demo, folder, entries[i]->d_name) && ok;
-        free(entries[i]);
+    bool ok = count >= 0;
+    for (long i = 0; i < count; i++) {
+        ok = run(demo, folder, names[i]) && ok;
     }
-    free(entries);
+    free(names);
     return ok;
 }
 
@@ -209,7 +233,9 @@ static bool make_folder(const char *path)
         if (path[i] == '/' || path[i] == '\0') {
             memcpy(part, path, i);
             part[i] = '\0';
-            if (mkdir(part, 0777) != 0 && errno != EEXIST) {
+            const int failure = system_make_folder(part);
+            if (failure != 0 && failure != EEXIST) {
+                errno = failure;
                 return false;
             }
         }
@@ -220,12 +246,7 @@ static bool make_folder(const char *path)
 /* The folder of this program without links and the slash behind it; false where nobody tells. */
 static bool program_folder(char *folder, size_t size)
 {
-    const ssize_t length = readlink("/proc/self/exe", folder, size - 1);
-    if (length <= 0) {
-        return false;
-    }
-    folder[length] = '\0';
-    char *slash = strrchr(folder, '/');
+    char *slash = system_program(folder, size) ? strrchr(folder, '/') : NULL;
     if (slash == NULL) {
         return false;
     }
@@ -284,10 +305,10 @@ int demo_main(int argc, char **argv)
         return 1;
     }
     fputs(header, stdout);
-    bool ok = for_each(&demo, demo.scenes, is_scene, run_file);
+    bool ok = for_each(&demo, demo.scenes, ".scene", run_file);
     ok = run_generated(&demo) && ok;
     if (demo.models != NULL) {
-        ok = for_each(&demo, demo.models, is_model, run_model) && ok;
+        ok = for_each(&demo, demo.models, ".obj", run_model) && ok;
     }
     char page[PATH_SIZE];
     struct text_error error;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#define _XOPEN_SOURCE 700 /* realpath */
+#define _XOPEN_SOURCE 700
 
 #include "demo_scenes.h"
 
@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "../io/obj.h"
+#include "../io/system.h"
 #include "demo_waves.h"
 #include "mesh_generate.h"
 
@@ -206,7 +207,7 @@ bool demo_write_model_scene(const char *folder, const char *models, const char *
     bool has_uvs = mesh.uvs != NULL;
     obj_free(&mesh);
 
-    char *absolute = realpath(path, NULL);
+    char *absolute = system_real_path(path);
     if (absolute == NULL) {
         text_error_set(error, path, 0, "has no absolute path");
         return false;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../io/file_inputs.h"
+#include "../io/system.h"
 #include "commands.h"
 #include "compare.h"
 #include "options.h"
@@ -88,6 +89,7 @@ static int run(int argc, char **argv)
 /* What did not reach standard output is a failure too: of a full disk, or a pipe nobody reads. */
 int main(int argc, char **argv)
 {
+    system_begin(argc, argv);
     file_inputs_guard();
     int status = run(argc, argv);
     if ((fflush(stdout) != 0 || ferror(stdout)) && status == 0) {

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#define _POSIX_C_SOURCE 200809L
 #include "mesh_make.h"
 
 #include <inttypes.h>
@@ -7,20 +6,21 @@
 #include <string.h>
 
 #include "../assets/image.h"
+#include "../io/system.h"
 #include "mesh_generate.h"
 
 enum { PREVIEW_WIDTH = 480, PREVIEW_HEIGHT = 360 };
 
+static void write_generated(FILE *out, const char *name)
+{
+    (void)mesh_generate(name, out);
+}
+
 static bool read_generated(const char *name, struct model *model, struct text_error *error)
 {
-    char *text = NULL;
     size_t length = 0;
-    FILE *stream = open_memstream(&text, &length);
-    bool ok = stream != NULL;
-    if (ok) {
-        (void)mesh_generate(name, stream);
-        ok = fclose(stream) == 0;
-    }
+    char *text = system_collect(write_generated, name, &length);
+    bool ok = text != NULL;
     if (!ok) {
         text_error_set(error, name, 0, "out of memory");
     } else {

@@ -13,6 +13,7 @@
 #include "../reference/reference_picture.h"
 #include "../io/file.h"
 #include "../io/file_inputs.h"
+#include "../io/system.h"
 #include "commands.h"
 #include "options.h"
 #include "scene_draw.h"
@@ -365,7 +366,7 @@ static int render_frames(const struct options *options)
     struct text_error error = {""};
     const bool is_watched = isatty(STDERR_FILENO) != 0;
     bool ok = true;
-    (void)signal(SIGINT, interrupt);
+    system_on_interrupt(interrupt);
     animation_begin(&animation, options->output, options->per_second);
     for (int i = 0; ok && i < options->frames && !is_interrupted; i++) {
         ok = render_frame(options, i, &animation, &error);

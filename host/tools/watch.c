@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "../io/file.h"
+#include "../io/system.h"
 
 #define TELL_SECONDS 20
 
@@ -46,7 +47,7 @@ static unsigned next_pause(void)
     return limit != 0 && left < TELL_SECONDS ? (unsigned)(left > 0 ? left : 1) : TELL_SECONDS;
 }
 
-static void tell(int number)
+static void report(int number)
 {
     (void)number;
     say("qtri ");
@@ -63,20 +64,14 @@ static void tell(int number)
     say(" seconds\n");
     const unsigned pause = next_pause();
     passed += (sig_atomic_t)pause;
-    (void)alarm(pause);
+    system_alarm(pause, report);
 }
 
 void watch_begin(const char *name, long seconds)
 {
-    struct sigaction action;
-    memset(&action, 0, sizeof action);
     command = name;
     limit = (sig_atomic_t)seconds;
     passed = 0;
-    action.sa_handler = tell;
-    action.sa_flags = SA_RESTART;
-    (void)sigemptyset(&action.sa_mask);
-    (void)sigaction(SIGALRM, &action, NULL);
     passed = (sig_atomic_t)next_pause();
-    (void)alarm((unsigned)passed);
+    system_alarm((unsigned)passed, report);
 }

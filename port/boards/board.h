@@ -15,7 +15,8 @@ void board_init(void);
 /* Sends text to the console; waits while the console is busy. */
 void board_write(const char *text);
 
-/* A free-running counter, and the instructions executed between two of its readings. */
+/* A free-running counter, and the instructions executed between two of its readings; on the RP2040
+ * cycles. */
 uint32_t board_ticks(void);
 uint32_t board_instructions(uint32_t from_ticks, uint32_t to_ticks);
 

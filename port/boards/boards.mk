@@ -22,6 +22,9 @@ board_show_lm3s6965evb  := attitude
 board_panel_versatilepb := PL110
 board_panel_lm3s6965evb := SSD0323
 
+# Runs the examples only (port/examples/examples.mk), in rp2040js.
+RP2040_TARGET := rp2040_cortex-m0plus
+
 # -mno-unaligned-access: the start-up code makes unaligned access a fault, as on an M0+.
 core_cc_cortex    := arm-none-eabi-gcc -mthumb -mno-unaligned-access
 core_cc_arm926ej-s := arm-none-eabi-gcc -marm -mcpu=arm926ej-s
@@ -63,6 +66,7 @@ board_program   = $(if $(board_show_$1),$(wildcard port/panels/*.c) tests/boards
 board_folder    = $(wildcard port/boards/$1/*.[cS])
 board_folder_linux       := tests/boards/board_host.c
 board_folder_lm3s6965evb := $(wildcard port/boards/lm3s6965evb/*.c) port/boards/mps2/startup.c
+board_folder_rp2040      := $(wildcard port/boards/rp2040/*.c port/panels/*.c) port/boards/mps2/startup.c
 board_sources   = $(BOARD_LIBRARY) $(call board_program,$1) $(or $(board_folder_$1),$(call board_folder,$1)) \
                   $(if $(filter linux,$1),,$(wildcard port/boards/common/*.c))
 
@@ -87,7 +91,7 @@ $(BOARD_DIR)/$1/%.o: %.S port/boards/boards.mk
 
 -include $$(wildcard $$($1_objects:.o=.d))
 endef
-$(foreach t,$(BOARD_TARGETS) $(DISPLAY_TARGETS),$(eval $(call \
+$(foreach t,$(BOARD_TARGETS) $(DISPLAY_TARGETS) $(RP2040_TARGET),$(eval $(call \
     board_rules,$t,$(call board_of,$t),$(call core_cc,$(call core_of,$t)))))
 
 # The host's programs: board_host prints the checksums, show_BOARD draws what a display must show.

@@ -69,3 +69,36 @@ test-examples: examples $(EXAMPLE_RUN:%=$(EXAMPLE_DIR)/%/firmware.elf) ## Run th
 	@$(board_skips)
 	@sh tests/test_examples.sh $(EXAMPLE_DIR) \
 	    $(foreach e,$(EXAMPLE_RUN),'$e:$(example_display_$e):$(board_run_$(call example_target,$e))')
+
+# The examples for an LCD on an RP2040, whose ILI9341 is a simulated controller of host/panels. rp2040js is slow, and so
+# three frames are drawn in place of eight.
+RP2040_EXAMPLES := $(foreach e,$(EXAMPLES),$(if $(filter lcd,$(example_display_$e)),$e))
+RP2040_FRAMES   ?= 3
+RP2040_DIR      := $(EXAMPLE_DIR)/rp2040
+
+define rp2040_rules
+$(RP2040_DIR)/$1/firmware.elf: $(filter-out $(BOARD_DIR)/$(RP2040_TARGET)/tests/%,$($(RP2040_TARGET)_objects)) \
+        $(patsubst %.c,$(BOARD_DIR)/$(RP2040_TARGET)/%.o,$(call example_sources,$1) port/examples/board.c) port/boards/rp2040/rp2040.ld
+	@mkdir -p $$(@D)
+	$$(call run,link $$@)$(call core_cc,$(call core_of,$(RP2040_TARGET))) $(BOARD_LINK) -T $$(filter %.ld,$$^) $$(filter %.o,$$^) -lgcc -o $$@
+endef
+$(foreach e,$(RP2040_EXAMPLES),$(eval $(call rp2040_rules,$e)))
+
+$(RP2040_DIR)/display: $(call objects,tests/boards/rp2040_display.c) $(HOST)
+	@mkdir -p $(@D)
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+.PHONY: test-rp2040 rp2040
+rp2040: $(RP2040_EXAMPLES:%=$(RP2040_DIR)/%/firmware.elf)
+
+# The version that setup.sh installs.
+RP2040JS ?= build/npm/node_modules/rp2040js
+
+ifneq ($(and $(wildcard $(RP2040JS)/package.json),$(shell command -v node),$(shell command -v $(firstword $(core_cc_cortex)))),)
+test-rp2040: rp2040 $(RP2040_EXAMPLES:%=$(EXAMPLE_DIR)/%/host) $(RP2040_DIR)/display ## Run the examples on an emulated RP2040, whose ILI9341 must show the host's pixels, and print cycles
+	@sh tests/test_rp2040.sh $(EXAMPLE_DIR) $(RP2040JS) $(RP2040_FRAMES) $(RP2040_EXAMPLES)
+else
+test-rp2040:
+	@echo '$@: skipped: node, rp2040js or $(firstword $(core_cc_cortex)) not installed (make setup-all)'
+	@mkdir -p build/results && echo 0 0 1 >build/results/rp2040
+endif

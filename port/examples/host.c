@@ -5,6 +5,7 @@
  *
  *   example lcd|oled|paper FOLDER          writes FOLDER/0-NAME.ppm, 1-NAME.ppm, ...
  *   example lcd|oled|paper FOLDER DUMPS    and compares them with those of the same names in DUMPS
+ *   example ... DUMPS FRAMES               so many frames in place of 8
  *
  * A line `frame <number> <name> <pixels> <mismatches> <not as the first pixel>` for each. Status 0
  * when all of them are equal. A dump may be enlarged, and has as many bits of a colour as the
@@ -17,11 +18,9 @@
 #include "display.h"
 #include "example.h"
 
-enum { FRAMES = 8 };
-
 static struct {
     const char *folder, *dumps;
-    int frame;
+    int frame, frames;
     long mismatches;
 } host;
 
@@ -98,16 +97,17 @@ bool example_next_frame(qtri_panel *panel)
     free(rgb);
     printf("frame %d %s %d %ld %ld\n", host.frame, example_name, width * height, wrong, other);
     host.mismatches += wrong;
-    return ++host.frame < FRAMES;
+    return ++host.frame < host.frames;
 }
 
 int main(int argc, char **argv)
 {
     if (argc < 3 || !display_choose(argv[1])) {
-        fail(argv[0], "usage: lcd|oled|paper FOLDER [DUMPS]");
+        fail(argv[0], "usage: lcd|oled|paper FOLDER [DUMPS [FRAMES]]");
     }
     host.folder = argv[2];
     host.dumps = argc > 3 ? argv[3] : NULL;
+    host.frames = argc > 4 ? atoi(argv[4]) : 8;
     if (example_run() != QTRI_OK) {
         fail(example_name, "failed");
     }
