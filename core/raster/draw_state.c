@@ -133,15 +133,12 @@ static bool fits(const qtri_pipeline *pipeline, const qtri_draw_state *state)
 }
 
 /* The first of a list that fits; NULL: none. */
-static const qtri_pipeline *find(const qtri_pipeline *const *list, qtri_draw_state *state)
+static const qtri_pipeline *find(const qtri_pipeline *const *list, const qtri_draw_state *state)
 {
-    const qtri_pipeline *found = NULL;
-    for (; list != NULL && *list != NULL && found == NULL; list++) {
-        if (fits(*list, state)) {
-            found = (*list)->choose != NULL ? (*list)->choose(*list, state) : *list;
-        }
+    while (list != NULL && *list != NULL && !fits(*list, state)) {
+        list++;
     }
-    return found;
+    return list != NULL ? *list : NULL;
 }
 
 /* What the surface's depth format and the material's blend, fog and filter bring. */
@@ -166,14 +163,24 @@ static const qtri_pipeline *find_brought(const qtri_pipeline *pipeline, qtri_dra
 const qtri_pipeline qtri_pipeline_brought = {.options = {.format = QTRI_BROUGHT},
                                              .choose = find_brought};
 
+static const qtri_pipeline *chosen_by(const qtri_pipeline *pipeline, qtri_draw_state *state)
+{
+    return pipeline != NULL && pipeline->choose != NULL ? pipeline->choose(pipeline, state)
+                                                        : pipeline;
+}
+
 /* What draws a pixel of samples is reached through its format, unless a view names it. */
 static const qtri_pipeline *find_all(const qtri_pipeline *const *list, qtri_draw_state *state)
 {
-    const qtri_pipeline *found = find(list, state);
-    return found != NULL && found->options.format == QTRI_ANY &&
-                   found->options.samples != state->options.samples
-               ? find(qtri_sampling_of(state->surface->format)->pipelines, state)
-               : found;
+    const qtri_pipeline *found = NULL;
+    for (; list != NULL && *list != NULL && found == NULL; list++) {
+        found = fits(*list, state) ? chosen_by(*list, state) : NULL;
+    }
+    if (found != NULL && found->options.format == QTRI_ANY &&
+        found->options.samples != state->options.samples) {
+        found = chosen_by(find(qtri_sampling_of(state->surface->format)->pipelines, state), state);
+    }
+    return found;
 }
 
 const qtri_pipeline *qtri_draw_state_ask(const qtri_pipeline *generic, qtri_draw_state *state)
