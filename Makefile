@@ -179,12 +179,12 @@ fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 $(BUILD)/tests/fuzz_%: LDFLAGS += -fsanitize=fuzzer
 $(BUILD)/tests/%_threads: LDFLAGS += -pthread
 # Random pipelines, a file of few, as the compiler takes long for each.
-RANDOM_PIPELINES ?= 36
+RANDOM_PIPELINES ?= 60
 RANDOM_PARTS     := 0 1 2 3 4 5
 random_pipelines  = $(RANDOM_PARTS:%=$(BUILD)/random_pipelines/part_%.o) $(BUILD)/random_pipelines/list.o
 $(BUILD)/random_pipelines/%.o: tests/tools/random_pipelines.awk $(BUILD)/flags $(wildcard core/include/qtri/*.h core/include/qtri/body/*.h)
 	@mkdir -p $(@D)
-	@awk -v seed=40 -v count=$(RANDOM_PIPELINES) -v parts=$(words $(RANDOM_PARTS)) \
+	@awk -v seed=223 -v count=$(RANDOM_PIPELINES) -v parts=$(words $(RANDOM_PARTS)) \
 	    $(if $(filter list,$*),-v list=1,-v part=$(*:part_%=%)) -f $< >$(@:.o=.c)
 	$(call run,compile $@)$(CC) -std=c99 $(CFLAGS) -O1 -Icore/include -c -o $@ $(@:.o=.c)
 $(BUILD)/tests/test_pipeline_random: $(random_pipelines)

@@ -111,8 +111,7 @@ QTRI_BODY_ALONE void draw_other(qtri_pixel_walk *w, bool bent, int32_t count)
 static void draw_piece(struct qtri_pixel_walk *w, bool bent, int32_t count)
 {
     const qtri_options *o = &w->state->options;
-    if ((o->bilinear | o->alpha_test | o->vertex_alpha | o->keep | o->fog | o->blend |
-         o->large_texture) != 0 ||
+    if ((o->bilinear | o->alpha_test | o->keep | o->fog | o->blend | o->large_texture) != 0 ||
         o->fragment != NULL || o->depth > QTRI_LINEAR16) {
         draw_other(w, bent, count);
     } else if (o->texel == QTRI_TEXEL_RGB565 && !o->key && o->format == QTRI_RGB565) {

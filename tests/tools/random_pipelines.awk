@@ -1,17 +1,27 @@
 # SPDX-License-Identifier: MIT
-# Prints C: COUNT random pipelines, a part of them a file (pipelines are slow to compile), and their list.
+# Prints C: COUNT pipelines, random but for seven, a part of them a file (pipelines are slow to compile), and their list.
 #   awk -v seed=7 -v count=240 -v part=0 -v parts=12 -f random_pipelines.awk      one file of pipelines
 #   awk -v seed=7 -v count=240 -v list=1 -f random_pipelines.awk                  the list
 function below(n) { state = (state * 16807) % 2147483647; return int(state / 2147483647 * n) }
 function one_of(words,    w, n) { n = split(words, w, " "); return w[1 + below(n)] }
+# Every second one is plain: shaded and stored, with 16 bits of depth or none, as the loops of the generic pipeline ask;
+# half of these have one option more.
+function one_more(texel)
+{
+    if (texel == "-") return one_of(",~.keep~=~1 ,~.fog~=~1 ,~.fragment~=~random_fragment ,~.blend~=~QTRI_ALPHA,~.vertex_alpha~=~1")
+    if (texel ~ /^A/ && below(2) == 0) return ",~.alpha_test~=~1"
+    return one_of(",~.bilinear~=~1 ,~.large_texture~=~1 ,~.keep~=~1 ,~.fog~=~1 ,~.fragment~=~random_fragment")
+}
 function options(i,    format, texel, text)
 {
+    if (i in fixed) return ".compare = QTRI_LESS, .depth = QTRI_" (i == 6 ? "LINEAR24, " : "LINEAR16, ") fixed[i]
+    plain = i % 2
     format = one_of("RGB565 RGB565 RGB565 RGB565_SWAPPED RGB565_EXACT RGB888 BGR888 XRGB8888 XRGB8888 GRAY8 DEPTH_ONLY")
     texel = one_of("- - - RGB565 RGB565 RGB565 XRGB8888 GRAY8 PALETTE8 CHECKER ARGB8888 ARGB4444 ARGB1555 ALPHA8")
     text = ".format = QTRI_" format
-    samples = format !~ /EXACT|BGR|ONLY/ && below(3) == 0
+    samples = !plain && format !~ /EXACT|BGR|ONLY/ && below(2) == 0
     if (samples) text = text ", .samples = 4"
-    depth = samples ? one_of("NO_DEPTH LINEAR16 LINEAR16 LINEAR16 LINEAR16") : one_of("NO_DEPTH LINEAR16 LINEAR16 LINEAR16 FLOAT16 LINEAR24 LINEAR32")
+    depth = samples || plain ? one_of("NO_DEPTH LINEAR16 LINEAR16 LINEAR16 LINEAR16") : one_of("NO_DEPTH LINEAR16 LINEAR16 LINEAR16 FLOAT16 LINEAR24 LINEAR32")
     if (depth != "NO_DEPTH") {
         text = text ", .depth = QTRI_" depth ", .compare = QTRI_" one_of("ANY ANY LESS LESS LESS LESS_EQUAL GREATER GREATER_EQUAL EQUAL NOT_EQUAL ALWAYS")
         text = text ", .read_only = " one_of("0 0 0 1 QTRI_ANY")
@@ -21,16 +31,22 @@ function options(i,    format, texel, text)
     } else {
         shade = one_of("FLAT TINT LIGHT WHITE_LIGHT COLORS")
         text = text ", .texel = QTRI_TEXEL_" texel
-        if (below(3) == 0) text = text ", .bilinear = 1"
+        if (below(3) == 0 && !plain) text = text ", .bilinear = 1"
         if (below(3) == 0 && !samples) text = text ", .mipmapped = 1"
         if (below(3) == 0) text = text ", .wrap_u = QTRI_CLAMP"
         if (below(3) == 0) text = text ", .wrap_v = QTRI_CLAMP"
         if (below(4) == 0) text = text ", .key = 1"
-        if (texel ~ /^A/ && below(2) == 0) text = text ", .alpha_test = 1"
-        if (below(8) == 0) text = text ", .large_texture = 1"
+        if (texel ~ /^A/ && below(2) == 0 && !plain) text = text ", .alpha_test = 1"
+        if (below(8) == 0 && !plain) text = text ", .large_texture = 1"
     }
     text = text ", .shade = QTRI_" shade
-    if (shade == "COLORS" && (i + samples) % 2) text = text ", .per_pixel = 1"
+    if (shade == "COLORS" && below(3) == 0) text = text ", .per_pixel = 1"
+    if (plain && i % 4 == 1) return text
+    if (plain) {
+        more = one_more(texel)
+        gsub(/~/, " ", more)
+        return text more
+    }
     blend = one_of("STORE STORE STORE ALPHA ADD MULTIPLY KEEP_PIXEL SCREEN_DOOR")
     text = text ", .blend = QTRI_" blend
     if (blend ~ /ALPHA|ADD/ && below(3) == 0) { text = text ", .vertex_alpha = 1"; varies = 1 } else varies = 0
@@ -40,6 +56,13 @@ function options(i,    format, texel, text)
     return text
 }
 BEGIN {
+    fixed[0] = ".format = QTRI_XRGB8888, .texel = QTRI_TEXEL_ARGB8888"
+    fixed[1] = ".format = QTRI_RGB565, .texel = QTRI_TEXEL_RGB565, .key = 1, .shade = QTRI_LIGHT"
+    fixed[2] = ".format = QTRI_RGB888, .shade = QTRI_COLORS"
+    fixed[3] = ".format = QTRI_GRAY8, .texel = QTRI_TEXEL_RGB565, .shade = QTRI_COLORS"
+    fixed[4] = ".format = QTRI_RGB565, .shade = QTRI_COLORS"
+    fixed[5] = ".format = QTRI_RGB565_SWAPPED"
+    fixed[6] = ".format = QTRI_RGB888, .shade = QTRI_LIGHT"
     state = seed * 7919 + 1
     print "/* Made by tests/tools/random_pipelines.awk */"
     print list ? "#include \"qtri/pipeline.h\"" : "#include \"qtri/pipeline_make.h\""
