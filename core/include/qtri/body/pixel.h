@@ -186,6 +186,7 @@ QTRI_BODY_PART bool qtri_pixel_function(const qtri_options *o, const qtri_pixel_
               : w->v << (16u - w->width_log2 - qtri_texture_height_log2(o, w->state));
     f.light_q8 = qtri_is_lit(o) ? w->c >> 16 : 256;
     f.color = *color & 0xFFFFFFu;
+    // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): callers look at it
     if (!o->fragment(&f)) {
         return false;
     }
