@@ -54,15 +54,19 @@ void qtri_wide_add_to(qtri_wide *a, const qtri_wide *b)
 }
 
 /* A magnitude, negative where the signs of a and b differ. */
-static int64_t with_sign(uint64_t size, const qtri_wide *a, const qtri_wide *b)
+static int64_t with_sign(uint64_t size, int64_t a, int64_t b)
 {
-    return (int64_t)((a->m < 0) == (b->m < 0) ? size : 0 - size);
+    return (int64_t)((a < 0) == (b < 0) ? size : 0 - size);
+}
+
+int64_t qtri_mul_q62(int64_t a, int64_t b)
+{
+    return with_sign(qtri_mul_high64(qtri_magnitude64(a) << 1, qtri_magnitude64(b) << 1), a, b);
 }
 
 void qtri_wide_mul_by(qtri_wide *a, const qtri_wide *b)
 {
-    uint64_t size = qtri_mul_high64(qtri_magnitude64(a->m) << 1, qtri_magnitude64(b->m) << 1);
-    qtri_wide_set(a, with_sign(size, a, b), a->e + b->e - 62);
+    qtri_wide_set(a, qtri_mul_q62(a->m, b->m), a->e + b->e - 62);
 }
 
 void qtri_wide_add_product(qtri_wide *sum, const qtri_wide *a, const qtri_wide *b)
@@ -89,7 +93,7 @@ void qtri_wide_div_by(qtri_wide *a, const qtri_wide *b)
     }
     bool half;
     uint64_t quotient = qtri_divide64(qtri_magnitude64(a->m), qtri_magnitude64(b->m), 61, &half);
-    qtri_wide_set(a, with_sign(quotient, a, b), a->e - b->e + 61);
+    qtri_wide_set(a, with_sign(quotient, a->m, b->m), a->e - b->e + 61);
 }
 
 qtri_wide qtri_wide_sqrt(qtri_wide a)
@@ -106,12 +110,6 @@ qtri_wide qtri_wide_sqrt(qtri_wide a)
     qtri_wide_add_to(&root, &a);
     qtri_wide_set(&root, root.m, root.e + 1);
     return root;
-}
-
-int64_t qtri_mul_q62(int64_t a, int64_t b)
-{
-    const uint64_t size = qtri_mul_high64(qtri_magnitude64(a) << 1, qtri_magnitude64(b) << 1);
-    return (a < 0) == (b < 0) ? (int64_t)size : -(int64_t)size;
 }
 
 /*
@@ -177,6 +175,15 @@ void qtri_wide_cross(qtri_wide out[3], const qtri_wide a[3], const qtri_wide b[3
     }
 }
 
+qtri_wide qtri_wide_inner(const qtri_wide a[3], const qtri_wide b[3])
+{
+    qtri_wide sum = {0, 0};
+    for (int i = 0; i < 3; i++) {
+        qtri_wide_add_product(&sum, &a[i], &b[i]);
+    }
+    return sum;
+}
+
 /* ---- As values ---- */
 
 qtri_wide qtri_wide_make(int64_t m, int32_t e)
@@ -184,25 +191,6 @@ qtri_wide qtri_wide_make(int64_t m, int32_t e)
     qtri_wide result;
     qtri_wide_set(&result, m, e);
     return result;
-}
-
-qtri_wide qtri_wide_neg(qtri_wide a)
-{
-    a.m = -a.m;
-    return a;
-}
-
-qtri_wide qtri_wide_add(qtri_wide a, qtri_wide b)
-{
-    qtri_wide_add_to(&a, &b);
-    return a;
-}
-
-qtri_wide qtri_wide_sub(qtri_wide a, qtri_wide b)
-{
-    b.m = -b.m;
-    qtri_wide_add_to(&a, &b);
-    return a;
 }
 
 qtri_wide qtri_wide_mul(qtri_wide a, qtri_wide b)

@@ -15,21 +15,15 @@
 /* A place below 2^29 has 2 bits to spare for the difference of two. */
 enum { PLACE_BITS = 29, EXPONENT_MAX = 128, UNEVEN_UNIT_LOG2 = 24 };
 
-static qtri_wide fraction_of(q16 x)
-{
-    return qtri_wide_make(x, 16);
-}
-
 /* A vector of the world in eye space; with `place`, a point. */
 static void to_eye(qtri_wide eye[3], const qtri_transform *camera, const qtri_vec3 *v, bool place)
 {
-    const qtri_wide world[3] = {fraction_of(v->x), fraction_of(v->y), fraction_of(v->z)};
+    qtri_wide world[3];
+    qtri_wide_from_vec3(world, v);
     for (int row = 0; row < 3; row++) {
-        eye[row] = qtri_wide_make(0, 0);
-        for (int i = 0; i < 3; i++) {
-            const qtri_wide element = qtri_row_element(&camera->row[row], i);
-            qtri_wide_add_product(&eye[row], &element, &world[i]);
-        }
+        qtri_wide axis[3];
+        qtri_row_axis(axis, &camera->row[row]);
+        eye[row] = qtri_wide_inner(axis, world);
         if (place) {
             const qtri_wide element = qtri_row_element(&camera->row[row], 3);
             qtri_wide_add_to(&eye[row], &element);
@@ -42,10 +36,7 @@ static void turn_back(qtri_wide v[3], const qtri_light_space *space)
 {
     const qtri_wide eye[3] = {v[0], v[1], v[2]};
     for (int i = 0; i < 3; i++) {
-        v[i] = qtri_wide_make(0, 0);
-        for (int row = 0; row < 3; row++) {
-            qtri_wide_add_product(&v[i], &space->column[i][row], &eye[row]);
-        }
+        v[i] = qtri_wide_inner(space->column[i], eye);
     }
 }
 
@@ -92,12 +83,12 @@ void qtri_light_place(int32_t out[3], int32_t *exponent, const qtri_light_space 
     to_eye(local, space->camera, position, true);
     if (space->even) {
         for (int i = 0; i < 3; i++) {
-            local[i] = qtri_wide_sub(local[i], space->offset[i]);
+            qtri_wide_add_to(&local[i], &space->offset[i]);
         }
         turn_back(local, space);
         for (int i = 0; i < 3; i++) {
             qtri_wide_mul_by(&local[i], &space->inverse);
-            local[i] = qtri_wide_sub(local[i], space->origin[i]);
+            qtri_wide_add_to(&local[i], &space->origin[i]);
         }
     } else {
         for (int i = 0; i < 3; i++) {
@@ -130,25 +121,26 @@ static void set_even_space(qtri_light_space *space, int32_t m[3][4], int32_t exp
                            const qtri_transform *object_to_eye, const qtri_mesh *compact)
 {
     qtri_wide unit = qtri_wide_make(1, 16);
-    q16 origin[3] = {0, 0, 0};
+    qtri_vec3 origin = {0, 0, 0};
     if (compact != NULL) { /* extent / 32768 / 256 */
         unit = qtri_wide_make(compact->extent, 39);
-        origin[0] = compact->origin.x;
-        origin[1] = compact->origin.y;
-        origin[2] = compact->origin.z;
+        origin = compact->origin;
     }
     const qtri_wide square = qtri_wide_make(qtri_linear_dot(m, 0, 0), 2 * exponent);
     space->inverse = qtri_wide_div(qtri_wide_make(1, 0), qtri_wide_mul(square, unit));
     space->unit = qtri_wide_mul(qtri_wide_sqrt(square), unit);
+    qtri_wide_from_vec3(space->origin, &origin);
     for (int i = 0; i < 3; i++) {
-        space->origin[i] = qtri_wide_div(fraction_of(origin[i]), unit);
+        qtri_wide_div_by(&space->origin[i], &unit);
+        space->origin[i].m = -space->origin[i].m;
         space->offset[i] = qtri_row_element(&object_to_eye->row[i], 3);
+        space->offset[i].m = -space->offset[i].m;
         for (int row = 0; row < 3; row++) {
             space->column[i][row] = qtri_row_element(&object_to_eye->row[row], i);
         }
     }
     if (space->unit.m < 0) { /* of an extent below 0: distances are not */
-        space->unit = qtri_wide_neg(space->unit);
+        space->unit.m = -space->unit.m;
     }
 }
 
@@ -159,8 +151,8 @@ static void set_even_space(qtri_light_space *space, int32_t m[3][4], int32_t exp
 static void set_compact_rows(qtri_illumination *by, qtri_light_space *space,
                              const qtri_transform *object_to_eye, const qtri_mesh *mesh)
 {
-    const qtri_wide origin[3] = {fraction_of(mesh->origin.x), fraction_of(mesh->origin.y),
-                                 fraction_of(mesh->origin.z)};
+    qtri_wide origin[3];
+    qtri_wide_from_vec3(origin, &mesh->origin);
     const qtri_wide step = qtri_wide_make(mesh->extent, 31);
     qtri_wide m[3][4];
     qtri_wide reach[3];

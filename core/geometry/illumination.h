@@ -57,9 +57,9 @@ typedef struct qtri_light_space {
     const qtri_transform *camera;
     bool even;
     qtri_wide column[3][3]; /* even: of object_to_eye's linear part */
-    qtri_wide offset[3];    /* even: its translation */
+    qtri_wide offset[3];    /* even: its translation, negated */
     qtri_wide inverse;      /* even: 1 / (scale^2 unit) */
-    qtri_wide origin[3];    /* even: of local coordinates, times 1 / unit */
+    qtri_wide origin[3];    /* even: of local coordinates, times -1 / unit */
     qtri_wide unit;         /* of local coordinates, in eye space */
     int32_t view_q14[3];
 } qtri_light_space;
