@@ -72,6 +72,14 @@ void qtri_transform_look_at(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, 
 #define DEGREES(n)             ((uint32_t)(n)*65536u)
 #define RADIANS_PER_DEGREE_Q37 2398762259u /* pi / 180 * 2^37, rounded */
 
+/* above / below */
+static void quotient(qtri_wide *out, int64_t above, int64_t below)
+{
+    const qtri_wide divisor = qtri_wide_make(below, 0);
+    qtri_wide_set(out, above, 0);
+    qtri_wide_div_by(out, &divisor);
+}
+
 /* cot(degrees / 2), or its inverse, for degrees < 16: cos h / (h (sin h / h)), which cancels
    nowhere: within 2^-29 of itself. */
 static void narrow_cotangent(qtri_wide *out, uint32_t degrees, bool is_inverse)
@@ -109,17 +117,7 @@ static void half_cotangent(qtri_wide *out, q16 degrees)
     int64_t one_q30 = (int64_t)1 << 30;
     int64_t above = cosine_q30 >= 0 ? one_q30 + cosine_q30 : sine_q30;
     int64_t below = cosine_q30 >= 0 ? sine_q30 : one_q30 - cosine_q30;
-    const qtri_wide divisor = qtri_wide_make(below, 30);
-    qtri_wide_set(out, above, 30);
-    qtri_wide_div_by(out, &divisor);
-}
-
-/* above / below, of numbers in Q16 */
-static void quotient(qtri_wide *out, int64_t above, int64_t below)
-{
-    const qtri_wide divisor = qtri_wide_make(below, 16);
-    qtri_wide_set(out, above, 16);
-    qtri_wide_div_by(out, &divisor);
+    quotient(out, above, below);
 }
 
 /* 0 0 (f + n) / (n - f), or its negative, and 2 f n / (n - f) */

@@ -7,6 +7,7 @@
 #include "qtri/q16.h"
 
 #include "../bits/bits.h"
+#include "../math/q16_trig.h"
 #include "illumination.h"
 #include "row.h"
 
@@ -269,7 +270,6 @@ void qtri_illumination_init(qtri_illumination *by, const qtri_view *view,
     }
     (void)unit_q14(space.view_q14, eye);
     by->even = space.even;
-    by->compact = compact != NULL;
     for (int i = 0; i < 3; i++) {
         by->view_q14[i] = space.view_q14[i];
     }
@@ -317,15 +317,21 @@ bool qtri_direction_q14(int32_t out[3], const int64_t v[3])
     return true;
 }
 
-void qtri_illuminated_uneven(qtri_lit_point *point, const qtri_illumination *by, const int32_t v[3])
+/* The direction of a normal in eye space. */
+static void normal_q14(int32_t out[3], const int32_t *m_q28, const int32_t v[3])
 {
     int64_t turned[3]; /* < 3 2^15 2^29 */
     for (int row = 0; row < 3; row++) {
-        const int32_t *m = by->normal_q28[row];
+        const int32_t *m = m_q28 + 3 * row;
         turned[row] =
             qtri_mul_s32(m[0], v[0]) + qtri_mul_s32(m[1], v[1]) + qtri_mul_s32(m[2], v[2]);
     }
-    (void)qtri_direction_q14(point->normal_q14, turned);
+    (void)qtri_direction_q14(out, turned);
+}
+
+void qtri_illuminated_uneven(qtri_lit_point *point, const qtri_illumination *by, const int32_t v[3])
+{
+    normal_q14(point->normal_q14, by->normal_q28[0], v);
 }
 
 /* Edges are held to 30 bits, their product to 61. */
@@ -370,12 +376,6 @@ void qtri_illuminated_place_uneven(qtri_lit_point *point, const qtri_row row[3],
 
 #define ONE_Q31 0x80000000u
 
-/* a b, to nearest. */
-static uint32_t mul_q31(uint32_t a, uint32_t b)
-{
-    return (uint32_t)((qtri_mul_u32(a, b) + ((uint32_t)1 << 30)) >> 31);
-}
-
 /*
  * x^shininess in Q15 for x <= 1. The whole part by squares: ten of them and ten products leave
  * 2^-25 of 1. The rest is an exponent below 1, which makes no error of x larger.
@@ -386,14 +386,14 @@ static uint32_t power_q15(uint32_t x_q31, q16 shininess)
     uint32_t square = x_q31;
     for (uint32_t whole = (uint32_t)shininess >> 16; whole != 0; whole >>= 1) {
         if ((whole & 1u) != 0) {
-            result = mul_q31(result, square);
+            result = qtri_mul_q31(result, square);
         }
-        square = mul_q31(square, square);
+        square = qtri_mul_q31(square, square);
     }
     const q16 rest = shininess & 0xFFFF;
     if (rest != 0) {
         const uint32_t x_q16 = (x_q31 + 0x4000u) >> 15;
-        result = mul_q31(result, (uint32_t)q16_pow((q16)x_q16, rest) << 15);
+        result = qtri_mul_q31(result, (uint32_t)q16_pow((q16)x_q16, rest) << 15);
     }
     return (result + 0x8000u) >> 16;
 }
@@ -454,7 +454,6 @@ void qtri_sphere_map(qtri_uv16 *uvs, const qtri_transform *camera, const qtri_tr
     qtri_linear_normals(m_q28, &object_to_eye);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         int32_t n[3] = {0, 0, 0};
-        int64_t eye[3];
         int32_t unit_q14[3];
         if (mesh->normals8 != NULL) {
             n[0] = mesh->normals8[i].x * 128;
@@ -465,11 +464,7 @@ void qtri_sphere_map(qtri_uv16 *uvs, const qtri_transform *camera, const qtri_tr
             n[1] = mesh->normals[i].y;
             n[2] = mesh->normals[i].z;
         }
-        for (int row = 0; row < 3; row++) {
-            eye[row] = qtri_mul_s32(m_q28[row][0], n[0]) + qtri_mul_s32(m_q28[row][1], n[1]) +
-                       qtri_mul_s32(m_q28[row][2], n[2]);
-        }
-        (void)qtri_direction_q14(unit_q14, eye);
+        normal_q14(unit_q14, m_q28[0], n);
         uvs[i].x = half_q14(unit_q14[0]);
         uvs[i].y = half_q14(-unit_q14[1]);
     }

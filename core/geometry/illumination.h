@@ -80,7 +80,7 @@ typedef struct qtri_light_run {
 } qtri_light_run;
 
 typedef struct qtri_illumination {
-    bool even, compact, two_sided;
+    bool even, two_sided;
     int32_t count;
     qtri_light_run run[QTRI_LIGHTS_MAX];
     int32_t view_q14[3];     /* towards the eye */
