@@ -230,18 +230,9 @@ QTRI_NOINLINE static bool exact(const qtri_projector *projector, const qtri_vec3
  */
 enum { FAST_BITS = 9 };
 
-/*
- * x 2^-shift for shift >= 1, rounded down; false when it does not fit. With `is_short` shift <= 31:
- * then half of what a core of 32 bits makes of any.
- */
-static inline bool narrow(int32_t *out, int64_t x, int32_t shift, bool is_short)
+/* x 2^-shift for shift >= 1, rounded down; false when it does not fit. */
+static inline bool narrow(int32_t *out, int64_t x, int32_t shift)
 {
-    const int32_t high = (int32_t)(x >> 32);
-    const uint32_t low = (uint32_t)((uint64_t)x & UINT32_MAX);
-    if (is_short) {
-        *out = (int32_t)(low >> shift | (uint32_t)high << (32 - shift));
-        return high >> shift == (*out < 0 ? -1 : 0);
-    }
     const int64_t result = x >> shift;
     *out = (int32_t)(uint32_t)((uint64_t)result & UINT32_MAX);
     return (int32_t)(result >> 32) == (*out < 0 ? -1 : 0);
@@ -251,8 +242,7 @@ static inline bool narrow(int32_t *out, int64_t x, int32_t shift, bool is_short)
 typedef struct stage {
     const qtri_projector *projector;
     int32_t x_down, y_down, z_down;
-    int32_t most;  /* zeros of w; 0 where shifts do not serve */
-    int32_t least; /* with as many all shifts are short */
+    int32_t most; /* zeros of w; 0 where shifts do not serve */
 } stage;
 
 static inline void begin(stage *to, const qtri_projector *projector)
@@ -264,7 +254,6 @@ static inline void begin(stage *to, const qtri_projector *projector)
     to->y_down = 45 + shift[1] - shift[3];
     const int32_t down = qtri_greatest32(to->z_down, qtri_greatest32(to->x_down, to->y_down));
     to->most = down <= 63 ? 31 - shift[3] : 0;
-    to->least = qtri_greatest32(1, down - 31);
 }
 
 /* Leading zeros of w's upper half, 0 as well for w < 0 and for 32. */
@@ -273,22 +262,25 @@ static inline int32_t zeros_of(int64_t w)
     return qtri_clz32((uint32_t)((uint64_t)w >> 32)) & 31;
 }
 
-/* For 1 <= zeros <= to->most, or >= to->least as well. False: outside. */
-QTRI_IN_PLACE bool place_by(const stage *to, const qtri_vec3 *p, qtri_vertex *out, int64_t w,
-                            int32_t zeros, bool is_short)
+/* False: outside. */
+QTRI_IN_PLACE bool place(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
 {
     const qtri_projector *projector = to->projector;
     const qtri_row *row = projector->row.wide;
+    const int64_t w = row_sum(&row[3], row[3].t, p->x, p->y, p->z);
+    const int32_t zeros = zeros_of(w);
+    if (zeros == 0 || zeros > to->most) {
+        return exact(projector, p, out);
+    }
     const uint32_t w_low = (uint32_t)((uint64_t)w & UINT32_MAX);
     uint32_t w_q32 = (uint32_t)((uint64_t)w >> 32) << zeros | w_low >> (32 - zeros);
     int32_t z_q31;
     int32_t x;
     int32_t y;
     bool fits =
-        narrow(&z_q31, row_sum(&row[2], row[2].t, p->x, p->y, p->z), to->z_down - zeros,
-               is_short) &&
-        narrow(&x, row_sum(&row[0], row[0].t, p->x, p->y, p->z), to->x_down - zeros, is_short) &&
-        narrow(&y, row_sum(&row[1], row[1].t, p->x, p->y, p->z), to->y_down - zeros, is_short) &&
+        narrow(&z_q31, row_sum(&row[2], row[2].t, p->x, p->y, p->z), to->z_down - zeros) &&
+        narrow(&x, row_sum(&row[0], row[0].t, p->x, p->y, p->z), to->x_down - zeros) &&
+        narrow(&y, row_sum(&row[1], row[1].t, p->x, p->y, p->z), to->y_down - zeros) &&
         (uint32_t)z_q31 + (w_q32 >> 1) - 2 < w_q32 - 4; /* |z_q31| < w_q32 / 2 - 1 */
     if (!fits) {
         return exact(projector, p, out);
@@ -308,38 +300,6 @@ QTRI_IN_PLACE bool place_by(const stage *to, const qtri_vec3 *p, qtri_vertex *ou
     out->inv_w = (uint32_t)r;
     out->intensity_q15 = QTRI_VERTEX_UNLIT;
     return true;
-}
-
-/* The same with shifts of any length, for any w. */
-QTRI_IN_PLACE bool place_by_any(const stage *to, const qtri_vec3 *p, qtri_vertex *out, int64_t w,
-                                int32_t zeros)
-{
-    return zeros == 0 || zeros > to->most ? exact(to->projector, p, out)
-                                          : place_by(to, p, out, w, zeros, false);
-}
-
-#if QTRI_LONG_MULTIPLY
-/* Coordinates of many units, or what no shift serves: out of the way. */
-QTRI_NOINLINE static bool place_far(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
-{
-    const qtri_row *row = &to->projector->row.wide[3];
-    const int64_t w = row_sum(row, row->t, p->x, p->y, p->z);
-    return place_by_any(to, p, out, w, zeros_of(w));
-}
-#endif
-
-/* False: outside. Other cores gain nothing by short shifts. */
-QTRI_IN_PLACE bool place(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
-{
-    const qtri_row *row = &to->projector->row.wide[3];
-    const int64_t w = row_sum(row, row->t, p->x, p->y, p->z);
-    const int32_t zeros = zeros_of(w);
-#if QTRI_LONG_MULTIPLY
-    return zeros < to->least || zeros > to->most ? place_far(to, p, out)
-                                                 : place_by(to, p, out, w, zeros, true);
-#else
-    return place_by_any(to, p, out, w, zeros);
-#endif
 }
 
 bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
