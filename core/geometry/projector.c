@@ -455,51 +455,25 @@ QTRI_NOINLINE static bool exact16(const qtri_projector *projector, const qtri_po
     return true;
 }
 
-/* Of x > 0; mostly those of the vertex before, 1..31: small cores have to count them. */
-static inline int32_t leading_zeros(uint32_t x, int32_t guess)
-{
-#if !QTRI_LONG_MULTIPLY
-    if (x << guess >> 31 != 0 && x >> (32 - guess) == 0) {
-        return guess;
-    }
-#endif
-    (void)guess;
-    return qtri_clz32(x);
-}
-
 /*
  * x / w in 1/256 pixel is X 2^30 / w_q32 =: V over 2^n, where w_q32 = W 2^zeros is the normalised
  * mantissa. The high word h of X r is close: r is less than 1 below 2^62 / w_q32 and |X| < 2^30,
  * so -1/4 < V - h < 5/4. Half is added before n bits are cut off; where that of h - 1 and of h + 1
  * give the same, so does V. They do unless h + half + 1 ends in n - 1 zeros and any bit: 2 vertices
- * in 2^n have to go the exact way.
+ * in 2^n have to go the exact way. `bits` is n + zeros.
+ * False: outside.
  */
-typedef struct shared16 {
-    const qtri_projector *projector;
-    int32_t bits;  /* n + zeros */
-    int32_t zeros; /* of the vertex before */
-} shared16;
-
-static inline void begin16(shared16 *shared, const qtri_projector *projector)
+QTRI_IN_PLACE bool place16(const qtri_projector *projector, int32_t bits, const qtri_position16 *p,
+                           qtri_vertex *out)
 {
-    shared->projector = projector;
-    shared->bits = 22 - projector->shift[0] + projector->shift[3];
-    shared->zeros = 2;
-}
-
-/* False: outside. */
-QTRI_IN_PLACE bool place16(shared16 *shared, const qtri_position16 *p, qtri_vertex *out)
-{
-    const qtri_projector *projector = shared->projector;
     const qtri_row16 *row = projector->row.compact;
     int32_t w = qtri_row16_sum(&row[3], p->x, p->y, p->z);
     int32_t z = qtri_row16_sum(&row[2], p->x, p->y, p->z);
     if (w <= 0 || (uint32_t)z + (uint32_t)w > 2u * (uint32_t)w) {
         return exact16(projector, p, out);
     }
-    const int32_t zeros = leading_zeros((uint32_t)w, shared->zeros);
-    shared->zeros = zeros;
-    int32_t n = shared->bits - zeros;
+    const int32_t zeros = qtri_clz32((uint32_t)w);
+    int32_t n = bits - zeros;
     if ((uint32_t)n - 2u > 28u) {
         return exact16(projector, p, out);
     }
@@ -524,12 +498,11 @@ QTRI_IN_PLACE bool place16(shared16 *shared, const qtri_position16 *p, qtri_vert
 bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_position16 *p,
                                uint32_t count, qtri_vertex *vertices, bool is_listed)
 {
-    shared16 shared;
-    begin16(&shared, projector);
+    const int32_t bits = 22 - projector->shift[0] + projector->shift[3];
     bool inside = true;
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t index = is_listed ? vertices[i].index : i;
-        inside &= place16(&shared, &p[index], &vertices[index]);
+        inside &= place16(projector, bits, &p[index], &vertices[index]);
     }
     return inside;
 }
