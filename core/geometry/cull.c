@@ -8,6 +8,7 @@
 #include <stddef.h>
 
 #include "../bits/bits.h"
+#include "../math/unit.h"
 #include "cull.h"
 
 /* Position i, rounded down or up to Q16.16 on all axes. */
@@ -378,23 +379,20 @@ bool qtri_eye_find(qtri_eye *eye, const qtri_projector *projector, const qtri_fa
     int32_t a[3];
     int32_t b[3];
     int64_t cross[3];
-    uint64_t all = 0;
+    int32_t k[3];
+    int64_t along = 0;
     center(a, &projector->row.compact[0], w.slope_q30);
     center(b, &projector->row.compact[1], w.slope_q30);
     for (int i = 0; i < 3; i++) {
         const int next = i < 2 ? i + 1 : 0;
         const int last = 3 - i - next;
         cross[i] = qtri_mul_s32(a[next], b[last]) - qtri_mul_s32(a[last], b[next]); /* < 2^61.1 */
-        all |= qtri_magnitude64(cross[i]);
     }
-    const int32_t down = 34 - qtri_clz64(all | 1u); /* leaves 30 bits */
+    const int32_t down = qtri_align32(k, cross, 30);
     if (down < 0) {
         return false; /* seen from the side */
     }
-    int32_t k[3];
-    int64_t along = 0;
     for (int i = 0; i < 3; i++) {
-        k[i] = (int32_t)(cross[i] >> down);
         along += qtri_mul_s32(w.slope_q30[i], k[i]); /* |c| |k| <= 2^30 2^30.8 */
     }
     eye->x = k[0] >> 9;

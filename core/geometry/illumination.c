@@ -8,6 +8,7 @@
 
 #include "../bits/bits.h"
 #include "../math/q16_trig.h"
+#include "../math/unit.h"
 #include "illumination.h"
 #include "row.h"
 
@@ -268,11 +269,9 @@ void qtri_illumination_init(qtri_illumination *by, const qtri_view *view,
             }
         }
     }
-    (void)unit_q14(space.view_q14, eye);
+    (void)unit_q14(by->view_q14, eye);
+    space.view_q14 = by->view_q14;
     by->even = space.even;
-    for (int i = 0; i < 3; i++) {
-        by->view_q14[i] = space.view_q14[i];
-    }
     set_material(by, view->light, reflection);
     set_sources(by, view->light, &space);
 }
@@ -300,12 +299,8 @@ static uint32_t square_of(const int32_t v[3])
 
 bool qtri_direction_q14(int32_t out[3], const int64_t v[3])
 {
-    const uint64_t all = qtri_magnitude64(v[0]) | qtri_magnitude64(v[1]) | qtri_magnitude64(v[2]);
     int32_t scaled[3];
-    const int32_t down = 49 - qtri_clz64(all | 1u); /* leaves 15 bits */
-    for (int i = 0; i < 3; i++) {
-        scaled[i] = (int32_t)(down >= 0 ? v[i] >> down : qtri_shift_left64(v[i], -down));
-    }
+    (void)qtri_align32(scaled, v, 15);
     const uint32_t square = square_of(scaled);
     if (square == 0) {
         out[0] = 0;

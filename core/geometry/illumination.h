@@ -61,7 +61,7 @@ typedef struct qtri_light_space {
     qtri_wide inverse;      /* even: 1 / (scale^2 unit) */
     qtri_wide origin[3];    /* even: of local coordinates, times -1 / unit */
     qtri_wide unit;         /* of local coordinates, in eye space */
-    int32_t view_q14[3];
+    const int32_t *view_q14;
 } qtri_light_space;
 
 struct qtri_light_kind {

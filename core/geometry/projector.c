@@ -78,6 +78,16 @@ QTRI_IN_PLACE int64_t row_sum(const qtri_row *row, int64_t t, q16 x, q16 y, q16 
     return t;
 }
 
+static void set_coordinates(qtri_clip_vertex *out, const int64_t v[4])
+{
+    out->x = v[0];
+    out->y = v[1];
+    out->z = v[2];
+    out->w = v[3];
+    out->b1_q30 = 0;
+    out->b2_q30 = 0;
+}
+
 void qtri_projector_point(const qtri_projector *projector, const qtri_vec3 *p,
                           qtri_clip_vertex *out)
 {
@@ -86,12 +96,7 @@ void qtri_projector_point(const qtri_projector *projector, const qtri_vec3 *p,
         const qtri_row *row = &projector->row.wide[i];
         sum[i] = row_sum(row, row->t, p->x, p->y, p->z) >> projector->shift[i]; /* < 2^61 */
     }
-    out->x = sum[0];
-    out->y = sum[1];
-    out->z = sum[2];
-    out->w = sum[3];
-    out->b1_q30 = 0;
-    out->b2_q30 = 0;
+    set_coordinates(out, sum);
 }
 
 /* t w / 2^bits, truncated, for |t| < 2^61 and |t w / 2^bits| < 2^62; 16 <= bits <= 32. */
@@ -120,10 +125,7 @@ void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *con
             sum[axis] = row_sum(row, 0, p[i]->x, p[i]->y, p[i]->z) >> extra;
             sum[axis] = (sum[axis] + t) >> projector->shift[axis];
         }
-        out[i].x = sum[0];
-        out[i].y = sum[1];
-        out[i].z = sum[2];
-        out[i].w = sum[3];
+        set_coordinates(&out[i], sum);
         out[i].b1_q30 = i == 1 ? (int32_t)1 << 30 : 0;
         out[i].b2_q30 = i == 2 ? (int32_t)1 << 30 : 0;
     }
@@ -277,11 +279,10 @@ QTRI_IN_PLACE bool place(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
     int32_t z_q31;
     int32_t x;
     int32_t y;
-    bool fits =
-        narrow(&z_q31, row_sum(&row[2], row[2].t, p->x, p->y, p->z), to->z_down - zeros) &&
-        narrow(&x, row_sum(&row[0], row[0].t, p->x, p->y, p->z), to->x_down - zeros) &&
-        narrow(&y, row_sum(&row[1], row[1].t, p->x, p->y, p->z), to->y_down - zeros) &&
-        (uint32_t)z_q31 + (w_q32 >> 1) - 2 < w_q32 - 4; /* |z_q31| < w_q32 / 2 - 1 */
+    bool fits = narrow(&z_q31, row_sum(&row[2], row[2].t, p->x, p->y, p->z), to->z_down - zeros) &&
+                narrow(&x, row_sum(&row[0], row[0].t, p->x, p->y, p->z), to->x_down - zeros) &&
+                narrow(&y, row_sum(&row[1], row[1].t, p->x, p->y, p->z), to->y_down - zeros) &&
+                (uint32_t)z_q31 + (w_q32 >> 1) - 2 < w_q32 - 4; /* |z_q31| < w_q32 / 2 - 1 */
     if (!fits) {
         return exact(projector, p, out);
     }
@@ -433,12 +434,7 @@ void qtri_projector_point16(const qtri_projector *projector, const qtri_position
         int32_t sum = qtri_row16_sum(&projector->row.compact[i], p->x, p->y, p->z);
         v[i] = qtri_shift_left64(sum, projector->shift[i]);
     }
-    out->x = v[0];
-    out->y = v[1];
-    out->z = v[2];
-    out->w = v[3];
-    out->b1_q30 = 0;
-    out->b2_q30 = 0;
+    set_coordinates(out, v);
 }
 
 /* The exponent that goes with W itself: shifts are the same for all of a draw. */
