@@ -342,15 +342,16 @@ static void wides(void **state)
     uint64_t seed = 5;
     for (int i = 0; i < 300000; i++) {
         qtri_wide a = random_wide(&seed);
-        qtri_wide b = i % 16 == 0 ? qtri_wide_neg(a) : random_wide(&seed);
+        qtri_wide b = i % 16 == 0 ? qtri_wide_make(-a.m, a.e) : random_wide(&seed);
         if (i % 32 == 0 && b.m != 0) {
             b = qtri_wide_make(b.m + random_in(&seed, -3, 3), b.e); /* cancels nearly */
         }
         long double x = value_of(a);
         long double y = value_of(b);
         long double larger = fabsl(x) > fabsl(y) ? fabsl(x) : fabsl(y);
-        check_wide(qtri_wide_add(a, b), x + y, larger, "add");
-        check_wide(qtri_wide_sub(a, b), x - y, larger, "sub");
+        qtri_wide sum = a;
+        qtri_wide_add_to(&sum, &b);
+        check_wide(sum, x + y, larger, "add");
         check_wide(qtri_wide_mul(a, b), x * y, fabsl(x * y), "mul");
         if (b.m != 0) {
             check_wide(qtri_wide_div(a, b), x / y, fabsl(x / y), "div");
@@ -362,7 +363,7 @@ static void wides(void **state)
     qtri_wide one = qtri_wide_make(1, 0);
     assert_true(qtri_wide_div(zero, zero).m == 0);
     assert_true(qtri_wide_div(one, zero).e == -QTRI_WIDE_EXPONENT_MAX);
-    assert_true(qtri_wide_div(qtri_wide_neg(one), zero).m < 0);
+    assert_true(qtri_wide_div(qtri_wide_make(-1, 0), zero).m < 0);
     assert_true(value_of(qtri_wide_make(INT64_MIN, 63)) == -1);
     assert_true(value_of(qtri_wide_make(INT64_MAX, 0)) > 9.2e18L);
     (void)qtri_wide_make(1, INT32_MAX);

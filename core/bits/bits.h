@@ -6,7 +6,6 @@
  * How a product or a quotient is formed depends on the core, its value never does:
  * - QTRI_LONG_MULTIPLY: 1 where 32 x 32 -> 64 bits is an instruction or two; 0 forms it of halves
  * - QTRI_DIVIDE: 1 where 32 / 32 bits is an instruction; 0 divides by a reciprocal
- * - QTRI_LONG_DIVIDE: 1 where 64 / 64 bits is one
  *
  * They may be set from outside, as the tests do to run the narrow code on the host.
  * What is long on a core of 32 bits, shared.inc, is in shared.c alone with QTRI_SHARE, otherwise in
@@ -19,14 +18,6 @@
 #include <stdint.h>
 
 #include "qtri/body/arithmetic.h"
-
-#ifndef QTRI_LONG_DIVIDE
-#if UINTPTR_MAX > UINT32_MAX && QTRI_LONG_MULTIPLY && QTRI_DIVIDE
-#define QTRI_LONG_DIVIDE 1
-#else
-#define QTRI_LONG_DIVIDE 0
-#endif
-#endif
 
 /* Right shift of a signed value is arithmetic: every compiler we know; checked, not assumed. */
 typedef char qtri_arithmetic_shift_required[(-1 >> 1) == -1 ? 1 : -1];
@@ -400,9 +391,7 @@ QTRI_IN_PLACE uint32_t qtri_rsqrt_seed_in_place(uint32_t t)
  */
 static inline int32_t qtri_reciprocal_below(uint32_t x)
 {
-#if QTRI_LONG_DIVIDE
-    uint32_t r = (uint32_t)((((uint64_t)1 << 62) - 1) / x);
-#elif QTRI_LONG_MULTIPLY && QTRI_DIVIDE
+#if QTRI_LONG_MULTIPLY && QTRI_DIVIDE
     /*
      * With d = x / 2^32, s = 1 / d within 2^-15: s (2 - d s) is never more than 1 / d, and at most
      * 2^-30 less; products cut off twice make it less than 4 units.

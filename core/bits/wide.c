@@ -177,6 +177,15 @@ void qtri_wide_cross(qtri_wide out[3], const qtri_wide a[3], const qtri_wide b[3
     }
 }
 
+qtri_wide qtri_wide_inner(const qtri_wide a[3], const qtri_wide b[3])
+{
+    qtri_wide sum = {0, 0};
+    for (int i = 0; i < 3; i++) {
+        qtri_wide_add_product(&sum, &a[i], &b[i]);
+    }
+    return sum;
+}
+
 /* ---- As values ---- */
 
 qtri_wide qtri_wide_make(int64_t m, int32_t e)
@@ -184,25 +193,6 @@ qtri_wide qtri_wide_make(int64_t m, int32_t e)
     qtri_wide result;
     qtri_wide_set(&result, m, e);
     return result;
-}
-
-qtri_wide qtri_wide_neg(qtri_wide a)
-{
-    a.m = -a.m;
-    return a;
-}
-
-qtri_wide qtri_wide_add(qtri_wide a, qtri_wide b)
-{
-    qtri_wide_add_to(&a, &b);
-    return a;
-}
-
-qtri_wide qtri_wide_sub(qtri_wide a, qtri_wide b)
-{
-    b.m = -b.m;
-    qtri_wide_add_to(&a, &b);
-    return a;
 }
 
 qtri_wide qtri_wide_mul(qtri_wide a, qtri_wide b)

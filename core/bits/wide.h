@@ -34,9 +34,6 @@ void qtri_wide_sub_product(qtri_wide *sum, const qtri_wide *a, const qtri_wide *
 
 /* The same with values. b = 0 gives the largest magnitude with the sign of a, or 0 for 0 / 0. */
 qtri_wide qtri_wide_make(int64_t m, int32_t e);
-qtri_wide qtri_wide_neg(qtri_wide a);
-qtri_wide qtri_wide_add(qtri_wide a, qtri_wide b);
-qtri_wide qtri_wide_sub(qtri_wide a, qtri_wide b);
 qtri_wide qtri_wide_mul(qtri_wide a, qtri_wide b);
 qtri_wide qtri_wide_div(qtri_wide a, qtri_wide b);
 
@@ -53,5 +50,6 @@ int64_t qtri_mul_q62(int64_t a, int64_t b);
 bool qtri_wide_unit_q62(int64_t unit_q62[3], const qtri_wide v[3]);
 bool qtri_wide_normalize(qtri_wide v[3]);
 void qtri_wide_cross(qtri_wide out[3], const qtri_wide a[3], const qtri_wide b[3]);
+qtri_wide qtri_wide_inner(const qtri_wide a[3], const qtri_wide b[3]);
 
 #endif

@@ -102,14 +102,10 @@ static void fill_row_24(uint8_t *at, int32_t count, uint32_t stored)
 {
     pattern24 four;
     for (int i = 0; i < 12; i += 3) {
-        four.byte[i] = (uint8_t)stored;
-        four.byte[i + 1] = (uint8_t)(stored >> 8);
-        four.byte[i + 2] = (uint8_t)(stored >> 16);
+        qtri_stored_put(3, four.byte + i, stored);
     }
     for (; count > 0 && ((uintptr_t)at & 3) != 0; count--) { /* 3 n = 0 modulo 4 within 3 steps */
-        at[0] = (uint8_t)stored;
-        at[1] = (uint8_t)(stored >> 8);
-        at[2] = (uint8_t)(stored >> 16);
+        qtri_stored_put(3, at, stored);
         at += 3;
     }
     const uint32_t a = four.word[0];
@@ -126,9 +122,7 @@ static void fill_row_24(uint8_t *at, int32_t count, uint32_t stored)
         at += 24;
     }
     for (; count > 0; count--) {
-        at[0] = (uint8_t)stored;
-        at[1] = (uint8_t)(stored >> 8);
-        at[2] = (uint8_t)(stored >> 16);
+        qtri_stored_put(3, at, stored);
         at += 3;
     }
 }

@@ -287,9 +287,7 @@ static bool is_empty(const qtri_rect *r)
 void qtri_frame_mark(qtri_frame *frame, const qtri_rect *rect)
 {
     QTRI_ASSERT(frame != NULL && rect != NULL);
-    qtri_rect r = {rect->x0 > 0 ? rect->x0 : 0, rect->y0 > 0 ? rect->y0 : 0,
-                   rect->x1 < frame->width ? rect->x1 : frame->width,
-                   rect->y1 < frame->height ? rect->y1 : frame->height};
+    qtri_rect r = widened(frame, rect, 0);
     if (is_empty(&r)) {
         return;
     }

@@ -80,13 +80,6 @@ qtri_channels qtri_channels_from_color(const qtri_colors *colors, const int32_t 
 /* An 8-bit colour as a stored pixel. */
 uint32_t qtri_pixel_from_rgb(const qtri_format *format, qtri_rgb color);
 
-/* 0x00RRGGBB, whatever its high byte. */
-static inline qtri_rgb qtri_rgb_from_888(uint32_t color)
-{
-    qtri_rgb rgb = {(uint8_t)(color >> 16), (uint8_t)(color >> 8), (uint8_t)color};
-    return rgb;
-}
-
 /* ---- Stored pixels, of a size that a loop knows ---- */
 
 /* A pixel of 1 to 4 bytes. */

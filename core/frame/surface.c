@@ -122,7 +122,11 @@ qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y)
     }
     const uint8_t *row = surface->pixels + (y - surface->first_row) * surface->pitch;
     const qtri_pixels *pixels = format->pixels;
-    return qtri_rgb_from_888(format->decode(pixels->load(row + (ptrdiff_t)pixels->bytes * x)));
+    const uint32_t color = format->decode(pixels->load(row + (ptrdiff_t)pixels->bytes * x));
+    rgb.r = (uint8_t)(color >> 16);
+    rgb.g = (uint8_t)(color >> 8);
+    rgb.b = (uint8_t)color;
+    return rgb;
 }
 
 qtri_rect qtri_surface_bounds(const qtri_surface *surface)

@@ -15,18 +15,11 @@
 
 /* ---- Cameras and projections ---- */
 
-static void wide_from_vec3(qtri_wide out[3], const qtri_vec3 *v)
-{
-    qtri_wide_set(&out[0], v->x, 16);
-    qtri_wide_set(&out[1], v->y, 16);
-    qtri_wide_set(&out[2], v->z, 16);
-}
-
 /* side = forward x up, normalised; false: up has no part across forward. */
 static bool is_across(qtri_wide side[3], const qtri_wide forward[3], const qtri_vec3 *up)
 {
     qtri_wide unit[3];
-    wide_from_vec3(unit, up);
+    qtri_wide_from_vec3(unit, up);
     if (!qtri_wide_normalize(unit)) {
         return false;
     }
@@ -55,11 +48,11 @@ void qtri_transform_look_at(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, 
     QTRI_ASSERT(qtri_is_sight(eye, center));
     qtri_wide position[3];
     qtri_wide axis[3][3]; /* side, up, forward */
-    wide_from_vec3(position, &eye);
+    qtri_wide_from_vec3(position, &eye);
     qtri_wide_set(&axis[2][0], (int64_t)center.x - eye.x, 16);
     qtri_wide_set(&axis[2][1], (int64_t)center.y - eye.y, 16);
     qtri_wide_set(&axis[2][2], (int64_t)center.z - eye.z, 16);
-    if (qtri_wide_normalize(axis[2]) == 0) {
+    if (!qtri_wide_normalize(axis[2])) {
         qtri_wide_set(&axis[2][2], -1, 0);
     }
     side_axis(axis[0], axis[2], &up);
@@ -78,6 +71,14 @@ void qtri_transform_look_at(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, 
 
 #define DEGREES(n)             ((uint32_t)(n)*65536u)
 #define RADIANS_PER_DEGREE_Q37 2398762259u /* pi / 180 * 2^37, rounded */
+
+/* above / below */
+static void quotient(qtri_wide *out, int64_t above, int64_t below)
+{
+    const qtri_wide divisor = qtri_wide_make(below, 0);
+    qtri_wide_set(out, above, 0);
+    qtri_wide_div_by(out, &divisor);
+}
 
 /* cot(degrees / 2), or its inverse, for degrees < 16: cos h / (h (sin h / h)), which cancels
    nowhere: within 2^-29 of itself. */
@@ -116,17 +117,7 @@ static void half_cotangent(qtri_wide *out, q16 degrees)
     int64_t one_q30 = (int64_t)1 << 30;
     int64_t above = cosine_q30 >= 0 ? one_q30 + cosine_q30 : sine_q30;
     int64_t below = cosine_q30 >= 0 ? sine_q30 : one_q30 - cosine_q30;
-    const qtri_wide divisor = qtri_wide_make(below, 30);
-    qtri_wide_set(out, above, 30);
-    qtri_wide_div_by(out, &divisor);
-}
-
-/* above / below, of numbers in Q16 */
-static void quotient(qtri_wide *out, int64_t above, int64_t below)
-{
-    const qtri_wide divisor = qtri_wide_make(below, 16);
-    qtri_wide_set(out, above, 16);
-    qtri_wide_div_by(out, &divisor);
+    quotient(out, above, below);
 }
 
 /* 0 0 (f + n) / (n - f), or its negative, and 2 f n / (n - f) */
@@ -292,10 +283,8 @@ void qtri_transform_ortho_d3d(qtri_transform *t, q16 left, q16 right, q16 bottom
 /* The direction in which a row of the camera looks at the world, of length 1. */
 static bool axis_of(qtri_wide axis[3], const qtri_row *row)
 {
-    for (int i = 0; i < 3; i++) {
-        axis[i] = qtri_row_element(row, i);
-    }
-    return qtri_wide_normalize(axis) != 0;
+    qtri_row_axis(axis, row);
+    return qtri_wide_normalize(axis);
 }
 
 /* t = t builder, whose columns are three directions. */

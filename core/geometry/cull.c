@@ -8,6 +8,7 @@
 #include <stddef.h>
 
 #include "../bits/bits.h"
+#include "../math/unit.h"
 #include "cull.h"
 
 /* Position i, rounded down or up to Q16.16 on all axes. */
@@ -263,11 +264,9 @@ static uint64_t times_power(uint32_t x, int32_t shift)
     return shift >= 0 ? (uint64_t)x << shift : x >> -shift;
 }
 
-/* W: w0 and its inverse, how far W goes from there, and what depends on them. */
+/* W: w0, how far W goes from there, and what depends on them. */
 typedef struct distance {
-    int32_t t;        /* w0 */
-    uint32_t inverse; /* 2^62 / (w0 2^zeros) */
-    int32_t zeros;
+    int32_t t;            /* w0 */
     int32_t slope_q30[3]; /* c / w0 */
     uint32_t reach;       /* |c| R */
     uint32_t least;       /* W at the nearest point */
@@ -290,18 +289,18 @@ static bool find_distance(distance *w, const qtri_projector *projector, uint32_t
     }
     w->reach = (uint32_t)reach;
     w->least = (uint32_t)least;
-    w->zeros = qtri_clz32((uint32_t)w->t);
-    w->inverse = (uint32_t)qtri_reciprocal_below((uint32_t)w->t << w->zeros);
+    const int32_t zeros = qtri_clz32((uint32_t)w->t);
+    const int32_t inverse = qtri_reciprocal_below((uint32_t)w->t << zeros); /* 2^62 / that */
     for (int i = 0; i < 3; i++) { /* within 2: the inverse is off by 1, half of that counts */
-        int32_t c_q31 = c[i] * ((int32_t)1 << (w->zeros - 1));
-        w->slope_q30[i] = (int32_t)(qtri_mul_s32(c_q31, (int32_t)w->inverse) >> 31);
+        int32_t c_q31 = c[i] * ((int32_t)1 << (zeros - 1));
+        w->slope_q30[i] = (int32_t)(qtri_mul_s32(c_q31, inverse) >> 31);
     }
     /* Off by 2^-16 and cut off: 2 more are not less. */
-    const int32_t zeros = qtri_clz32(w->least);
-    const uint32_t least_inverse = (uint32_t)qtri_reciprocal_below(w->least << zeros);
-    w->inverse_q10 = (uint32_t)(qtri_mul_u32((uint32_t)w->t, least_inverse) >> (52 - zeros)) + 2;
+    const int32_t least_zeros = qtri_clz32(w->least);
+    const int32_t least_inverse = qtri_reciprocal_below(w->least << least_zeros);
+    w->inverse_q10 = (uint32_t)(qtri_mul_s32(w->t, least_inverse) >> (52 - least_zeros)) + 2;
     const uint32_t most = (uint32_t)w->t + w->reach + ROW_ERROR; /* < 2^31 */
-    const uint32_t most_q14 = (uint32_t)(qtri_mul_u32(most, w->inverse) >> (48 - w->zeros)) + 2;
+    const uint32_t most_q14 = (uint32_t)(qtri_mul_u32(most, (uint32_t)inverse) >> (48 - zeros)) + 2;
     w->spread_q10 = ((((most_q14 * most_q14) >> 14) + 1) * w->inverse_q10 >> 14) + 1; /* < 2^17 */
     return true;
 }
@@ -380,23 +379,20 @@ bool qtri_eye_find(qtri_eye *eye, const qtri_projector *projector, const qtri_fa
     int32_t a[3];
     int32_t b[3];
     int64_t cross[3];
-    uint64_t all = 0;
+    int32_t k[3];
+    int64_t along = 0;
     center(a, &projector->row.compact[0], w.slope_q30);
     center(b, &projector->row.compact[1], w.slope_q30);
     for (int i = 0; i < 3; i++) {
         const int next = i < 2 ? i + 1 : 0;
         const int last = 3 - i - next;
         cross[i] = qtri_mul_s32(a[next], b[last]) - qtri_mul_s32(a[last], b[next]); /* < 2^61.1 */
-        all |= qtri_magnitude64(cross[i]);
     }
-    const int32_t down = 34 - qtri_clz64(all | 1u); /* leaves 30 bits */
+    const int32_t down = qtri_align32(k, cross, 30);
     if (down < 0) {
         return false; /* seen from the side */
     }
-    int32_t k[3];
-    int64_t along = 0;
     for (int i = 0; i < 3; i++) {
-        k[i] = (int32_t)(cross[i] >> down);
         along += qtri_mul_s32(w.slope_q30[i], k[i]); /* |c| |k| <= 2^30 2^30.8 */
     }
     eye->x = k[0] >> 9;

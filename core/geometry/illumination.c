@@ -7,6 +7,8 @@
 #include "qtri/q16.h"
 
 #include "../bits/bits.h"
+#include "../math/q16_trig.h"
+#include "../math/unit.h"
 #include "illumination.h"
 #include "row.h"
 
@@ -15,21 +17,15 @@
 /* A place below 2^29 has 2 bits to spare for the difference of two. */
 enum { PLACE_BITS = 29, EXPONENT_MAX = 128, UNEVEN_UNIT_LOG2 = 24 };
 
-static qtri_wide fraction_of(q16 x)
-{
-    return qtri_wide_make(x, 16);
-}
-
 /* A vector of the world in eye space; with `place`, a point. */
 static void to_eye(qtri_wide eye[3], const qtri_transform *camera, const qtri_vec3 *v, bool place)
 {
-    const qtri_wide world[3] = {fraction_of(v->x), fraction_of(v->y), fraction_of(v->z)};
+    qtri_wide world[3];
+    qtri_wide_from_vec3(world, v);
     for (int row = 0; row < 3; row++) {
-        eye[row] = qtri_wide_make(0, 0);
-        for (int i = 0; i < 3; i++) {
-            const qtri_wide element = qtri_row_element(&camera->row[row], i);
-            qtri_wide_add_product(&eye[row], &element, &world[i]);
-        }
+        qtri_wide axis[3];
+        qtri_row_axis(axis, &camera->row[row]);
+        eye[row] = qtri_wide_inner(axis, world);
         if (place) {
             const qtri_wide element = qtri_row_element(&camera->row[row], 3);
             qtri_wide_add_to(&eye[row], &element);
@@ -42,10 +38,7 @@ static void turn_back(qtri_wide v[3], const qtri_light_space *space)
 {
     const qtri_wide eye[3] = {v[0], v[1], v[2]};
     for (int i = 0; i < 3; i++) {
-        v[i] = qtri_wide_make(0, 0);
-        for (int row = 0; row < 3; row++) {
-            qtri_wide_add_product(&v[i], &space->column[i][row], &eye[row]);
-        }
+        v[i] = qtri_wide_inner(space->column[i], eye);
     }
 }
 
@@ -92,12 +85,12 @@ void qtri_light_place(int32_t out[3], int32_t *exponent, const qtri_light_space 
     to_eye(local, space->camera, position, true);
     if (space->even) {
         for (int i = 0; i < 3; i++) {
-            local[i] = qtri_wide_sub(local[i], space->offset[i]);
+            qtri_wide_add_to(&local[i], &space->offset[i]);
         }
         turn_back(local, space);
         for (int i = 0; i < 3; i++) {
             qtri_wide_mul_by(&local[i], &space->inverse);
-            local[i] = qtri_wide_sub(local[i], space->origin[i]);
+            qtri_wide_add_to(&local[i], &space->origin[i]);
         }
     } else {
         for (int i = 0; i < 3; i++) {
@@ -130,25 +123,26 @@ static void set_even_space(qtri_light_space *space, int32_t m[3][4], int32_t exp
                            const qtri_transform *object_to_eye, const qtri_mesh *compact)
 {
     qtri_wide unit = qtri_wide_make(1, 16);
-    q16 origin[3] = {0, 0, 0};
+    qtri_vec3 origin = {0, 0, 0};
     if (compact != NULL) { /* extent / 32768 / 256 */
         unit = qtri_wide_make(compact->extent, 39);
-        origin[0] = compact->origin.x;
-        origin[1] = compact->origin.y;
-        origin[2] = compact->origin.z;
+        origin = compact->origin;
     }
     const qtri_wide square = qtri_wide_make(qtri_linear_dot(m, 0, 0), 2 * exponent);
     space->inverse = qtri_wide_div(qtri_wide_make(1, 0), qtri_wide_mul(square, unit));
     space->unit = qtri_wide_mul(qtri_wide_sqrt(square), unit);
+    qtri_wide_from_vec3(space->origin, &origin);
     for (int i = 0; i < 3; i++) {
-        space->origin[i] = qtri_wide_div(fraction_of(origin[i]), unit);
+        qtri_wide_div_by(&space->origin[i], &unit);
+        space->origin[i].m = -space->origin[i].m;
         space->offset[i] = qtri_row_element(&object_to_eye->row[i], 3);
+        space->offset[i].m = -space->offset[i].m;
         for (int row = 0; row < 3; row++) {
             space->column[i][row] = qtri_row_element(&object_to_eye->row[row], i);
         }
     }
     if (space->unit.m < 0) { /* of an extent below 0: distances are not */
-        space->unit = qtri_wide_neg(space->unit);
+        space->unit.m = -space->unit.m;
     }
 }
 
@@ -159,8 +153,8 @@ static void set_even_space(qtri_light_space *space, int32_t m[3][4], int32_t exp
 static void set_compact_rows(qtri_illumination *by, qtri_light_space *space,
                              const qtri_transform *object_to_eye, const qtri_mesh *mesh)
 {
-    const qtri_wide origin[3] = {fraction_of(mesh->origin.x), fraction_of(mesh->origin.y),
-                                 fraction_of(mesh->origin.z)};
+    qtri_wide origin[3];
+    qtri_wide_from_vec3(origin, &mesh->origin);
     const qtri_wide step = qtri_wide_make(mesh->extent, 31);
     qtri_wide m[3][4];
     qtri_wide reach[3];
@@ -275,12 +269,9 @@ void qtri_illumination_init(qtri_illumination *by, const qtri_view *view,
             }
         }
     }
-    (void)unit_q14(space.view_q14, eye);
+    (void)unit_q14(by->view_q14, eye);
+    space.view_q14 = by->view_q14;
     by->even = space.even;
-    by->compact = compact != NULL;
-    for (int i = 0; i < 3; i++) {
-        by->view_q14[i] = space.view_q14[i];
-    }
     set_material(by, view->light, reflection);
     set_sources(by, view->light, &space);
 }
@@ -308,12 +299,8 @@ static uint32_t square_of(const int32_t v[3])
 
 bool qtri_direction_q14(int32_t out[3], const int64_t v[3])
 {
-    const uint64_t all = qtri_magnitude64(v[0]) | qtri_magnitude64(v[1]) | qtri_magnitude64(v[2]);
     int32_t scaled[3];
-    const int32_t down = 49 - qtri_clz64(all | 1u); /* leaves 15 bits */
-    for (int i = 0; i < 3; i++) {
-        scaled[i] = (int32_t)(down >= 0 ? v[i] >> down : qtri_shift_left64(v[i], -down));
-    }
+    (void)qtri_align32(scaled, v, 15);
     const uint32_t square = square_of(scaled);
     if (square == 0) {
         out[0] = 0;
@@ -325,15 +312,21 @@ bool qtri_direction_q14(int32_t out[3], const int64_t v[3])
     return true;
 }
 
-void qtri_illuminated_uneven(qtri_lit_point *point, const qtri_illumination *by, const int32_t v[3])
+/* The direction of a normal in eye space. */
+static void normal_q14(int32_t out[3], const int32_t *m_q28, const int32_t v[3])
 {
     int64_t turned[3]; /* < 3 2^15 2^29 */
     for (int row = 0; row < 3; row++) {
-        const int32_t *m = by->normal_q28[row];
+        const int32_t *m = m_q28 + 3 * row;
         turned[row] =
             qtri_mul_s32(m[0], v[0]) + qtri_mul_s32(m[1], v[1]) + qtri_mul_s32(m[2], v[2]);
     }
-    (void)qtri_direction_q14(point->normal_q14, turned);
+    (void)qtri_direction_q14(out, turned);
+}
+
+void qtri_illuminated_uneven(qtri_lit_point *point, const qtri_illumination *by, const int32_t v[3])
+{
+    normal_q14(point->normal_q14, by->normal_q28[0], v);
 }
 
 /* Edges are held to 30 bits, their product to 61. */
@@ -378,12 +371,6 @@ void qtri_illuminated_place_uneven(qtri_lit_point *point, const qtri_row row[3],
 
 #define ONE_Q31 0x80000000u
 
-/* a b, to nearest. */
-static uint32_t mul_q31(uint32_t a, uint32_t b)
-{
-    return (uint32_t)((qtri_mul_u32(a, b) + ((uint32_t)1 << 30)) >> 31);
-}
-
 /*
  * x^shininess in Q15 for x <= 1. The whole part by squares: ten of them and ten products leave
  * 2^-25 of 1. The rest is an exponent below 1, which makes no error of x larger.
@@ -394,14 +381,14 @@ static uint32_t power_q15(uint32_t x_q31, q16 shininess)
     uint32_t square = x_q31;
     for (uint32_t whole = (uint32_t)shininess >> 16; whole != 0; whole >>= 1) {
         if ((whole & 1u) != 0) {
-            result = mul_q31(result, square);
+            result = qtri_mul_q31(result, square);
         }
-        square = mul_q31(square, square);
+        square = qtri_mul_q31(square, square);
     }
     const q16 rest = shininess & 0xFFFF;
     if (rest != 0) {
         const uint32_t x_q16 = (x_q31 + 0x4000u) >> 15;
-        result = mul_q31(result, (uint32_t)q16_pow((q16)x_q16, rest) << 15);
+        result = qtri_mul_q31(result, (uint32_t)q16_pow((q16)x_q16, rest) << 15);
     }
     return (result + 0x8000u) >> 16;
 }
@@ -462,7 +449,6 @@ void qtri_sphere_map(qtri_uv16 *uvs, const qtri_transform *camera, const qtri_tr
     qtri_linear_normals(m_q28, &object_to_eye);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         int32_t n[3] = {0, 0, 0};
-        int64_t eye[3];
         int32_t unit_q14[3];
         if (mesh->normals8 != NULL) {
             n[0] = mesh->normals8[i].x * 128;
@@ -473,11 +459,7 @@ void qtri_sphere_map(qtri_uv16 *uvs, const qtri_transform *camera, const qtri_tr
             n[1] = mesh->normals[i].y;
             n[2] = mesh->normals[i].z;
         }
-        for (int row = 0; row < 3; row++) {
-            eye[row] = qtri_mul_s32(m_q28[row][0], n[0]) + qtri_mul_s32(m_q28[row][1], n[1]) +
-                       qtri_mul_s32(m_q28[row][2], n[2]);
-        }
-        (void)qtri_direction_q14(unit_q14, eye);
+        normal_q14(unit_q14, m_q28[0], n);
         uvs[i].x = half_q14(unit_q14[0]);
         uvs[i].y = half_q14(-unit_q14[1]);
     }

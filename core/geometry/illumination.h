@@ -57,11 +57,11 @@ typedef struct qtri_light_space {
     const qtri_transform *camera;
     bool even;
     qtri_wide column[3][3]; /* even: of object_to_eye's linear part */
-    qtri_wide offset[3];    /* even: its translation */
+    qtri_wide offset[3];    /* even: its translation, negated */
     qtri_wide inverse;      /* even: 1 / (scale^2 unit) */
-    qtri_wide origin[3];    /* even: of local coordinates, times 1 / unit */
+    qtri_wide origin[3];    /* even: of local coordinates, times -1 / unit */
     qtri_wide unit;         /* of local coordinates, in eye space */
-    int32_t view_q14[3];
+    const int32_t *view_q14;
 } qtri_light_space;
 
 struct qtri_light_kind {
@@ -80,7 +80,7 @@ typedef struct qtri_light_run {
 } qtri_light_run;
 
 typedef struct qtri_illumination {
-    bool even, compact, two_sided;
+    bool even, two_sided;
     int32_t count;
     qtri_light_run run[QTRI_LIGHTS_MAX];
     int32_t view_q14[3];     /* towards the eye */

@@ -33,18 +33,8 @@ static bool prepare_directional(qtri_shine *out, const qtri_light_source *source
 QTRI_NOINLINE static void add_highlight(const qtri_shine *at, qtri_lit_point *point,
                                         uint32_t apart_q29)
 {
-    const qtri_shininess *table = point->by->shininess;
-    const uint16_t *value = &table->value_q15[apart_q29 >> table->shift];
-    const uint32_t rest_q15 = (apart_q29 << (32 - table->shift)) >> 17;
-    const uint32_t first_q15 = value[0];
-    const uint32_t power_q15 = first_q15 - (((first_q15 - value[1]) * rest_q15) >> 15);
-    const uint32_t share_q12 = power_q15 >> 3;
-    const uint32_t red = point->specular_q24[0] + at->color_q12[0] * share_q12;
-    const uint32_t green = point->specular_q24[1] + at->color_q12[1] * share_q12;
-    const uint32_t blue = point->specular_q24[2] + at->color_q12[2] * share_q12;
-    point->specular_q24[0] = red;
-    point->specular_q24[1] = green;
-    point->specular_q24[2] = blue;
+    const uint32_t power_q15 = qtri_shininess_at(point->by->shininess, apart_q29);
+    qtri_light_add(point->specular_q24, at->color_q12, power_q15 >> 3);
 }
 
 static void add_directional(const qtri_shine *first, const qtri_shine *end, qtri_lit_point *point)

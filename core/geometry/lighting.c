@@ -64,21 +64,6 @@ void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
     }
 }
 
-/* Scales v so that its largest component lies in [2^28, 2^29). False for the zero vector. */
-static bool normalize_scale(int32_t out[3], const int64_t v[3])
-{
-    uint64_t all = qtri_magnitude64(v[0]) | qtri_magnitude64(v[1]) | qtri_magnitude64(v[2]);
-    if (all == 0) {
-        return false;
-    }
-    int32_t zeros = qtri_clz64(all); /* to become 35 */
-    for (int i = 0; i < 3; i++) {
-        out[i] = zeros >= 35 ? (int32_t)(qtri_shift_left64(v[i], zeros - 35))
-                             : (int32_t)(v[i] >> (35 - zeros));
-    }
-    return true;
-}
-
 static int64_t dot_q30(const int32_t v[3], const int32_t unit_q30[3])
 {
     return (int64_t)v[0] * unit_q30[0] + (int64_t)v[1] * unit_q30[1] + (int64_t)v[2] * unit_q30[2];
@@ -101,7 +86,8 @@ static uint32_t light_direction(const qtri_lighting *lighting, const int32_t nor
         }
     }
     int32_t scaled[3];
-    if (!normalize_scale(scaled, v)) {
+    (void)qtri_align32(scaled, v, 29);
+    if ((scaled[0] | scaled[1] | scaled[2]) == 0) {
         return intensity(lighting, 0);
     }
     /* (v . l) 2^16 / |v|: |v| >= 2^28, v . l < 2^29.8 2^30 */

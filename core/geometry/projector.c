@@ -78,6 +78,16 @@ QTRI_IN_PLACE int64_t row_sum(const qtri_row *row, int64_t t, q16 x, q16 y, q16 
     return t;
 }
 
+static void set_coordinates(qtri_clip_vertex *out, const int64_t v[4])
+{
+    out->x = v[0];
+    out->y = v[1];
+    out->z = v[2];
+    out->w = v[3];
+    out->b1_q30 = 0;
+    out->b2_q30 = 0;
+}
+
 void qtri_projector_point(const qtri_projector *projector, const qtri_vec3 *p,
                           qtri_clip_vertex *out)
 {
@@ -86,12 +96,7 @@ void qtri_projector_point(const qtri_projector *projector, const qtri_vec3 *p,
         const qtri_row *row = &projector->row.wide[i];
         sum[i] = row_sum(row, row->t, p->x, p->y, p->z) >> projector->shift[i]; /* < 2^61 */
     }
-    out->x = sum[0];
-    out->y = sum[1];
-    out->z = sum[2];
-    out->w = sum[3];
-    out->b1_q30 = 0;
-    out->b2_q30 = 0;
+    set_coordinates(out, sum);
 }
 
 /* t w / 2^bits, truncated, for |t| < 2^61 and |t w / 2^bits| < 2^62; 16 <= bits <= 32. */
@@ -120,10 +125,7 @@ void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *con
             sum[axis] = row_sum(row, 0, p[i]->x, p[i]->y, p[i]->z) >> extra;
             sum[axis] = (sum[axis] + t) >> projector->shift[axis];
         }
-        out[i].x = sum[0];
-        out[i].y = sum[1];
-        out[i].z = sum[2];
-        out[i].w = sum[3];
+        set_coordinates(&out[i], sum);
         out[i].b1_q30 = i == 1 ? (int32_t)1 << 30 : 0;
         out[i].b2_q30 = i == 2 ? (int32_t)1 << 30 : 0;
     }
@@ -230,18 +232,9 @@ QTRI_NOINLINE static bool exact(const qtri_projector *projector, const qtri_vec3
  */
 enum { FAST_BITS = 9 };
 
-/*
- * x 2^-shift for shift >= 1, rounded down; false when it does not fit. With `is_short` shift <= 31:
- * then half of what a core of 32 bits makes of any.
- */
-static inline bool narrow(int32_t *out, int64_t x, int32_t shift, bool is_short)
+/* x 2^-shift for shift >= 1, rounded down; false when it does not fit. */
+static inline bool narrow(int32_t *out, int64_t x, int32_t shift)
 {
-    const int32_t high = (int32_t)(x >> 32);
-    const uint32_t low = (uint32_t)((uint64_t)x & UINT32_MAX);
-    if (is_short) {
-        *out = (int32_t)(low >> shift | (uint32_t)high << (32 - shift));
-        return high >> shift == (*out < 0 ? -1 : 0);
-    }
     const int64_t result = x >> shift;
     *out = (int32_t)(uint32_t)((uint64_t)result & UINT32_MAX);
     return (int32_t)(result >> 32) == (*out < 0 ? -1 : 0);
@@ -251,8 +244,7 @@ static inline bool narrow(int32_t *out, int64_t x, int32_t shift, bool is_short)
 typedef struct stage {
     const qtri_projector *projector;
     int32_t x_down, y_down, z_down;
-    int32_t most;  /* zeros of w; 0 where shifts do not serve */
-    int32_t least; /* with as many all shifts are short */
+    int32_t most; /* zeros of w; 0 where shifts do not serve */
 } stage;
 
 static inline void begin(stage *to, const qtri_projector *projector)
@@ -264,7 +256,6 @@ static inline void begin(stage *to, const qtri_projector *projector)
     to->y_down = 45 + shift[1] - shift[3];
     const int32_t down = qtri_greatest32(to->z_down, qtri_greatest32(to->x_down, to->y_down));
     to->most = down <= 63 ? 31 - shift[3] : 0;
-    to->least = qtri_greatest32(1, down - 31);
 }
 
 /* Leading zeros of w's upper half, 0 as well for w < 0 and for 32. */
@@ -273,23 +264,25 @@ static inline int32_t zeros_of(int64_t w)
     return qtri_clz32((uint32_t)((uint64_t)w >> 32)) & 31;
 }
 
-/* For 1 <= zeros <= to->most, or >= to->least as well. False: outside. */
-QTRI_IN_PLACE bool place_by(const stage *to, const qtri_vec3 *p, qtri_vertex *out, int64_t w,
-                            int32_t zeros, bool is_short)
+/* False: outside. */
+QTRI_IN_PLACE bool place(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
 {
     const qtri_projector *projector = to->projector;
     const qtri_row *row = projector->row.wide;
+    const int64_t w = row_sum(&row[3], row[3].t, p->x, p->y, p->z);
+    const int32_t zeros = zeros_of(w);
+    if (zeros == 0 || zeros > to->most) {
+        return exact(projector, p, out);
+    }
     const uint32_t w_low = (uint32_t)((uint64_t)w & UINT32_MAX);
     uint32_t w_q32 = (uint32_t)((uint64_t)w >> 32) << zeros | w_low >> (32 - zeros);
     int32_t z_q31;
     int32_t x;
     int32_t y;
-    bool fits =
-        narrow(&z_q31, row_sum(&row[2], row[2].t, p->x, p->y, p->z), to->z_down - zeros,
-               is_short) &&
-        narrow(&x, row_sum(&row[0], row[0].t, p->x, p->y, p->z), to->x_down - zeros, is_short) &&
-        narrow(&y, row_sum(&row[1], row[1].t, p->x, p->y, p->z), to->y_down - zeros, is_short) &&
-        (uint32_t)z_q31 + (w_q32 >> 1) - 2 < w_q32 - 4; /* |z_q31| < w_q32 / 2 - 1 */
+    bool fits = narrow(&z_q31, row_sum(&row[2], row[2].t, p->x, p->y, p->z), to->z_down - zeros) &&
+                narrow(&x, row_sum(&row[0], row[0].t, p->x, p->y, p->z), to->x_down - zeros) &&
+                narrow(&y, row_sum(&row[1], row[1].t, p->x, p->y, p->z), to->y_down - zeros) &&
+                (uint32_t)z_q31 + (w_q32 >> 1) - 2 < w_q32 - 4; /* |z_q31| < w_q32 / 2 - 1 */
     if (!fits) {
         return exact(projector, p, out);
     }
@@ -308,38 +301,6 @@ QTRI_IN_PLACE bool place_by(const stage *to, const qtri_vec3 *p, qtri_vertex *ou
     out->inv_w = (uint32_t)r;
     out->intensity_q15 = QTRI_VERTEX_UNLIT;
     return true;
-}
-
-/* The same with shifts of any length, for any w. */
-QTRI_IN_PLACE bool place_by_any(const stage *to, const qtri_vec3 *p, qtri_vertex *out, int64_t w,
-                                int32_t zeros)
-{
-    return zeros == 0 || zeros > to->most ? exact(to->projector, p, out)
-                                          : place_by(to, p, out, w, zeros, false);
-}
-
-#if QTRI_LONG_MULTIPLY
-/* Coordinates of many units, or what no shift serves: out of the way. */
-QTRI_NOINLINE static bool place_far(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
-{
-    const qtri_row *row = &to->projector->row.wide[3];
-    const int64_t w = row_sum(row, row->t, p->x, p->y, p->z);
-    return place_by_any(to, p, out, w, zeros_of(w));
-}
-#endif
-
-/* False: outside. Other cores gain nothing by short shifts. */
-QTRI_IN_PLACE bool place(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
-{
-    const qtri_row *row = &to->projector->row.wide[3];
-    const int64_t w = row_sum(row, row->t, p->x, p->y, p->z);
-    const int32_t zeros = zeros_of(w);
-#if QTRI_LONG_MULTIPLY
-    return zeros < to->least || zeros > to->most ? place_far(to, p, out)
-                                                 : place_by(to, p, out, w, zeros, true);
-#else
-    return place_by_any(to, p, out, w, zeros);
-#endif
 }
 
 bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p, uint32_t count,
@@ -473,12 +434,7 @@ void qtri_projector_point16(const qtri_projector *projector, const qtri_position
         int32_t sum = qtri_row16_sum(&projector->row.compact[i], p->x, p->y, p->z);
         v[i] = qtri_shift_left64(sum, projector->shift[i]);
     }
-    out->x = v[0];
-    out->y = v[1];
-    out->z = v[2];
-    out->w = v[3];
-    out->b1_q30 = 0;
-    out->b2_q30 = 0;
+    set_coordinates(out, v);
 }
 
 /* The exponent that goes with W itself: shifts are the same for all of a draw. */
@@ -495,51 +451,25 @@ QTRI_NOINLINE static bool exact16(const qtri_projector *projector, const qtri_po
     return true;
 }
 
-/* Of x > 0; mostly those of the vertex before, 1..31: small cores have to count them. */
-static inline int32_t leading_zeros(uint32_t x, int32_t guess)
-{
-#if !QTRI_LONG_MULTIPLY
-    if (x << guess >> 31 != 0 && x >> (32 - guess) == 0) {
-        return guess;
-    }
-#endif
-    (void)guess;
-    return qtri_clz32(x);
-}
-
 /*
  * x / w in 1/256 pixel is X 2^30 / w_q32 =: V over 2^n, where w_q32 = W 2^zeros is the normalised
  * mantissa. The high word h of X r is close: r is less than 1 below 2^62 / w_q32 and |X| < 2^30,
  * so -1/4 < V - h < 5/4. Half is added before n bits are cut off; where that of h - 1 and of h + 1
  * give the same, so does V. They do unless h + half + 1 ends in n - 1 zeros and any bit: 2 vertices
- * in 2^n have to go the exact way.
+ * in 2^n have to go the exact way. `bits` is n + zeros.
+ * False: outside.
  */
-typedef struct shared16 {
-    const qtri_projector *projector;
-    int32_t bits;  /* n + zeros */
-    int32_t zeros; /* of the vertex before */
-} shared16;
-
-static inline void begin16(shared16 *shared, const qtri_projector *projector)
+QTRI_IN_PLACE bool place16(const qtri_projector *projector, int32_t bits, const qtri_position16 *p,
+                           qtri_vertex *out)
 {
-    shared->projector = projector;
-    shared->bits = 22 - projector->shift[0] + projector->shift[3];
-    shared->zeros = 2;
-}
-
-/* False: outside. */
-QTRI_IN_PLACE bool place16(shared16 *shared, const qtri_position16 *p, qtri_vertex *out)
-{
-    const qtri_projector *projector = shared->projector;
     const qtri_row16 *row = projector->row.compact;
     int32_t w = qtri_row16_sum(&row[3], p->x, p->y, p->z);
     int32_t z = qtri_row16_sum(&row[2], p->x, p->y, p->z);
     if (w <= 0 || (uint32_t)z + (uint32_t)w > 2u * (uint32_t)w) {
         return exact16(projector, p, out);
     }
-    const int32_t zeros = leading_zeros((uint32_t)w, shared->zeros);
-    shared->zeros = zeros;
-    int32_t n = shared->bits - zeros;
+    const int32_t zeros = qtri_clz32((uint32_t)w);
+    int32_t n = bits - zeros;
     if ((uint32_t)n - 2u > 28u) {
         return exact16(projector, p, out);
     }
@@ -564,12 +494,11 @@ QTRI_IN_PLACE bool place16(shared16 *shared, const qtri_position16 *p, qtri_vert
 bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_position16 *p,
                                uint32_t count, qtri_vertex *vertices, bool is_listed)
 {
-    shared16 shared;
-    begin16(&shared, projector);
+    const int32_t bits = 22 - projector->shift[0] + projector->shift[3];
     bool inside = true;
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t index = is_listed ? vertices[i].index : i;
-        inside &= place16(&shared, &p[index], &vertices[index]);
+        inside &= place16(projector, bits, &p[index], &vertices[index]);
     }
     return inside;
 }

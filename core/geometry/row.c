@@ -41,6 +41,20 @@ void qtri_row_from_two(qtri_row *row, int i, const qtri_wide *x, int j, const qt
     qtri_row_from_wide(row, element);
 }
 
+void qtri_wide_from_vec3(qtri_wide out[3], const qtri_vec3 *v)
+{
+    qtri_wide_set(&out[0], v->x, 16);
+    qtri_wide_set(&out[1], v->y, 16);
+    qtri_wide_set(&out[2], v->z, 16);
+}
+
+void qtri_row_axis(qtri_wide out[3], const qtri_row *row)
+{
+    for (int i = 0; i < 3; i++) {
+        qtri_wide_set(&out[i], row->m[i], row->exponent);
+    }
+}
+
 qtri_wide qtri_row_element(const qtri_row *row, int column)
 {
     if (column < 3) {
@@ -207,12 +221,6 @@ void qtri_row_mul(qtri_row *out, const qtri_row *a, const qtri_transform *b)
 
 /* ---- Linear parts ---- */
 
-static qtri_wide dot(const qtri_wide a[3], const qtri_wide b[3])
-{
-    return qtri_wide_add(qtri_wide_add(qtri_wide_mul(a[0], b[0]), qtri_wide_mul(a[1], b[1])),
-                         qtri_wide_mul(a[2], b[2]));
-}
-
 int32_t qtri_linear_align(int32_t out[3][4], const qtri_transform *t)
 {
     int32_t least = INT32_MAX;
@@ -268,7 +276,7 @@ void qtri_linear_normals(int32_t out_q28[3][3], const qtri_transform *object_to_
             }
         }
     }
-    bool mirrored = dot(column[0], cofactor[0]).m < 0;
+    bool mirrored = qtri_wide_inner(column[0], cofactor[0]).m < 0;
     for (int i = 0; i < 3; i++) {
         for (int row = 0; row < 3; row++) {
             qtri_wide c = cofactor[i][row];

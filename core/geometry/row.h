@@ -13,6 +13,8 @@
 #include "../bits/bits.h"
 #include "../bits/wide.h"
 
+void qtri_wide_from_vec3(qtri_wide out[3], const qtri_vec3 *v);
+
 /* The row x y z t, block-normalised: the only place where a transform is rounded. */
 void qtri_row_from_wide(qtri_row *row, const qtri_wide element[4]);
 
@@ -36,6 +38,9 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
 
 /* The product of a row and the rows of a transform, whatever they are. */
 void qtri_row_mul(qtri_row *out, const qtri_row *a, const qtri_transform *b);
+
+/* A row's linear part. */
+void qtri_row_axis(qtri_wide out[3], const qtri_row *row);
 
 /* Element 0..3 of a row. */
 qtri_wide qtri_row_element(const qtri_row *row, int column);

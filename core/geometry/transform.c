@@ -220,20 +220,13 @@ static void rotate_about(qtri_transform *t, q16 degrees, const qtri_wide axis[3]
     qtri_transform_mul(t, t, &builder);
 }
 
-static void wide_from_vec3(qtri_wide out[3], const qtri_vec3 *v)
-{
-    qtri_wide_set(&out[0], v->x, 16);
-    qtri_wide_set(&out[1], v->y, 16);
-    qtri_wide_set(&out[2], v->z, 16);
-}
-
 void qtri_transform_rotate_about(qtri_transform *t, q16 degrees, qtri_vec3 axis, qtri_vec3 point)
 {
     QTRI_ASSERT(t != NULL);
     qtri_wide wide_axis[3];
     qtri_wide wide_point[3];
-    wide_from_vec3(wide_axis, &axis);
-    wide_from_vec3(wide_point, &point);
+    qtri_wide_from_vec3(wide_axis, &axis);
+    qtri_wide_from_vec3(wide_point, &point);
     rotate_about(t, degrees, wide_axis, wide_point);
 }
 
@@ -241,7 +234,7 @@ void qtri_transform_rotate(qtri_transform *t, q16 degrees, qtri_vec3 axis)
 {
     QTRI_ASSERT(t != NULL);
     qtri_wide wide_axis[3];
-    wide_from_vec3(wide_axis, &axis);
+    qtri_wide_from_vec3(wide_axis, &axis);
     rotate_about(t, degrees, wide_axis, NULL);
 }
 
@@ -273,7 +266,7 @@ void qtri_transform_rotate_quat(qtri_transform *t, qtri_quat q)
     qtri_wide u[3];
     const qtri_vec3 part = {q.x, q.y, q.z};
     const qtri_wide w = qtri_wide_make(q.w, 16);
-    wide_from_vec3(u, &part);
+    qtri_wide_from_vec3(u, &part);
     qtri_wide square = {0, 0};
     qtri_wide_add_product(&square, &w, &w);
     for (int i = 0; i < 3; i++) {
@@ -366,14 +359,6 @@ void qtri_transform_mul(qtri_transform *out, const qtri_transform *a, const qtri
 
 /* ---- Rotations again ---- */
 
-static qtri_wide dot(const qtri_wide a[3], const qtri_wide b[3])
-{
-    qtri_wide sum = qtri_wide_mul(a[0], b[0]);
-    qtri_wide_add_product(&sum, &a[1], &b[1]);
-    qtri_wide_add_product(&sum, &a[2], &b[2]);
-    return sum;
-}
-
 /*
  * Gram and Schmidt, once over: what is taken from y along x is short, and wide scalars have 60
  * bits. A pair that is parallel to 2^-50 has no plane.
@@ -391,7 +376,7 @@ void qtri_transform_orthonormalize(qtri_transform *t)
     if (!qtri_wide_normalize(axis[0]) || !qtri_wide_normalize(axis[1])) {
         return;
     }
-    const qtri_wide along = dot(axis[0], axis[1]);
+    const qtri_wide along = qtri_wide_inner(axis[0], axis[1]);
     for (int i = 0; i < 3; i++) {
         qtri_wide_sub_product(&axis[1][i], &along, &axis[0][i]);
         if (axis[1][i].e > 112) { /* the noise of unit vectors, as in camera.c */
@@ -402,12 +387,13 @@ void qtri_transform_orthonormalize(qtri_transform *t)
         return;
     }
     qtri_wide_cross(z, axis[0], axis[1]);
-    const qtri_wide side = dot(z, axis[2]);
+    const qtri_wide side = qtri_wide_inner(z, axis[2]);
     if (side.m == 0) {
         return;
     }
     for (int i = 0; i < 3; i++) {
-        axis[2][i] = side.m < 0 ? qtri_wide_neg(z[i]) : z[i];
+        axis[2][i] = z[i];
+        axis[2][i].m = side.m < 0 ? -z[i].m : z[i].m;
     }
     for (int i = 0; i < 3; i++) {
         qtri_row_from_wide(&t->row[i], axis[i]);

@@ -70,17 +70,11 @@ static uint32_t reversed(uint32_t bits, int32_t count)
     return result;
 }
 
-/* The middle of part `part` of 2^count of a pixel, Q16. */
-static int32_t middle_of(uint32_t part, int32_t count)
+/* Clip coordinates of the middle of part `part` of 2^count of a pixel, -1/2 .. 1/2. */
+static q16 clip_of(uint32_t part, int32_t count, int32_t pixels)
 {
-    return (int32_t)((2 * part + 1) << (15 - count));
-}
-
-/* Clip coordinates of a part of a pixel, in the middle of -1/2 .. 1/2. */
-static q16 clip_of(int32_t share, int32_t pixels)
-{
-    const int32_t half = (int32_t)1 << 15;
-    return pixels > 0 ? 2 * (share - half) / pixels : 0;
+    const int32_t middle = (int32_t)((2 * part + 1) << (15 - count)); /* Q16 */
+    return pixels > 0 ? 2 * (middle - 0x8000) / pixels : 0;
 }
 
 void qtri_view_jitter(qtri_view *out, const qtri_view *view, uint32_t n, int32_t frames_log2)
@@ -91,8 +85,8 @@ void qtri_view_jitter(qtri_view *out, const qtri_view *view, uint32_t n, int32_t
     const uint32_t column = n & (((uint32_t)1 << count) - 1);
     const uint32_t row = reversed(column, count) ^ (count > 0 ? 1 : 0);
     qtri_transform moved;
-    const qtri_vec3 by = {clip_of(middle_of(column, count), view->viewport.width),
-                          clip_of(middle_of(row, count), view->viewport.height), 0};
+    const qtri_vec3 by = {clip_of(column, count, view->viewport.width),
+                          clip_of(row, count, view->viewport.height), 0};
     qtri_transform_identity(&moved);
     qtri_transform_translate(&moved, by);
     *out = *view;

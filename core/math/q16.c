@@ -404,11 +404,7 @@ q16 q16_muldiv(q16 a, q16 b, q16 c)
         over -= d;
         quotient++;
     }
-    if (sign < 0) {
-        return quotient >= 0x80000000u ? Q16_MIN : -(q16)quotient;
-    }
-    QTRI_MATH_CHECK(quotient <= (uint32_t)Q16_MAX);
-    return quotient > (uint32_t)Q16_MAX ? Q16_MAX : (q16)quotient;
+    return with_sign(quotient, sign, false);
 }
 
 /*

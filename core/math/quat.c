@@ -17,12 +17,18 @@ qtri_quat qtri_quat_identity(void)
     return identity;
 }
 
-void qtri_quat_unit_q30(int32_t out_q30[4], qtri_quat a)
+/* Zero stands for the identity. */
+static void unit_or_identity(int32_t out_q30[4], const int32_t q[4])
 {
-    const q16 q[4] = {a.w, a.x, a.y, a.z};
     if (!qtri_unit(out_q30, q, 4, 30)) {
         out_q30[0] = (int32_t)1 << 30;
     }
+}
+
+void qtri_quat_unit_q30(int32_t out_q30[4], qtri_quat a)
+{
+    const q16 q[4] = {a.w, a.x, a.y, a.z};
+    unit_or_identity(out_q30, q);
 }
 
 qtri_quat qtri_quat_from_q30(const int32_t q_q30[4])
@@ -252,26 +258,6 @@ qtri_quat qtri_quat_nlerp(qtri_quat a, qtri_quat b, q16 t)
     return qtri_quat_from_q30(u_q30);
 }
 
-/* v - (u . v) u, which is no longer than v. Returns the square of its length in Q60. */
-static int64_t make_perpendicular(int32_t v_q30[4], const int32_t u_q30[4], int32_t cosine_q30)
-{
-    int64_t square_q60 = 0;
-    for (int i = 0; i < 4; i++) {
-        v_q30[i] -= qtri_mul_q30(u_q30[i], cosine_q30);
-        square_q60 += qtri_mul_s32(v_q30[i], v_q30[i]);
-    }
-    return square_q60;
-}
-
-/* u cos + v sin. Each component is at most cos + sin: 1.42. */
-static void turn_towards(int32_t u_q30[4], const int32_t v_q30[4], int32_t sine_q30,
-                         int32_t cosine_q30)
-{
-    for (int i = 0; i < 4; i++) {
-        u_q30[i] = qtri_mul_q30(u_q30[i], cosine_q30) + qtri_mul_q30(v_q30[i], sine_q30);
-    }
-}
-
 /*
  * u cos tA + p sin tA, with p the unit vector perpendicular to u towards v: no division by sin A,
  * and nearly parallel quaternions need no case of their own. A short v - (u . v) u has few bits,
@@ -284,13 +270,19 @@ qtri_quat qtri_quat_slerp(qtri_quat a, qtri_quat b, q16 t)
     qtri_quat_unit_q30(u_q30, a);
     qtri_quat_unit_q30(v_q30, b);
     int32_t cosine_q30 = (int32_t)((shortest_arc(u_q30, v_q30) + 0x20000000) >> 30);
-    int64_t square_q60 = make_perpendicular(v_q30, u_q30, cosine_q30);
+    int64_t square_q60 = 0;
+    for (int i = 0; i < 4; i++) { /* v - (u . v) u, which is no longer than v */
+        v_q30[i] -= qtri_mul_q30(u_q30[i], cosine_q30);
+        square_q60 += qtri_mul_s32(v_q30[i], v_q30[i]);
+    }
     int32_t sine_q30 = (int32_t)qtri_sqrt64_round((uint64_t)square_q60);
     q16 arc = q16_atan2_deg(sine_q30, cosine_q30); /* the ratio counts; 0..90 degrees */
     t = q16_clamp(t, 0, Q16_ONE);
     qtri_sincos_deg_q32(qtri_mul_s32(arc, t), &sine_q30, &cosine_q30);
     (void)qtri_unit(v_q30, v_q30, 4, 30);
-    turn_towards(u_q30, v_q30, sine_q30, cosine_q30);
+    for (int i = 0; i < 4; i++) { /* each component is at most cos + sin: 1.42 */
+        u_q30[i] = qtri_mul_q30(u_q30[i], cosine_q30) + qtri_mul_q30(v_q30[i], sine_q30);
+    }
     return qtri_quat_from_q30(u_q30);
 }
 
@@ -308,19 +300,9 @@ qtri_attitude qtri_attitude_from_quat(qtri_quat a)
 qtri_quat qtri_attitude_quat(const qtri_attitude *attitude)
 {
     QTRI_ASSERT(attitude != NULL);
-    qtri_attitude unit = *attitude;
-    if (!qtri_unit(unit.q_q30, unit.q_q30, 4, 30)) {
-        return qtri_quat_identity();
-    }
-    return qtri_quat_from_q30(unit.q_q30);
-}
-
-/* The memory may hold anything; zero is the identity. */
-static void attitude_make_unit(qtri_attitude *attitude)
-{
-    if (!qtri_unit(attitude->q_q30, attitude->q_q30, 4, 30)) {
-        attitude->q_q30[0] = (int32_t)1 << 30;
-    }
+    int32_t q_q30[4];
+    unit_or_identity(q_q30, attitude->q_q30);
+    return qtri_quat_from_q30(q_q30);
 }
 
 /*
@@ -353,7 +335,7 @@ void qtri_attitude_integrate_deg(qtri_attitude *attitude, qtri_vec3 rate, q16 dt
     QTRI_ASSERT(attitude != NULL);
     const int64_t arc_q32[3] = {qtri_mul_s32(rate.x, dt), qtri_mul_s32(rate.y, dt),
                                 qtri_mul_s32(rate.z, dt)};
-    attitude_make_unit(attitude);
+    unit_or_identity(attitude->q_q30, attitude->q_q30); /* the memory may hold anything */
     attitude_turn(attitude, arc_q32);
 }
 
@@ -417,7 +399,7 @@ void qtri_attitude_filter_step(qtri_attitude_filter *filter, qtri_vec3 rate, qtr
     const q16 measured[3] = {rate.x, rate.y, rate.z};
     int32_t error_q30[3];
     int64_t arc_q32[3];
-    attitude_make_unit(&filter->attitude);
+    unit_or_identity(filter->attitude.q_q30, filter->attitude.q_q30);
     tilt_error(error_q30, filter, force);
     for (int i = 0; i < 3; i++) {
         int64_t learned_q54 = qtri_mul_s32(feedback_q24(filter->offset_gain, error_q30[i]), dt_q30);

@@ -75,3 +75,13 @@ int32_t qtri_fit32(int32_t *out, const int64_t *v, int32_t count)
     }
     return k;
 }
+
+int32_t qtri_align32(int32_t out[3], const int64_t v[3], int32_t bits)
+{
+    const uint64_t all = qtri_magnitude64(v[0]) | qtri_magnitude64(v[1]) | qtri_magnitude64(v[2]);
+    const int32_t k = 64 - bits - qtri_clz64(all | 1u);
+    for (int i = 0; i < 3; i++) {
+        out[i] = (int32_t)(k >= 0 ? v[i] >> k : qtri_shift_left64(v[i], -k));
+    }
+    return k;
+}

@@ -18,6 +18,9 @@ bool qtri_unit(int32_t *out, const int32_t *v, int32_t count, int32_t fraction_b
 /* v / 2^k with the smallest k >= 0 for which all count <= 4 of them fit, rounded down. Gives k. */
 int32_t qtri_fit32(int32_t *out, const int64_t *v, int32_t count);
 
+/* v / 2^k, rounded down, where the largest |v| has `bits` < 32 bits; k may be negative. Gives k. */
+int32_t qtri_align32(int32_t out[3], const int64_t v[3], int32_t bits);
+
 /* Q2.30 to Q16.16 for |x| <= 2^30. */
 static inline int32_t qtri_q30_to_q16(int32_t x_q30)
 {

@@ -267,12 +267,14 @@ void prove_wide(void)
 {
     qtri_wide a = wide(), b = wide(), sum = wide();
     qtri_wide v[3] = {wide(), wide(), wide()}, w[3] = {wide(), wide(), wide()}, product[3];
-    qtri_wide_add(a, b), qtri_wide_sub(a, b), qtri_wide_neg(a);
+    qtri_wide_add_to(&sum, &b);
+    sum = wide();
     qtri_wide_mul(a, b), qtri_wide_div(a, b), qtri_wide_sqrt(a);
     qtri_wide_add_product(&sum, &a, &b);
     sum = wide();
     qtri_wide_sub_product(&sum, &a, &b);
     qtri_wide_cross(product, v, w);
+    qtri_wide_inner(v, w);
     qtri_wide_normalize(v);
 }
 

@@ -5,9 +5,8 @@
 #ifndef QTRI_CHECK_MATH
 #define QTRI_CHECK_MATH
 #endif
-#define QTRI_MATH_FAULT  q16_checked_fault
-#define QTRI_LONG_DIVIDE 0
-#define OTHER(name)      checked_##name
+#define QTRI_MATH_FAULT q16_checked_fault
+#define OTHER(name)     checked_##name
 #include "q16_other.inc"
 
 int q16_checked_faults;

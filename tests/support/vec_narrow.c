@@ -19,6 +19,7 @@
 #define qtri_dot                    narrow_dot
 #define qtri_dot_cross              narrow_dot_cross
 #define qtri_dot_rows               narrow_dot_rows
+#define qtri_align32                narrow_align32
 #define qtri_fit32                  narrow_fit32
 #define qtri_unit                   narrow_unit
 #define qtri_vec2_cross             narrow_vec2_cross

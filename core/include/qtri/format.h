@@ -115,8 +115,7 @@ enum {
     QTRI_XRGB8888_BYTES = 4
 };
 
-/* Depth
- * ---------------------------------------------------------------------------------------------- */
+/* ---- Depth ---- */
 
 /*
  * Formats of depth: what a surface stores for each pixel's distance, as constant data.

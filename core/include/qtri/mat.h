@@ -31,8 +31,7 @@ typedef struct qtri_mat4 {
     q16 m[4][4];
 } qtri_mat4;
 
-/* 2D homogeneous transforms ----------------------------------------------------------------------
- */
+/* ---- 2D homogeneous transforms ---- */
 
 /* Builders of transforms of the plane: p' = M p. */
 qtri_mat3 qtri_mat3_identity(void);
@@ -51,8 +50,7 @@ qtri_mat3 qtri_mat3_reflect_deg(q16 degrees);
 qtri_vec2 qtri_mat3_point(const qtri_mat3 *m, qtri_vec2 p);
 qtri_vec2 qtri_mat3_vector(const qtri_mat3 *m, qtri_vec2 v);
 
-/* Both kinds -------------------------------------------------------------------------------------
- */
+/* ---- Both kinds ---- */
 
 /* Product, transpose, and the product with a vector. */
 qtri_mat3 qtri_mat3_mul(const qtri_mat3 *a, const qtri_mat3 *b); /* first b, then a */
@@ -69,8 +67,7 @@ q16 qtri_mat3_determinant(const qtri_mat3 *m);
  */
 bool qtri_mat3_inverse(qtri_mat3 *out, const qtri_mat3 *m);
 
-/* 3D transforms ----------------------------------------------------------------------------------
- */
+/* ---- 3D transforms ---- */
 
 /* Builders of transforms of space: p' = M p. */
 qtri_mat4 qtri_mat4_identity(void);

@@ -121,8 +121,7 @@ typedef struct qtri_part {
     int16_t node; /* the pose that moves it, where parts move by themselves; else 0 */
 } qtri_part;
 
-/* Bounds
- * ---------------------------------------------------------------------------------------------- */
+/* ---- Bounds ---- */
 
 /* The points within `radius` of `center`. */
 typedef struct qtri_ball {

@@ -38,8 +38,7 @@ typedef int32_t q16;
 #define Q16_MAX ((q16)INT32_MAX)
 #define Q16_MIN ((q16)INT32_MIN)
 
-/* Conversions
- * -------------------------------------------------------------------------------------*/
+/* ---- Conversions ---- */
 
 /*
  * A constant, rounded to nearest: Q16(0.5), Q16(-3). The literal must lie in the range above; the
@@ -121,8 +120,7 @@ static inline int32_t q16_to_q8(q16 x)
     return (x >> 8) + ((x >> 7) & 1);
 }
 
-/* Sums
- * --------------------------------------------------------------------------------------------*/
+/* ---- Sums ---- */
 
 /* Exact where they fit. -Q16_MIN and |Q16_MIN| are Q16_MAX. */
 q16 q16_add(q16 a, q16 b);
@@ -149,8 +147,7 @@ static inline q16 q16_neg_wrap(q16 x)
 /* a + (b - a) t, rounded once, halves up: .5 ULP. t is not clamped, and b - a cannot overflow. */
 q16 q16_lerp(q16 a, q16 b, q16 t);
 
-/* Products and quotients
- * --------------------------------------------------------------------------*/
+/* ---- Products and quotients ---- */
 
 /* a b. Correctly rounded, halves up. */
 q16 q16_mul(q16 a, q16 b);
@@ -176,8 +173,7 @@ q16 q16_recip(q16 x);
 /* a - b floor(a / b): in [0, b) for b > 0 and in (b, 0] for b < 0. Exact. b = 0 gives a. */
 q16 q16_mod(q16 a, q16 b);
 
-/* Roots
- * -------------------------------------------------------------------------------------------*/
+/* ---- Roots ---- */
 
 /* Square root. x in [0, 32768); x < 0 gives 0. Correctly rounded; halves do not occur. */
 q16 q16_sqrt(q16 x);
@@ -188,8 +184,7 @@ q16 q16_rsqrt(q16 x);
 /* sqrt(a^2 + b^2). Correctly rounded, nothing on the way overflows; the result saturates. */
 q16 q16_hypot(q16 a, q16 b);
 
-/* Choosing and rounding
- * ---------------------------------------------------------------------------*/
+/* ---- Choosing and rounding ---- */
 
 /* The smaller, and the larger one of a and b. */
 static inline q16 q16_min(q16 a, q16 b)
@@ -230,8 +225,7 @@ static inline q16 q16_fract(q16 x)
 q16 q16_ceil(q16 x);
 q16 q16_round(q16 x);
 
-/* Overflow that is meant
- * --------------------------------------------------------------------------*/
+/* ---- Overflow that is meant ---- */
 
 /* The same results; QTRI_CHECK_MATH does not report that they saturate. */
 #ifdef QTRI_CHECK_MATH
@@ -261,15 +255,13 @@ static inline q16 q16_div_sat(q16 a, q16 b)
 }
 #endif
 
-/* Trigonometry
- * ---------------------------------------------------------------------------------------------- */
+/* ---- Trigonometry, in radians as in <math.h> and in degrees, where right angles are exact ---- */
 
 /*
- * Trigonometry in Q16.16, in radians as in <math.h> and in degrees, where right angles are exact.
- *
- * Errors are against the exact value, .5 of them being the rounding to a result; the maxima are
- * those over all arguments (tests/test_core_elementary.c names the worst ones). Functions that are
- * odd or even are so to the last bit, for Q16_MIN with the angle 32768 it stands for.
+ * From here on errors are against the exact value, .5 of them being the rounding to a result; the
+ * maxima are those over all arguments (tests/test_core_elementary.c names the worst ones).
+ * Functions that are odd or even are so to the last bit, for Q16_MIN with the angle 32768 it stands
+ * for.
  */
 
 /*
@@ -315,15 +307,7 @@ q16 q16_acos(q16 x);
 q16 q16_asin_deg(q16 x);
 q16 q16_acos_deg(q16 x);
 
-/* Exponentials and logarithms
- * ---------------------------------------------------------------------------------------------- */
-
-/*
- * Exponentials and logarithms in Q16.16.
- *
- * Errors are against the exact value, .5 of them being the rounding to a result; the maxima are
- * those over all arguments (tests/test_core_elementary.c names the worst ones).
- */
+/* ---- Exponentials and logarithms ---- */
 
 /*
  * 2^x and e^x. Below 2^-17 the result is 0, from 32768 up Q16_MAX. Within .69 and .92 ULP in the
@@ -350,12 +334,7 @@ q16 q16_log(q16 x);
  */
 q16 q16_pow(q16 x, q16 y);
 
-/* Decimal text
- * ---------------------------------------------------------------------------------------------- */
-
-/*
- * Q16.16 numbers as decimal text. No libc, no locale: the decimal sign is '.'.
- */
+/* ---- Decimal text: no libc, no locale, the decimal sign is '.' ---- */
 
 /* Characters that any number needs, with the NUL: "-32767.99998". */
 #define QTRI_Q16_TEXT_SIZE 13

@@ -100,8 +100,7 @@ void qtri_view_init_pipelines(qtri_view *view, int32_t frame_width, int32_t fram
 void qtri_view_look_at(qtri_view *view, qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up);
 void qtri_view_perspective(qtri_view *view, q16 fovy, q16 near_z, q16 far_z);
 
-/* Clipping
- * ---------------------------------------------------------------------------------------------- */
+/* ---- Clipping ---- */
 
 /*
  * Clipping in homogeneous coordinates (Blinn and Newell 1978; Sutherland and Hodgman 1974).
