@@ -205,8 +205,8 @@ bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *ed
     }
     const qtri_point *a = &contour->points[i];
     const qtri_point *b = &contour->points[i + 1 < contour->count ? i + 1 : 0];
-    const qtri_point from = {qtri_hold_24p8(a->x_24p8), qtri_hold_24p8(a->y_24p8)};
-    const qtri_point to = {qtri_hold_24p8(b->x_24p8), qtri_hold_24p8(b->y_24p8)};
+    const qtri_point from = qtri_hold_point(a);
+    const qtri_point to = qtri_hold_point(b);
     if (from.y_24p8 == to.y_24p8) {
         return false;
     }
@@ -218,19 +218,15 @@ bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *ed
     return true;
 }
 
-/* Whether a side of a polygon lies above the row, or below: most do. */
-static bool is_beside(const qtri_contour *contour, int32_t i, int32_t top)
+/* Most sides lie above the row, or below. */
+bool qtri_contour_side_near(const qtri_contour *contour, int32_t i, int32_t top,
+                            qtri_ink_edge *side)
 {
     const int32_t a = contour->points[i].y_24p8;
     const int32_t b = contour->points[i + 1 < contour->count ? i + 1 : 0].y_24p8;
     const int32_t end = top + 256; /* rows lie between -2^21 and 2^21, where no point is held */
-    return (a <= top && b <= top) || (a >= end && b >= end);
-}
-
-bool qtri_contour_side_near(const qtri_contour *contour, int32_t i, int32_t top,
-                            qtri_ink_edge *side)
-{
-    return !is_beside(contour, i, top) && qtri_contour_edge(contour, i, side);
+    const bool is_beside = (a <= top && b <= top) || (a >= end && b >= end);
+    return !is_beside && qtri_contour_edge(contour, i, side);
 }
 
 /* Edge i where it may cross the row, `room` being for a side of a polygon. NULL: it does not. */
