@@ -278,13 +278,6 @@ QTRI_INLINE uint32_t edges_of(const qtri_mesh_job *draw, const uint32_t index[3]
     return QTRI_EDGES_SEEN | take_edges(a, b, c, index);
 }
 
-/* Not where a vertex was left out: all its faces turn away. */
-static inline bool are_met(qtri_vertex *const vertex[3])
-{
-    return vertex[0]->depth_16p8 != QTRI_VERTEX_EMPTY &&
-           vertex[1]->depth_16p8 != QTRI_VERTEX_EMPTY && vertex[2]->depth_16p8 != QTRI_VERTEX_EMPTY;
-}
-
 /*
  * Looks at triangles, from `number` on or, for LAST, from the last one back to the first, and draws
  * them or notes what they are to draw. `narrow`: indices are bytes. `quick`: `simple`, all vertices
@@ -312,7 +305,7 @@ QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, taker who, 
         if (!qtri_mesh_find(vertex, vertices, count, index, vertex_size)) {
             continue;
         }
-        if (!quick && !draws && !are_met(vertex)) {
+        if (!quick && !draws && !qtri_mesh_are_met(vertex)) {
             continue;
         }
         const uint32_t edges = edges_of(draw, index, vertex, who, simple);

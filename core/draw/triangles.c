@@ -219,9 +219,7 @@ static void light(qtri_corner lit[3], const lit_call *call, uint32_t first, bool
     const int32_t turn = is_back ? -1 : 1;
     const qtri_vec3 p[3] = {divide_by_w(&corners[0].position), divide_by_w(&corners[1].position),
                             divide_by_w(&corners[2].position)};
-    const qtri_vec3 mean = {qtri_third(p[0].x) + qtri_third(p[1].x) + qtri_third(p[2].x),
-                            qtri_third(p[0].y) + qtri_third(p[1].y) + qtri_third(p[2].y),
-                            qtri_third(p[0].z) + qtri_third(p[1].z) + qtri_third(p[2].z)};
+    const qtri_vec3 mean = qtri_mean(p);
     int32_t face[3];
     qtri_face_normal(face, &p[0], &p[1], &p[2]);
     for (int i = 0; i < 3; i++) {

@@ -169,7 +169,9 @@ typedef struct run {
     const qtri_surface *surface;
     const qtri_image *image;
     inverse inverse;
+    int32_t u, v;        /* of the first pixel, in the picture */
     uint32_t a;          /* of 256 */
+    bool is_alike;       /* pixels mean the same on both sides */
     int32_t kept_v;      /* where it does not turn: the row of the picture that was last, */
     const uint8_t *kept; /*   and its first pixel on the surface; NULL: none */
 } run;
@@ -213,7 +215,7 @@ typedef struct kind {
     bool is_keyed, is_turned;
 } kind;
 
-QTRI_INLINE void walk_row(kind is, const run *r, uint32_t u, uint32_t v, uint8_t *to, int32_t count)
+QTRI_INLINE void walk_row(kind is, const run *r, uint8_t *to, int32_t count)
 {
     const qtri_image *image = r->image;
     const ptrdiff_t pitch = image->pitch;
@@ -222,6 +224,8 @@ QTRI_INLINE void walk_row(kind is, const run *r, uint32_t u, uint32_t v, uint8_t
     const uint32_t key = image->key & mask;
     const uint32_t du = (uint32_t)r->inverse.ux;
     const uint32_t dv = (uint32_t)r->inverse.vx;
+    uint32_t u = (uint32_t)r->u;
+    uint32_t v = (uint32_t)r->v;
     if (!is.is_turned) {
         pixels += (ptrdiff_t)(v >> 16) * pitch;
     }
@@ -256,8 +260,7 @@ QTRI_INLINE void walk_row(kind is, const run *r, uint32_t u, uint32_t v, uint8_t
 #undef ONE
 }
 
-QTRI_INLINE void walk_sized(int32_t bytes, const run *r, uint32_t u, uint32_t v, uint8_t *to,
-                            int32_t count)
+QTRI_INLINE void walk_sized(int32_t bytes, const run *r, uint8_t *to, int32_t count)
 {
     const kind plain = {bytes, false, false};
     const kind turned = {bytes, false, true};
@@ -265,22 +268,22 @@ QTRI_INLINE void walk_sized(int32_t bytes, const run *r, uint32_t u, uint32_t v,
     const kind keyed_turned = {bytes, true, true};
     if (!r->image->has_key) {
         if (r->inverse.vx == 0) {
-            walk_row(plain, r, u, v, to, count);
+            walk_row(plain, r, to, count);
         } else {
-            walk_row(turned, r, u, v, to, count);
+            walk_row(turned, r, to, count);
         }
     } else if (r->inverse.vx == 0) {
-        walk_row(keyed, r, u, v, to, count);
+        walk_row(keyed, r, to, count);
     } else {
-        walk_row(keyed_turned, r, u, v, to, count);
+        walk_row(keyed_turned, r, to, count);
     }
 }
 
 /*
- * Pixels to a surface that stores them in the same way, those of the key left out; u and v of the
- * first. False: it is to be done in batches, which takes less code.
+ * Pixels to a surface that stores them in the same way, those of the key left out. False: it is to
+ * be done in batches, which takes less code.
  */
-static bool walk_pixels(const run *r, uint32_t u, uint32_t v, uint8_t *to, int32_t count)
+QTRI_NOINLINE static bool walk_pixels(const run *r, uint8_t *to, int32_t count)
 {
     const qtri_image *image = r->image;
     const int32_t bytes = image->format->pixels->bytes;
@@ -288,31 +291,35 @@ static bool walk_pixels(const run *r, uint32_t u, uint32_t v, uint8_t *to, int32
         return false;
     }
     if (r->inverse.vx == 0 && r->inverse.ux == 65536 && !image->has_key) {
-        const uint8_t *row = (const uint8_t *)image->pixels + (ptrdiff_t)(v >> 16) * image->pitch;
-        qtri_picture_copy(to, 0, row + (ptrdiff_t)(u >> 16) * bytes, 0,
+        const uint8_t *row =
+            (const uint8_t *)image->pixels + (ptrdiff_t)(r->v >> 16) * image->pitch;
+        qtri_picture_copy(to, 0, row + (ptrdiff_t)(r->u >> 16) * bytes, 0,
                           (size_t)bytes * (size_t)count, 1);
         return true;
     }
     switch (bytes) {
     case 1:
-        walk_sized(1, r, u, v, to, count);
+        walk_sized(1, r, to, count);
         return true;
     case 2:
-        walk_sized(2, r, u, v, to, count);
+        walk_sized(2, r, to, count);
         return true;
     case 3:
-        walk_sized(3, r, u, v, to, count);
+        walk_sized(3, r, to, count);
         return true;
     case 4:
-        walk_sized(4, r, u, v, to, count);
+        walk_sized(4, r, to, count);
         return true;
     default:
         return false;
     }
 }
+
 /* Pixels that are converted, or mixed. */
-static void paint_batches(const run *r, uint8_t *to, int32_t u, int32_t v, int32_t count)
+static void paint_batches(const run *r, uint8_t *to, int32_t count)
 {
+    int32_t u = r->u;
+    int32_t v = r->v;
     uint32_t stored[QTRI_PICTURE_BATCH];
     for (; count > 0; count -= QTRI_PICTURE_BATCH) {
         const int32_t n = qtri_least32(count, QTRI_PICTURE_BATCH);
@@ -325,26 +332,25 @@ static void paint_batches(const run *r, uint8_t *to, int32_t u, int32_t v, int32
 }
 
 /*
- * A run of pixels, whose first is at u, v of the picture. Where the picture does not turn, and
+ * A run of pixels. Where the picture does not turn, and
  * nothing of what is there shows through it, a row of it that is painted once more is copied from
  * above: runs are then the same in all rows.
  */
-static void paint_run(run *r, uint8_t *to, int32_t u, int32_t v, int32_t count)
+static void paint_run(run *r, uint8_t *to, int32_t count)
 {
     const qtri_image *image = r->image;
     const int32_t bytes = r->surface->format->pixels->bytes;
     const bool is_upright = r->inverse.vx == 0 && r->inverse.uy == 0;
     if (is_upright && r->a == 256 && !image->has_key) {
-        if (r->kept != NULL && r->kept_v == v >> 16) {
+        if (r->kept != NULL && r->kept_v == r->v >> 16) {
             qtri_picture_copy(to, 0, r->kept, 0, (size_t)bytes * (size_t)count, 1);
             return;
         }
-        r->kept_v = v >> 16;
+        r->kept_v = r->v >> 16;
         r->kept = to;
     }
-    if (r->a != 256 || !qtri_picture_is_alike(image, r->surface) ||
-        !walk_pixels(r, (uint32_t)u, (uint32_t)v, to, count)) {
-        paint_batches(r, to, u, v, count);
+    if (r->a != 256 || !r->is_alike || !walk_pixels(r, to, count)) {
+        paint_batches(r, to, count);
     }
 }
 
@@ -380,12 +386,13 @@ void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *imag
                              const qtri_affine *affine, uint8_t alpha)
 {
     QTRI_ASSERT(affine != NULL);
-    run r = {surface, image, {0, 0, 0, 0}, qtri_mix_weight(255, alpha), 0, NULL};
+    run r = {surface, image, {0, 0, 0, 0}, 0, 0, qtri_mix_weight(255, alpha), false, 0, NULL};
     qtri_rect bounds = qtri_surface_bounds(surface);
     if (alpha == 0 || bounds.x0 == bounds.x1 || !qtri_picture_is_usable(image) ||
         !invert(affine, &r.inverse)) {
         return;
     }
+    r.is_alike = qtri_picture_is_alike(image, surface);
     narrow(affine->y0, affine->yx, affine->yy, image, 1, &bounds.y0, &bounds.y1);
     narrow(affine->x0, affine->xx, affine->xy, image, 8, &bounds.x0, &bounds.x1);
     if (bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1) {
@@ -406,9 +413,9 @@ void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *imag
         axis_clip(&across, &first, &end);
         axis_clip(&down, &first, &end);
         if (first < end) {
-            paint_run(&r, qtri_surface_at(surface, bounds.x0 + first, row),
-                      (int32_t)(u + (int64_t)r.inverse.ux * first),
-                      (int32_t)(v + (int64_t)r.inverse.vx * first), end - first);
+            r.u = (int32_t)(u + (int64_t)r.inverse.ux * first);
+            r.v = (int32_t)(v + (int64_t)r.inverse.vx * first);
+            paint_run(&r, qtri_surface_at(surface, bounds.x0 + first, row), end - first);
         }
         axis_next(&across);
         axis_next(&down);
