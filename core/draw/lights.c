@@ -58,11 +58,9 @@ static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qt
 /* A vertex in the light of its own normal. */
 QTRI_NOINLINE static uint32_t light_vertex(const qtri_mesh_job *draw, uint32_t index, bool is_back)
 {
-    const qtri_mesh *mesh = draw->mesh;
-    const qtri_rgb *color = mesh->colors != NULL ? &mesh->colors[index] : &draw->material.color;
     int32_t n[3];
     qtri_lit_point point;
-    qtri_lit_vertex_normal(n, mesh, index);
+    qtri_lit_vertex_normal(n, draw->mesh, index);
     if (is_back) {
         n[0] = -n[0];
         n[1] = -n[1];
@@ -70,7 +68,7 @@ QTRI_NOINLINE static uint32_t light_vertex(const qtri_mesh_job *draw, uint32_t i
     }
     qtri_illuminated_normal(&point, draw->illumination, n[0], n[1], n[2]);
     qtri_lit_vertex_place(&point, draw, index);
-    return LIT | qtri_illuminate(draw->illumination, &point, color);
+    return LIT | qtri_illuminate(draw->illumination, &point, qtri_mesh_color(draw, index));
 }
 
 static void light_list(const qtri_mesh_job *draw, uint32_t count)
@@ -136,13 +134,12 @@ static void set_mean(qtri_lit_point *point, const qtri_mesh_job *draw, const qtr
 static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back,
                        qtri_rgb color[3])
 {
-    const qtri_mesh *mesh = draw->mesh;
     const int32_t turn = is_back ? -1 : 1;
     const bool smooth = qtri_is_smooth(&draw->material);
     qtri_lit_point point;
     qtri_vec3 p[3];
     int32_t n[3];
-    qtri_mesh_positions(p, mesh, index);
+    qtri_mesh_positions(p, draw->mesh, index);
     qtri_face_normal(n, &p[0], &p[1], &p[2]);
     qtri_illuminated_normal(&point, draw->illumination, turn * n[0], turn * n[1], turn * n[2]);
     if (!smooth) {
@@ -153,9 +150,7 @@ static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool 
         if (smooth) {
             qtri_lit_vertex_place(&point, draw, index[i]);
         }
-        color[i] =
-            illuminate(draw->illumination, &point,
-                       mesh->colors != NULL ? &mesh->colors[index[i]] : &draw->material.color);
+        color[i] = illuminate(draw->illumination, &point, qtri_mesh_color(draw, index[i]));
         if (!smooth) { /* all three are the provoking one's */
             const qtri_rgb all = color[i];
             color[0] = all;
@@ -247,9 +242,7 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
 {
     const lit_triangle *triangle = from;
     for (int i = 0; i < 3; i++) {
-        out[i].color_8p16[0] = triangle->color[i].r * 65536;
-        out[i].color_8p16[1] = triangle->color[i].g * 65536;
-        out[i].color_8p16[2] = triangle->color[i].b * 65536;
+        qtri_line_color_set(out[i].color_8p16, &triangle->color[i], QTRI_INTENSITY_ONE);
         qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, triangle->mesh, triangle->index[i]);
     }
 }

@@ -343,6 +343,12 @@ QTRI_IN_PLACE void qtri_lit_vertex_place(qtri_lit_point *point, const qtri_mesh_
     }
 }
 
+/* The colour of a vertex before light: its own, or the material's. */
+static inline const qtri_rgb *qtri_mesh_color(const qtri_mesh_job *draw, uint32_t index)
+{
+    return draw->mesh->colors != NULL ? &draw->mesh->colors[index] : &draw->material.color;
+}
+
 /* The normal of a vertex of a mesh that has some, Q14: of 8 bits it is shorter by 1/128. */
 static inline void qtri_lit_vertex_normal(int32_t n[3], const qtri_mesh *mesh, uint32_t index)
 {
