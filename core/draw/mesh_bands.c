@@ -622,10 +622,9 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
     }
     while (place != end) {
         const uint32_t first = next_group(lists, &place) << log2;
-        const uint32_t size = mesh->triangle_count - first < (uint32_t)1 << log2
-                                  ? mesh->triangle_count - first
-                                  : (uint32_t)1 << log2;
-        draw_range(job, prepared, first, first + size);
+        const uint32_t left = mesh->triangle_count - first;
+        const uint32_t size = (uint32_t)1 << log2;
+        draw_range(job, prepared, first, first + (left < size ? left : size));
     }
 }
 

@@ -235,14 +235,13 @@ void qtri_draw_wide_lines(const qtri_surface *surface, const qtri_view *view,
     }
     job_init(&job, view, pose, corners, 2, material);
     const qtri_stroke_source source = {&job, 1, false, job_place, job_ends};
+    qtri_vertex v[2];
+    job.vertices = v;
+    job.kept = 2;
     for (uint32_t i = 0; corner_count - i >= 2; i += 2) {
-        qtri_vertex v[2];
         job.corners = &corners[i];
-        job.kept = 0;
         any_vertex(&job, 0, &v[0]);
         any_vertex(&job, 1, &v[1]);
-        job.vertices = v;
-        job.kept = 2;
         qtri_stroker_draw(&stroker, &source);
     }
 }

@@ -170,7 +170,7 @@ void qtri_ink_edge_set_line(qtri_ink_edge *edge, const qtri_point *from, const q
 }
 
 /* Of most circles the square fits 32 bits, and so does each product of two parts of it. */
-QTRI_IN_PLACE int32_t half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
+int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
 {
     const uint32_t away = qtri_magnitude32(y_24p8 - arc->as.arc.center_y); /* <= radius */
     const uint32_t radius = (uint32_t)arc->radius;
@@ -183,17 +183,12 @@ QTRI_IN_PLACE int32_t half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
     return (int32_t)qtri_sqrt64_round(qtri_mul_u32(radius - away, radius + away));
 }
 
-int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
-{
-    return half_chord(arc, y_24p8);
-}
-
 int32_t qtri_ink_edge_x(const qtri_ink_edge *edge, int32_t y_24p8)
 {
     if (edge->radius == 0) {
         return line_x(edge, y_24p8);
     }
-    const int32_t half = half_chord(edge, y_24p8);
+    const int32_t half = qtri_ink_half_chord(edge, y_24p8);
     return edge->as.arc.center_x + (edge->as.arc.side < 0 ? -half : half);
 }
 

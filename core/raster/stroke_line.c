@@ -6,6 +6,7 @@
 #include "../bits/bits.h"
 #include "../filter/mix.h"
 #include "line_path.h"
+#include "stroke_shape.h"
 
 #define FULL  QTRI_STROKE_FULL
 #define LEAST (FULL / 64) /* less is nothing: it would not change RGB565 */
@@ -137,12 +138,6 @@ QTRI_NOINLINE static void add_ends(int32_t *cell, const wire *w, int32_t column,
     }
 }
 
-/* Held to the line: 16 bits. */
-static inline uint32_t held_share(int32_t share_q24)
-{
-    return (uint32_t)qtri_hold32(share_q24, 0, (1 << 24) - 1) >> 8;
-}
-
 /* Leaves out cells outside of the bounds. */
 static void clip_cells(const wire *w, cells *c)
 {
@@ -169,7 +164,7 @@ static void draw_any(const wire *w, const cells *c)
         sum += *cell;
         const uint32_t cover = (uint32_t)qtri_hold32(sum, 0, FULL);
         weight[count] = (uint16_t)(sum < LEAST ? 0 : qtri_stroke_weight(cover, to->alpha_q16));
-        share_q16[count] = (uint16_t)held_share(share_q24);
+        share_q16[count] = qtri_stroke_held_share(share_q24);
         count++;
     }
     const qtri_stroke_span span = {&to->state,
@@ -196,7 +191,7 @@ QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
     do {
         sum += *cell++;
         if (sum >= LEAST) {
-            const uint32_t share = qtri_stroke_share(held_share(share_q24));
+            const uint32_t share = qtri_stroke_share(qtri_stroke_held_share(share_q24));
             uint16_t *at = (uint16_t *)(void *)depth;
             const uint32_t z = (qtri_stroke_look_depth(&w->look, share) + 0x8000u) >> 16;
             if (!has_depth || z < *at) {
