@@ -58,9 +58,10 @@ void qtri_painter_span(const qtri_painter *painter, int32_t row, int32_t x0, int
 void qtri_painter_rect(const qtri_painter *painter, const qtri_rect *rect)
 {
     const qtri_rect *bounds = &painter->bounds;
-    const qtri_rect r = {qtri_greatest32(rect->x0, bounds->x0),
-                         qtri_greatest32(rect->y0, bounds->y0), qtri_least32(rect->x1, bounds->x1),
-                         qtri_least32(rect->y1, bounds->y1)};
+    const qtri_rect r = {rect->x0 > bounds->x0 ? rect->x0 : bounds->x0,
+                         rect->y0 > bounds->y0 ? rect->y0 : bounds->y0,
+                         rect->x1 < bounds->x1 ? rect->x1 : bounds->x1,
+                         rect->y1 < bounds->y1 ? rect->y1 : bounds->y1};
     if (r.x0 >= r.x1 || r.y0 >= r.y1) {
         return;
     }
