@@ -479,16 +479,6 @@ QTRI_INLINE void blend(const qtri_edges *edges, bool is_565)
     }
 }
 
-QTRI_NOINLINE static void blend_565(const qtri_edges *edges)
-{
-    blend(edges, true);
-}
-
-QTRI_NOINLINE static void blend_any(const qtri_edges *edges)
-{
-    blend(edges, false);
-}
-
 void qtri_edges_blend(qtri_edges *edges)
 {
     QTRI_ASSERT(edges != NULL);
@@ -496,8 +486,8 @@ void qtri_edges_blend(qtri_edges *edges)
         return;
     }
     if (qtri_is_565(edges->surface.format)) {
-        blend_565(edges);
+        blend(edges, true);
     } else {
-        blend_any(edges);
+        blend(edges, false);
     }
 }

@@ -10,6 +10,13 @@ static bool is_two_sided(const qtri_mesh_job *draw)
     return draw->material.reflection != NULL && draw->material.reflection->two_sided;
 }
 
+/* Whether light counts on the back of a triangle, which shows. */
+static bool is_back_seen(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
+                         const qtri_vertex *c)
+{
+    return is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0;
+}
+
 /* Memory behind the vertices, if there is a slot for each and room for a word for each. */
 static void begin(qtri_mesh_job *draw)
 {
@@ -29,29 +36,8 @@ static bool has_place(const qtri_mesh_job *draw, bool both_sides)
            (!both_sides || (!is_two_sided(draw) && qtri_by_pixel_of(&draw->material) == NULL));
 }
 
-/* What is done while triangles are drawn by pixel. */
-typedef struct lit_mesh {
-    qtri_mesh_job *draw;
-    void (*body)(qtri_mesh_job *draw, void *with);
-    void *with;
-} lit_mesh;
-
-static void draw_lit_mesh(void *with)
-{
-    const lit_mesh *mesh = with;
-    mesh->body(mesh->draw, mesh->with);
-}
-
-/* Apart, as all others do without it. */
-QTRI_NOINLINE static void run_by_pixel(const qtri_by_pixel *by_pixel, qtri_mesh_job *draw,
-                                       void (*body)(qtri_mesh_job *draw, void *with), void *with)
-{
-    lit_mesh mesh = {draw, body, with};
-    by_pixel->run(&draw->primitive, draw->illumination, draw_lit_mesh, &mesh);
-}
-
 static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose,
-                            bool fresh, void (*body)(qtri_mesh_job *draw, void *with), void *with)
+                            bool fresh, qtri_lit_body body, void *with)
 {
     qtri_illumination illumination;
     qtri_illumination_init(&illumination, view, pose, draw->material.reflection,
@@ -62,9 +48,9 @@ static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qt
     draw->illumination = &illumination;
     const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
     if (by_pixel != NULL) {
-        run_by_pixel(by_pixel, draw, body, with);
+        by_pixel->run(&draw->primitive, &illumination, body, with);
     } else {
-        body(draw, with);
+        body(with);
     }
     draw->illumination = NULL;
 }
@@ -72,11 +58,9 @@ static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qt
 /* A vertex in the light of its own normal. */
 QTRI_NOINLINE static uint32_t light_vertex(const qtri_mesh_job *draw, uint32_t index, bool is_back)
 {
-    const qtri_mesh *mesh = draw->mesh;
-    const qtri_rgb *color = mesh->colors != NULL ? &mesh->colors[index] : &draw->material.color;
     int32_t n[3];
     qtri_lit_point point;
-    qtri_lit_vertex_normal(n, mesh, index);
+    qtri_lit_vertex_normal(n, draw->mesh, index);
     if (is_back) {
         n[0] = -n[0];
         n[1] = -n[1];
@@ -84,7 +68,7 @@ QTRI_NOINLINE static uint32_t light_vertex(const qtri_mesh_job *draw, uint32_t i
     }
     qtri_illuminated_normal(&point, draw->illumination, n[0], n[1], n[2]);
     qtri_lit_vertex_place(&point, draw, index);
-    return LIT | qtri_illuminate(draw->illumination, &point, color);
+    return LIT | qtri_illuminate(draw->illumination, &point, qtri_mesh_color(draw, index));
 }
 
 static void light_list(const qtri_mesh_job *draw, uint32_t count)
@@ -121,7 +105,7 @@ static void meet(const qtri_mesh_job *draw, const void *indices)
 {
     const bool has_words = draw->lit_colors != NULL && draw->illumination != NULL;
     for (int i = 0; i < 3 && has_words; i++) { /* of vertices: has_place() has said so */
-        (void)vertex_color(draw, qtri_mesh_index(draw->mesh, indices, i), false);
+        (void)vertex_word(draw, qtri_mesh_index(draw->mesh, indices, i), false);
     }
 }
 
@@ -141,9 +125,7 @@ static void set_mean(qtri_lit_point *point, const qtri_mesh_job *draw, const qtr
                                       (int16_t)(((p[0].z + p[1].z + p[2].z) * 10923) >> 15)};
         qtri_illuminated_place16(point, draw->illumination, &mean);
     } else {
-        const qtri_vec3 mean = {qtri_third(p[0].x) + qtri_third(p[1].x) + qtri_third(p[2].x),
-                                qtri_third(p[0].y) + qtri_third(p[1].y) + qtri_third(p[2].y),
-                                qtri_third(p[0].z) + qtri_third(p[1].z) + qtri_third(p[2].z)};
+        const qtri_vec3 mean = qtri_mean(p);
         qtri_illuminated_place(point, draw->illumination, &mean);
     }
 }
@@ -152,13 +134,12 @@ static void set_mean(qtri_lit_point *point, const qtri_mesh_job *draw, const qtr
 static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back,
                        qtri_rgb color[3])
 {
-    const qtri_mesh *mesh = draw->mesh;
     const int32_t turn = is_back ? -1 : 1;
     const bool smooth = qtri_is_smooth(&draw->material);
     qtri_lit_point point;
     qtri_vec3 p[3];
     int32_t n[3];
-    qtri_mesh_positions(p, mesh, index);
+    qtri_mesh_positions(p, draw->mesh, index);
     qtri_face_normal(n, &p[0], &p[1], &p[2]);
     qtri_illuminated_normal(&point, draw->illumination, turn * n[0], turn * n[1], turn * n[2]);
     if (!smooth) {
@@ -169,9 +150,7 @@ static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool 
         if (smooth) {
             qtri_lit_vertex_place(&point, draw, index[i]);
         }
-        color[i] =
-            illuminate(draw->illumination, &point,
-                       mesh->colors != NULL ? &mesh->colors[index[i]] : &draw->material.color);
+        color[i] = illuminate(draw->illumination, &point, qtri_mesh_color(draw, index[i]));
         if (!smooth) { /* all three are the provoking one's */
             const qtri_rgb all = color[i];
             color[0] = all;
@@ -197,8 +176,7 @@ static void shade_side(const qtri_mesh_job *draw, const uint32_t index[3], bool 
 static void shade(const qtri_mesh_job *draw, const uint32_t index[3], const qtri_vertex *a,
                   const qtri_vertex *b, const qtri_vertex *c, qtri_rgb color[3])
 {
-    const bool is_back = is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0;
-    shade_side(draw, index, is_back, color);
+    shade_side(draw, index, is_back_seen(draw, a, b, c), color);
 }
 
 static uint32_t find(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
@@ -207,7 +185,7 @@ static uint32_t find(const void *from, const void *indices, qtri_vertex *a, qtri
     const qtri_mesh_job *draw = from;
     uint32_t *lit = draw->primitive.to.solid.small.state->lit;
     uint32_t index[3];
-    const bool is_back = is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0;
+    const bool is_back = is_back_seen(draw, a, b, c);
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
     if (draw->shaded_per_vertex) {
         lit[0] = vertex_word(draw, index[0], is_back);
@@ -232,8 +210,7 @@ static uint32_t find_large(const void *from, const void *indices, qtri_vertex *a
     if (by_pixel == NULL || !draw->primitive.to.solid.small.state->options.per_pixel) {
         return find(from, indices, a, b, c);
     }
-    by_pixel->note(draw, indices,
-                   is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0);
+    by_pixel->note(draw, indices, is_back_seen(draw, a, b, c));
     return QTRI_INTENSITY_ONE;
 }
 
@@ -265,9 +242,7 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
 {
     const lit_triangle *triangle = from;
     for (int i = 0; i < 3; i++) {
-        out[i].color_8p16[0] = triangle->color[i].r * 65536;
-        out[i].color_8p16[1] = triangle->color[i].g * 65536;
-        out[i].color_8p16[2] = triangle->color[i].b * 65536;
+        qtri_line_color_set(out[i].color_8p16, &triangle->color[i], QTRI_INTENSITY_ONE);
         qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, triangle->mesh, triangle->index[i]);
     }
 }

@@ -19,7 +19,7 @@ struct qtri_light_model {
      * lit before counts.
      */
     void (*mesh)(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose, bool fresh,
-                 void (*body)(qtri_mesh_job *draw, void *with), void *with);
+                 qtri_lit_body body, void *with);
     /* Whether the colours of fronts have a place, to be found there later; of all that is drawn. */
     bool (*has_place)(const qtri_mesh_job *draw, bool both_sides);
     /* Lights the vertices whose numbers are vertices[0..count-1].index, where they have a place. */
@@ -46,6 +46,15 @@ bool qtri_clipped_is_back(const qtri_clip_vertex v[3]);
 static inline int32_t qtri_third(int32_t x)
 {
     return (int32_t)(qtri_mul_s32(x, 0x55555554) >> 32);
+}
+
+/* The mean of three places. */
+static inline qtri_vec3 qtri_mean(const qtri_vec3 p[3])
+{
+    const qtri_vec3 mean = {qtri_third(p[0].x) + qtri_third(p[1].x) + qtri_third(p[2].x),
+                            qtri_third(p[0].y) + qtri_third(p[1].y) + qtri_third(p[2].y),
+                            qtri_third(p[0].z) + qtri_third(p[1].z) + qtri_third(p[2].z)};
+    return mean;
 }
 
 #endif

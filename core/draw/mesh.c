@@ -126,10 +126,11 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
 /* ---- All triangles ---- */
 
 /* The triangles of a mesh whose vertices are all there. */
-static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangles, bool narrow)
+static void draw_triangles(const qtri_mesh_job *draw)
 {
+    const bool narrow = qtri_mesh_has_bytes(draw->mesh);
     const uint32_t size = narrow ? 3 : 6;
-    const uint8_t *triangle = triangles;
+    const uint8_t *triangle = qtri_mesh_triangle(draw->mesh, 0, narrow);
     const uint8_t *end = triangle + draw->mesh->triangle_count * size;
     for (; triangle != end; triangle += size) {
         uint32_t index[3];
@@ -144,13 +145,13 @@ static inline void draw_triangles(const qtri_mesh_job *draw, const void *triangl
 }
 
 /* Those of a mesh whose back faces are culled, no vertex outside, by a pipeline. */
-static inline void draw_whole_of(const qtri_mesh_job *draw, const void *triangles, bool narrow)
+static inline void draw_whole_of(const qtri_mesh_job *draw, bool narrow)
 {
     qtri_small t = draw->primitive.to.solid.small;
     bool (*const by)(qtri_small *) = t.state->small;
     const uint32_t count = draw->mesh->vertex_count;
     const uint32_t size = narrow ? 3 : 6;
-    const uint8_t *triangle = triangles;
+    const uint8_t *triangle = qtri_mesh_triangle(draw->mesh, 0, narrow);
     const uint8_t *end = triangle + draw->mesh->triangle_count * size;
     const uint32_t vertex_size = qtri_vertex_size();
     for (; triangle != end; triangle += size) {
@@ -165,36 +166,23 @@ static inline void draw_whole_of(const qtri_mesh_job *draw, const void *triangle
     }
 }
 
-QTRI_NOINLINE static void draw_wide(const qtri_mesh_job *draw)
-{
-    draw_whole_of(draw, draw->mesh->triangles, false);
-}
-
-QTRI_NOINLINE static void draw_narrow(const qtri_mesh_job *draw)
-{
-    draw_whole_of(draw, draw->mesh->triangles8, true);
-}
-
 QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw)
 {
     if (qtri_mesh_has_bytes(draw->mesh)) {
-        draw_narrow(draw);
+        draw_whole_of(draw, true);
     } else {
-        draw_wide(draw);
+        draw_whole_of(draw, false);
     }
 }
 
 /* A slot for every vertex: each is transformed once. */
 QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
 {
-    const qtri_mesh *mesh = draw->mesh;
-    const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
+    const bool inside = qtri_mesh_transform(draw, 0, draw->mesh->vertex_count, draw->vertices);
     if (inside && draw->material.cull == QTRI_CULL_BACK) {
         draw_fronts(draw);
-    } else if (qtri_mesh_has_bytes(mesh)) {
-        draw_triangles(draw, mesh->triangles8, true);
     } else {
-        draw_triangles(draw, mesh->triangles, false);
+        draw_triangles(draw);
     }
 }
 
@@ -250,8 +238,7 @@ QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
     const qtri_mesh *mesh = draw->mesh;
     qtri_mesh_clear_slots(draw);
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        const void *triangle = qtri_mesh_has_bytes(mesh) ? (const void *)mesh->triangles8[i]
-                                                         : (const void *)mesh->triangles[i];
+        const void *triangle = qtri_mesh_triangle(mesh, i, qtri_mesh_has_bytes(mesh));
         qtri_vertex spare[3];
         qtri_vertex *vertex[3];
         if (qtri_mesh_fetch_triangle(draw, triangle, spare, vertex) &&
@@ -273,10 +260,10 @@ QTRI_NOINLINE static bool begin(qtri_mesh_job *draw, const qtri_vertex_stage *st
 }
 
 /* Once it is placed, and lit by a view's lights. */
-static void draw_placed(qtri_mesh_job *draw, void *with)
+static void draw_placed(void *with)
 {
+    qtri_mesh_job *draw = with;
     const qtri_mesh *mesh = draw->mesh;
-    (void)with;
     const bool has_slots = draw->slot_count >= mesh->vertex_count;
     if (has_slots && draw->material.fill != NULL) {
         draw->material.fill->mesh(draw); /* shared edges must not be blended twice */
@@ -305,9 +292,9 @@ bool qtri_mesh_draw(const qtri_vertex_stage *stage, const qtri_surface *surface,
     }
     draw.front = front;
     if (draw.lights != NULL) {
-        draw.lights->model->mesh(&draw, view, pose, true, draw_placed, NULL);
+        draw.lights->model->mesh(&draw, view, pose, true, draw_placed, &draw);
     } else {
-        draw_placed(&draw, NULL);
+        draw_placed(&draw);
     }
     return true;
 }

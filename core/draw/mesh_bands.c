@@ -20,6 +20,8 @@
 
 enum { LIST_BLOCK = 8, LIST_FULL = LIST_BLOCK - 1 };
 
+static const qtri_rect nowhere = {0, 0, 0, 0};
+
 static inline bool is_empty_rect(const qtri_rect *rect)
 {
     return rect->x0 >= rect->x1 || rect->y0 >= rect->y1;
@@ -29,13 +31,6 @@ static inline bool is_empty_rect(const qtri_rect *rect)
 static inline bool is_complete(const qtri_prepared *prepared)
 {
     return prepared->vertex_count >= prepared->mesh->vertex_count;
-}
-
-/* The triangle's indices in the mesh. */
-static inline const uint8_t *find_indices(const qtri_mesh *mesh, uint32_t number)
-{
-    return qtri_mesh_has_bytes(mesh) ? mesh->triangles8[number]
-                                     : (const uint8_t *)mesh->triangles[number];
 }
 
 /*
@@ -81,7 +76,6 @@ void qtri_prepared_init(qtri_prepared *prepared, void *memory, size_t bytes)
     prepared->vertex_count = 0;
     prepared->lists = NULL;
     prepared->list_count = 0;
-    const qtri_rect nowhere = {0, 0, 0, 0};
     prepared->marked = nowhere;
     prepared->mesh = NULL;
     prepared->overlap = 0;
@@ -125,7 +119,7 @@ typedef struct sorter {
     bool is_solid;
     int32_t height, overlap;
     uint32_t rows, bands; /* of a band; of the frame */
-    uint32_t rows_inverse, rows_shift;
+    qtri_band_divider divider;
     uint32_t next, end; /* places: of the next block, of the end of the memory */
     uint16_t *lists;
     uint32_t group_log2;
@@ -154,15 +148,6 @@ static inline void meet_all(const sorter *s, const void *triangle, qtri_vertex *
     } else {
         meet_slots(s, vertex);
     }
-}
-
-/*
- * floor(row / rows). The inverse is 2^shift / rows rounded up, so the product is row / rows and at
- * most row / 2^shift too much: less than 1 / rows, since row < 2^13 and 2^shift >= 2^13 rows.
- */
-static inline uint32_t band_of(const sorter *s, uint32_t row)
-{
-    return (row * s->rows_inverse) >> s->rows_shift; /* < 2^13 (2^14 + 1) */
 }
 
 /* Starts a block for the list of `band`, which goes on from `place`. */
@@ -199,8 +184,8 @@ static inline void append_to_all(sorter *s, uint32_t band, uint32_t last, uint32
 /* Rows top..bottom - 1 of the frame, at least one. Without room the group is in no list. */
 static void list_group(sorter *s, uint32_t group, int32_t top, int32_t bottom)
 {
-    const uint32_t band = band_of(s, (uint32_t)top);
-    const uint32_t last = band_of(s, (uint32_t)bottom - 1);
+    const uint32_t band = qtri_band_of(&s->divider, (uint32_t)top);
+    const uint32_t last = qtri_band_of(&s->divider, (uint32_t)bottom - 1);
     if (s->next + (last - band + 1) * LIST_BLOCK <= s->end) {
         append_to_all(s, band, last, group);
     } else {
@@ -238,7 +223,8 @@ static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_
         return;
     }
     if (s->is_direct) {
-        append_to_all(s, band_of(s, (uint32_t)top), band_of(s, (uint32_t)bottom - 1), number);
+        append_to_all(s, qtri_band_of(&s->divider, (uint32_t)top),
+                      qtri_band_of(&s->divider, (uint32_t)bottom - 1), number);
     } else {
         list_in_group(s, number, top, bottom);
     }
@@ -279,19 +265,20 @@ QTRI_NOINLINE static void see_any(sorter *s, uint32_t number, const void *triang
 }
 
 /* All triangles of a mesh whose vertices are there; `simple` as in mesh.c. */
-static inline void see_triangles(sorter *s, const void *triangles, bool narrow, bool simple)
+static inline void see_triangles(sorter *s, bool narrow, bool simple)
 {
     const qtri_mesh *mesh = s->job->mesh;
     qtri_vertex *vertices = s->job->vertices;
     const uint32_t count = mesh->vertex_count;
     const bool back_only = s->prepared->back_only;
     const uint32_t vertex_size = qtri_vertex_size();
-    const uint8_t *triangle = triangles;
+    const uint8_t *next = qtri_mesh_triangle(mesh, 0, narrow);
     for (uint32_t number = 0; number != mesh->triangle_count; number++) {
+        const uint8_t *triangle = next;
         uint32_t index[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        triangle += narrow ? 3 : 6;
         qtri_vertex *vertex[3];
+        qtri_mesh_indices(index, triangle, narrow);
+        next += narrow ? 3 : 6;
         if (!qtri_mesh_find(vertex, vertices, count, index, vertex_size)) {
             continue;
         }
@@ -301,23 +288,22 @@ static inline void see_triangles(sorter *s, const void *triangles, bool narrow, 
             continue;
         }
         if (simple) {
-            see_solid(s, number, triangle - (narrow ? 3 : 6), vertex);
+            see_solid(s, number, triangle, vertex);
         } else {
-            see_any(s, number, triangle - (narrow ? 3 : 6), vertex);
+            see_any(s, number, triangle, vertex);
         }
     }
 }
 
 QTRI_NOINLINE static void see_complete(sorter *s)
 {
-    const qtri_mesh *mesh = s->job->mesh;
     const bool simple = s->prepared->back_only && s->is_solid;
-    if (qtri_mesh_has_bytes(mesh)) {
-        see_triangles(s, mesh->triangles8, true, simple);
+    if (qtri_mesh_has_bytes(s->job->mesh)) {
+        see_triangles(s, true, simple);
     } else if (simple) {
-        see_triangles(s, mesh->triangles, false, true);
+        see_triangles(s, false, true);
     } else {
-        see_triangles(s, mesh->triangles, false, false);
+        see_triangles(s, false, false);
     }
 }
 
@@ -387,7 +373,7 @@ QTRI_NOINLINE static void see_by_slots(sorter *s)
 {
     const qtri_mesh *mesh = s->job->mesh;
     for (uint32_t number = 0; number < mesh->triangle_count; number++) {
-        const uint8_t *triangle = find_indices(mesh, number);
+        const uint8_t *triangle = qtri_mesh_triangle(mesh, number, qtri_mesh_has_bytes(mesh));
         qtri_vertex spare[3];
         qtri_vertex *vertex[3];
         if (qtri_mesh_fetch_triangle(s->job, triangle, spare, vertex) &&
@@ -405,11 +391,7 @@ static void begin_lists(sorter *s, qtri_prepared *prepared)
     s->next = (2 * bands + LIST_BLOCK - 1) / LIST_BLOCK * LIST_BLOCK;
     s->end = prepared->list_count < PLACES ? prepared->list_count : PLACES;
     s->lists = prepared->lists;
-    s->rows_shift = 13;
-    while ((uint32_t)1 << (s->rows_shift - 13) < s->rows) {
-        s->rows_shift++;
-    }
-    s->rows_inverse = (((uint32_t)1 << s->rows_shift) + s->rows - 1) / s->rows;
+    qtri_band_divider_init(&s->divider, s->rows);
     s->group_log2 = 0;
     s->group = UINT32_MAX;
     s->is_listing = s->end >= s->next + LIST_BLOCK;
@@ -438,13 +420,13 @@ QTRI_NOINLINE static bool prepared_begin(qtri_mesh_job *job, const qtri_prepared
     return !place || qtri_mesh_job_place(job, prepared->view, prepared->pose);
 }
 
-static void see(qtri_mesh_job *job, void *with)
+static void see(void *with)
 {
     sorter *s = with;
     if (s->is_complete) {
         see_whole(s);
     } else {
-        qtri_mesh_clear_slots(job);
+        qtri_mesh_clear_slots(s->job);
         see_by_slots(s);
     }
 }
@@ -483,7 +465,7 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
     if (job.lights != NULL && job.lights->model->has_place(&job, false)) {
         job.lights->model->mesh(&job, prepared->view, prepared->pose, true, see, &s);
     } else {
-        see(&job, &s);
+        see(&s);
     }
     list_pending(&s);
     prepared->is_seen = true;
@@ -549,8 +531,7 @@ static bool find_triangle(const qtri_mesh_job *job, const void *triangle, qtri_v
     uint32_t index[3];
     qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(job->mesh));
     return qtri_mesh_find(vertex, job->vertices, count, index, qtri_vertex_size()) &&
-           vertex[0]->depth_16p8 != QTRI_VERTEX_EMPTY &&
-           vertex[1]->depth_16p8 != QTRI_VERTEX_EMPTY && vertex[2]->depth_16p8 != QTRI_VERTEX_EMPTY;
+           qtri_mesh_are_met(vertex);
 }
 
 /* Triangles first..end - 1, whatever they are. */
@@ -560,7 +541,7 @@ static void draw_range(const qtri_mesh_job *job, const qtri_prepared *prepared, 
     const qtri_mesh *mesh = job->mesh;
     const bool complete = is_complete(prepared);
     for (; first < end; first++) {
-        const uint8_t *triangle = find_indices(mesh, first);
+        const uint8_t *triangle = qtri_mesh_triangle(mesh, first, qtri_mesh_has_bytes(mesh));
         qtri_vertex spare[3];
         qtri_vertex *vertex[3];
         if (!(complete ? find_triangle(job, triangle, vertex)
@@ -576,12 +557,11 @@ static void draw_range(const qtri_mesh_job *job, const qtri_prepared *prepared, 
 }
 
 /* Triangles of a complete mesh that are listed one by one: all of them are seen. */
-static inline void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, uint32_t place,
-                             uint32_t end, const void *triangles, bool narrow)
+static void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, uint32_t place, uint32_t end)
 {
+    const bool narrow = qtri_mesh_has_bytes(job->mesh);
     while (place != end) {
-        const uint8_t *triangle = triangles;
-        triangle += next_group(lists, &place) * (narrow ? 3 : 6);
+        const void *triangle = qtri_mesh_triangle(job->mesh, next_group(lists, &place), narrow);
         uint32_t index[3];
         qtri_mesh_indices(index, triangle, narrow);
         qtri_vertex *const vertex[3] = {&job->vertices[index[0]], &job->vertices[index[1]],
@@ -592,17 +572,17 @@ static inline void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, ui
 
 /* Fills a band's list of a mesh whose back faces were culled, all vertices inside. */
 static inline void draw_fronts_of(const qtri_mesh_job *draw, const uint16_t *lists, uint32_t place,
-                                  uint32_t end, const void *triangles, bool narrow)
+                                  uint32_t end, bool narrow)
 {
+    const uint8_t *triangles = qtri_mesh_triangle(draw->mesh, 0, narrow);
     qtri_small t = draw->primitive.to.solid.small;
     bool (*const by)(qtri_small *) = t.state->small;
     qtri_vertex *vertices = draw->vertices;
     qtri_mesh_set_lit(&t, draw);
     while (place != end) {
-        const uint8_t *triangle = triangles;
+        const uint8_t *triangle = triangles + next_group(lists, &place) * (narrow ? 3 : 6);
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        triangle += next_group(lists, &place) * (narrow ? 3 : 6);
         qtri_mesh_indices(index, triangle, narrow);
         qtri_mesh_get(vertex, vertices, index, qtri_vertex_size());
         if (!qtri_mesh_draw_small(by, &t, triangle, index, vertex)) {
@@ -615,9 +595,9 @@ QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw, const uint16_t 
                                       uint32_t place, uint32_t end)
 {
     if (qtri_mesh_has_bytes(draw->mesh)) {
-        draw_fronts_of(draw, lists, place, end, draw->mesh->triangles8, true);
+        draw_fronts_of(draw, lists, place, end, true);
     } else {
-        draw_fronts_of(draw, lists, place, end, draw->mesh->triangles, false);
+        draw_fronts_of(draw, lists, place, end, false);
     }
 }
 
@@ -635,36 +615,34 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
     if (log2 == 0 && is_complete(prepared)) {
         if (prepared->back_only && job->material.fill == NULL) {
             draw_fronts(job, lists, place, end);
-        } else if (qtri_mesh_has_bytes(mesh)) {
-            draw_seen(job, lists, place, end, mesh->triangles8, true);
         } else {
-            draw_seen(job, lists, place, end, mesh->triangles, false);
+            draw_seen(job, lists, place, end);
         }
         return;
     }
     while (place != end) {
         const uint32_t first = next_group(lists, &place) << log2;
-        const uint32_t size = mesh->triangle_count - first < (uint32_t)1 << log2
-                                  ? mesh->triangle_count - first
-                                  : (uint32_t)1 << log2;
-        draw_range(job, prepared, first, first + size);
+        const uint32_t left = mesh->triangle_count - first;
+        const uint32_t size = (uint32_t)1 << log2;
+        draw_range(job, prepared, first, first + (left < size ? left : size));
     }
 }
 
 /* The band that a surface is: its list, and triangles that are in none. */
 typedef struct band_work {
+    const qtri_mesh_job *job;
     const qtri_prepared *prepared;
     bool by_list;
     uint32_t band, first, count;
 } band_work;
 
-static void draw_band(qtri_mesh_job *job, void *with)
+static void draw_band(void *with)
 {
     const band_work *work = with;
     if (work->by_list) {
-        draw_list(job, work->prepared, work->band);
+        draw_list(work->job, work->prepared, work->band);
     }
-    draw_range(job, work->prepared, work->first, work->count);
+    draw_range(work->job, work->prepared, work->first, work->count);
 }
 
 void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)
@@ -697,17 +675,15 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
     if (job.material.fill != NULL) {
         job.material.fill->band(&job);
     }
-    band_work work = {prepared, by_list, band, first, count};
+    band_work work = {&job, prepared, by_list, band, first, count};
     if (job.lights != NULL && prepared->is_placed) {
         job.lights->model->mesh(&job, prepared->view, prepared->pose, false, draw_band, &work);
     } else {
-        draw_band(&job, &work);
+        draw_band(&work);
     }
 }
 
 /* ---- Rows that changed ---- */
-
-static const qtri_rect nowhere = {0, 0, 0, 0};
 
 /* The pixels that the vertices met span. */
 static qtri_rect find_bounds(const qtri_prepared *prepared)

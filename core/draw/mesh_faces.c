@@ -85,7 +85,7 @@ static inline qtri_vertex *meet(qtri_vertex *vertex, uint32_t index, qtri_vertex
 }
 
 /* Notes the vertices of the list that have not been met. Triangles of none that is there go. */
-static inline uint32_t meet_all(qtri_mesh_faces *faces, const qtri_mesh_job *draw, bool narrow)
+static inline uint32_t meet_each(qtri_mesh_faces *faces, const qtri_mesh_job *draw, bool narrow)
 {
     const uint32_t size = qtri_vertex_size();
     const uint32_t count = draw->mesh->vertex_count;
@@ -110,14 +110,10 @@ static inline uint32_t meet_all(qtri_mesh_faces *faces, const qtri_mesh_job *dra
     return (uint32_t)(note - vertices);
 }
 
-QTRI_NOINLINE static uint32_t meet_wide(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
+QTRI_NOINLINE static uint32_t meet_all(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
 {
-    return meet_all(faces, draw, false);
-}
-
-QTRI_NOINLINE static uint32_t meet_narrow(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
-{
-    return meet_all(faces, draw, true);
+    return qtri_mesh_has_bytes(draw->mesh) ? meet_each(faces, draw, true)
+                                           : meet_each(faces, draw, false);
 }
 
 static void light(const qtri_mesh_job *draw, uint32_t count)
@@ -176,17 +172,15 @@ QTRI_NOINLINE static void find_front(const qtri_mesh_faces *faces, const qtri_me
 static bool next(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
-    const bool narrow = qtri_mesh_has_bytes(mesh);
     const uint32_t left = mesh->triangle_count - faces->next;
     const uint32_t count = left < QTRI_FACES_AT_ONCE ? left : QTRI_FACES_AT_ONCE;
     const qtri_face8 *plane = &mesh->faces.planes[faces->next];
     if (count == 0) {
         return false;
     }
-    faces->triangles =
-        narrow ? mesh->triangles8[faces->next] : (const uint8_t *)mesh->triangles[faces->next];
+    faces->triangles = qtri_mesh_triangle(mesh, faces->next, qtri_mesh_has_bytes(mesh));
     faces->end = find_seen(&faces->eye, plane, plane + count, faces->list);
-    const uint32_t met = narrow ? meet_narrow(faces, draw) : meet_wide(faces, draw);
+    const uint32_t met = meet_all(faces, draw);
     const uint32_t first = faces->next;
     faces->next += count;
     if (met != 0) {

@@ -274,6 +274,36 @@ static inline bool qtri_mesh_is_outside(qtri_vertex *const vertex[3])
     return common != 0;
 }
 
+/* Not where a vertex was left out: all its faces turn away. */
+static inline bool qtri_mesh_are_met(qtri_vertex *const vertex[3])
+{
+    return vertex[0]->depth_16p8 != QTRI_VERTEX_EMPTY &&
+           vertex[1]->depth_16p8 != QTRI_VERTEX_EMPTY && vertex[2]->depth_16p8 != QTRI_VERTEX_EMPTY;
+}
+
+/*
+ * floor(row / rows) for bands of so many rows: the inverse is 2^shift / rows rounded up, so the
+ * product is row / rows and at most row / 2^shift too much: less than 1 / rows, since row < 2^13
+ * and 2^shift >= 2^13 rows.
+ */
+typedef struct qtri_band_divider {
+    uint32_t inverse, shift;
+} qtri_band_divider;
+
+static inline void qtri_band_divider_init(qtri_band_divider *divider, uint32_t rows)
+{
+    divider->shift = 13;
+    while ((uint32_t)1 << (divider->shift - 13) < rows) {
+        divider->shift++;
+    }
+    divider->inverse = (((uint32_t)1 << divider->shift) + rows - 1) / rows;
+}
+
+static inline uint32_t qtri_band_of(const qtri_band_divider *divider, uint32_t row)
+{
+    return (row * divider->inverse) >> divider->shift; /* < 2^13 (2^14 + 1) */
+}
+
 /*
  * Notes of triangles, for wireframes: which edges one draws, and whether it is seen. Where every
  * vertex has a slot, each has the notes of QTRI_NOTES triangles, in place of its index.
@@ -311,6 +341,12 @@ QTRI_IN_PLACE void qtri_lit_vertex_place(qtri_lit_point *point, const qtri_mesh_
     } else {
         qtri_illuminated_place(point, draw->illumination, &mesh->positions[index]);
     }
+}
+
+/* The colour of a vertex before light: its own, or the material's. */
+static inline const qtri_rgb *qtri_mesh_color(const qtri_mesh_job *draw, uint32_t index)
+{
+    return draw->mesh->colors != NULL ? &draw->mesh->colors[index] : &draw->material.color;
 }
 
 /* The normal of a vertex of a mesh that has some, Q14: of 8 bits it is shorter by 1/128. */

@@ -131,15 +131,6 @@ QTRI_NOINLINE static void draw_in_face_light(const qtri_mesh_job *draw, const vo
     }
 }
 
-/* A vertex's colour in a light. */
-static inline void set_color(qtri_line_color out, const qtri_rgb *rgb, uint32_t light_q15)
-{
-    const int32_t light = (int32_t)light_q15 * 2;
-    out[0] = rgb->r * light; /* <= 255.0 */
-    out[1] = rgb->g * light;
-    out[2] = rgb->b * light;
-}
-
 /* Some edges in the colours of the vertices. */
 QTRI_NOINLINE static void draw_in_colors(const qtri_mesh_job *draw, const void *triangle,
                                          qtri_vertex *const vertex[3], uint32_t edges)
@@ -171,18 +162,15 @@ QTRI_NOINLINE static void draw_in_colors(const qtri_mesh_job *draw, const void *
         light_q15[0] = light_q15[1] = light_q15[2] = light_q15[from];
         index[0] = index[1] = index[2] = index[from];
     }
-    set_color(color[0], &colors[index[0]], light_q15[0]);
-    set_color(color[1], &colors[index[1]], light_q15[1]);
-    set_color(color[2], &colors[index[2]], light_q15[2]);
-    set_color(color[3], &colors[index[0]], light_q15[0]);
-    if ((edges & QTRI_EDGE_AB) != 0) {
-        line->draw(line, vertex[0], vertex[1], (const qtri_line_color *)&color[0]);
+    for (int i = 0; i < 4; i++) {
+        const int from = i < 3 ? i : 0;
+        qtri_line_color_set(color[i], &colors[index[from]], light_q15[from]);
     }
-    if ((edges & QTRI_EDGE_BC) != 0) {
-        line->draw(line, vertex[1], vertex[2], (const qtri_line_color *)&color[1]);
-    }
-    if ((edges & QTRI_EDGE_CA) != 0) {
-        line->draw(line, vertex[2], vertex[0], (const qtri_line_color *)&color[2]);
+    for (int i = 0; i < 3; i++) {
+        if ((edges >> i & 1) != 0) {
+            line->draw(line, vertex[i], vertex[i < 2 ? i + 1 : 0],
+                       (const qtri_line_color *)&color[i]);
+        }
     }
 }
 
@@ -196,15 +184,12 @@ static inline bool is_tinted(const qtri_mesh_job *draw)
 QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const void *triangle,
                                        qtri_vertex *const vertex[3], uint32_t edges)
 {
-    if (draw->lights != NULL) {
-        draw_in_colors(draw, triangle, vertex, edges);
-        return;
-    }
-    if (draw->mesh->colors == NULL) {
+    if (draw->lights == NULL && draw->mesh->colors == NULL) {
         draw_in_face_light(draw, triangle, vertex, edges);
         return;
     }
-    if (!draw->lit_per_face && !qtri_vertices_are_lit(vertex[0], vertex[1], vertex[2])) {
+    if (draw->lights == NULL && !draw->lit_per_face &&
+        !qtri_vertices_are_lit(vertex[0], vertex[1], vertex[2])) {
         qtri_mesh_light_corners(draw, triangle, vertex[0], vertex[1], vertex[2]);
     }
     draw_in_colors(draw, triangle, vertex, edges);
@@ -278,13 +263,6 @@ QTRI_INLINE uint32_t edges_of(const qtri_mesh_job *draw, const uint32_t index[3]
     return QTRI_EDGES_SEEN | take_edges(a, b, c, index);
 }
 
-/* Not where a vertex was left out: all its faces turn away. */
-static inline bool are_met(qtri_vertex *const vertex[3])
-{
-    return vertex[0]->depth_16p8 != QTRI_VERTEX_EMPTY &&
-           vertex[1]->depth_16p8 != QTRI_VERTEX_EMPTY && vertex[2]->depth_16p8 != QTRI_VERTEX_EMPTY;
-}
-
 /*
  * Looks at triangles, from `number` on or, for LAST, from the last one back to the first, and draws
  * them or notes what they are to draw. `narrow`: indices are bytes. `quick`: `simple`, all vertices
@@ -312,7 +290,7 @@ QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, taker who, 
         if (!qtri_mesh_find(vertex, vertices, count, index, vertex_size)) {
             continue;
         }
-        if (!quick && !draws && !are_met(vertex)) {
+        if (!quick && !draws && !qtri_mesh_are_met(vertex)) {
             continue;
         }
         const uint32_t edges = edges_of(draw, index, vertex, who, simple);

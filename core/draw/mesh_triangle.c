@@ -66,12 +66,7 @@ uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex
 static void set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
                       uint32_t intensity_q15)
 {
-    const qtri_rgb *color =
-        draw->mesh->colors != NULL ? &draw->mesh->colors[index] : &draw->material.color;
-    int32_t intensity = (int32_t)intensity_q15 * 2;
-    color_8p16[0] = color->r * intensity; /* <= 255.0 */
-    color_8p16[1] = color->g * intensity;
-    color_8p16[2] = color->b * intensity;
+    qtri_line_color_set(color_8p16, qtri_mesh_color(draw, index), intensity_q15);
 }
 
 /* ---- Large triangles ---- */

@@ -282,14 +282,8 @@ typedef struct finder {
     qtri_edge_axis axis[2];   /* of the pass */
     uint32_t bands;           /* for lists; 0: edges are noted */
     uint32_t next, end;       /* entries */
-    uint32_t inverse, shift;  /* 1 / rows */
+    qtri_band_divider divider;
 } finder;
-
-/* floor(row / rows), as in prepared.c: exact for rows below 2^13. */
-static uint32_t band_of(const finder *f, int32_t row)
-{
-    return ((uint32_t)row * f->inverse) >> f->shift;
-}
 
 /*
  * Appends an entry to the lists of the bands that have a row which the edge passes through. (Where
@@ -307,8 +301,8 @@ static bool list_edge(finder *f, const qtri_vertex *a, const qtri_vertex *b, uin
     }
     top = qtri_greatest32(top - outline->below, 0);
     bottom = qtri_least32(bottom + outline->above, outline->height - 1);
-    const uint32_t last = band_of(f, bottom);
-    for (uint32_t band = band_of(f, top); band <= last; band++) {
+    const uint32_t last = qtri_band_of(&f->divider, (uint32_t)bottom);
+    for (uint32_t band = qtri_band_of(&f->divider, (uint32_t)top); band <= last; band++) {
         uint32_t *head = &outline->list[band];
         if (f->next == f->end) {
             return false;
@@ -492,12 +486,9 @@ static void make_lists(qtri_outline *outline, const qtri_prepared *prepared)
         return;
     }
     const uint32_t room = outline->list_words - bands;
-    finder f = {.outline = outline, .bands = bands, .shift = 13};
+    finder f = {.outline = outline, .bands = bands};
     f.end = room < ENTRIES_MAX ? room : ENTRIES_MAX;
-    while ((uint32_t)1 << (f.shift - 13) < rows) {
-        f.shift++;
-    }
-    f.inverse = (((uint32_t)1 << f.shift) + rows - 1) / rows;
+    qtri_band_divider_init(&f.divider, rows);
     for (uint32_t i = 0; i < bands; i++) {
         outline->list[i] = 0;
     }

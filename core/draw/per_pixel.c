@@ -42,8 +42,7 @@ static void note(const qtri_mesh_job *draw, const void *indices, bool is_back)
         }
         qtri_illuminated_normal(&point, draw->illumination, turn * n[0], turn * n[1], turn * n[2]);
         qtri_lit_vertex_place(&point, draw, index[i]);
-        set(&draw->primitive, i, &point,
-            mesh->colors != NULL ? &mesh->colors[index[i]] : &draw->material.color);
+        set(&draw->primitive, i, &point, qtri_mesh_color(draw, index[i]));
     }
 }
 

@@ -44,14 +44,6 @@ void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
     qtri_primitive_place_in_eye(primitive, view, &object_to_eye);
 }
 
-void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
-                         const qtri_view *view, const qtri_transform *pose,
-                         const qtri_material *material, int shade)
-{
-    qtri_primitive_set_target(primitive, surface, view, material, shade);
-    qtri_primitive_place(primitive, view, pose);
-}
-
 /* What is left of the triangle after cuts by `planes`; *out may be where v is. */
 QTRI_NOINLINE static int clip_to_screen(const qtri_projector *projector,
                                         const qtri_clip_vertex v[3], unsigned planes,
@@ -94,17 +86,6 @@ static int64_t fan_area(const qtri_fan_vertex fan[], int count)
         sum += piece_area(fan, i);
     }
     return sum;
-}
-
-/*
- * Whether a line lies above or below the surface's rows, as most do of a band: two rows further
- * than its ends, since smooth lines reach a pixel and its corners beyond them.
- */
-static bool is_beside(const qtri_line_job *job, int32_t y0_24p8, int32_t y1_24p8)
-{
-    const int32_t above = job->top_24p8 - 512;
-    const int32_t below = job->top_24p8 + (int32_t)job->height_24p8 + 512;
-    return (y0_24p8 < above && y1_24p8 < above) || (y0_24p8 >= below && y1_24p8 >= below);
 }
 
 /* ---- Attributes ---- */
@@ -162,11 +143,10 @@ static void spread_provoking(const qtri_material *material, qtri_screen_vertex v
 
 /* ---- Lines ---- */
 
-/* The edge between two vertices, given twice: as coordinates, and as attributes. */
-QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_clip_vertex *a,
-                                    const qtri_clip_vertex *b,
-                                    const qtri_screen_vertex *a_attributes,
-                                    const qtri_screen_vertex *b_attributes)
+QTRI_NOINLINE void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex *a,
+                                       const qtri_clip_vertex *b,
+                                       const qtri_screen_vertex *a_attributes,
+                                       const qtri_screen_vertex *b_attributes)
 {
     qtri_clip_vertex end[2] = {*a, *b};
     unsigned first = qtri_clip_outcode(a);
@@ -180,7 +160,7 @@ QTRI_NOINLINE static void draw_edge(const qtri_primitive *primitive, const qtri_
     qtri_screen_vertex screen[2];
     qtri_project(&primitive->projector, &end[0], &screen[0]);
     qtri_project(&primitive->projector, &end[1], &screen[1]);
-    if (is_beside(job, screen[0].y_24p8, screen[1].y_24p8)) {
+    if (qtri_line_misses(job, screen[0].y_24p8, screen[1].y_24p8, screen[1].y_24p8)) {
         return;
     }
     qtri_vertex line[2];
@@ -229,7 +209,7 @@ void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_ver
     }
     for (int i = 0; i < 3; i++) {
         int next = i < 2 ? i + 1 : 0;
-        draw_edge(primitive, &v[i], &v[next], &attributes[i], &attributes[next]);
+        qtri_primitive_line(primitive, &v[i], &v[next], &attributes[i], &attributes[next]);
     }
 }
 
@@ -404,10 +384,4 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
             draw_piece(primitive, piece, area, source, from);
         }
     }
-}
-
-void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
-                         const qtri_screen_vertex attributes[2])
-{
-    draw_edge(primitive, &v[0], &v[1], &attributes[0], &attributes[1]);
 }

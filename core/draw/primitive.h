@@ -86,11 +86,6 @@ void qtri_primitive_place_in_eye(qtri_primitive *primitive, const qtri_view *vie
 void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
                           const qtri_transform *pose);
 
-/* Both. */
-void qtri_primitive_init(qtri_primitive *primitive, const qtri_surface *surface,
-                         const qtri_view *view, const qtri_transform *pose,
-                         const qtri_material *material, int shade);
-
 /*
  * Sets colour, u and v of a triangle's vertices. They are asked for when a piece of the triangle is
  * to be drawn, and again for the next piece: what is not kept takes no stack while rows are filled.
@@ -125,8 +120,9 @@ void qtri_primitive_begin_lines(qtri_primitive *primitive);
 void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_vertex v[3],
                             unsigned planes, qtri_attribute_source source, const void *from);
 
-/* Draws a line. `attributes` bring colour; their positions are not read. */
-void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex v[2],
-                         const qtri_screen_vertex attributes[2]);
+/* Draws the line between two vertices. Their attributes bring colour, and no position. */
+void qtri_primitive_line(const qtri_primitive *primitive, const qtri_clip_vertex *a,
+                         const qtri_clip_vertex *b, const qtri_screen_vertex *a_attributes,
+                         const qtri_screen_vertex *b_attributes);
 
 #endif

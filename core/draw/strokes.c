@@ -41,6 +41,15 @@ static bool is_inside(const qtri_vertex *v)
     return (v->depth_16p8 & QTRI_VERTEX_OUTSIDE) == 0;
 }
 
+static void project(const stroke_job *job, const qtri_clip_vertex *clip, qtri_vertex *out)
+{
+    qtri_screen_vertex screen;
+    qtri_project(&job->projector, clip, &screen);
+    out->at.x_24p8 = screen.x_24p8;
+    out->at.y_24p8 = screen.y_24p8;
+    out->depth_16p8 = screen.depth_16p16 & ~0xFFu;
+}
+
 /* A corner on the screen, as below, of any w. */
 static void any_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out)
 {
@@ -52,11 +61,7 @@ static void any_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out)
     out->at.y_24p8 = 0;
     out->depth_16p8 = QTRI_VERTEX_OUTSIDE | outcode;
     if (outcode == 0) {
-        qtri_screen_vertex screen;
-        qtri_project(&job->projector, &clip, &screen);
-        out->at.x_24p8 = screen.x_24p8;
-        out->at.y_24p8 = screen.y_24p8;
-        out->depth_16p8 = screen.depth_16p16 & ~0xFFu;
+        project(job, &clip, out);
     }
 }
 
@@ -87,13 +92,6 @@ static void job_vertices(const stroke_job *job, uint32_t first, uint32_t count, 
     }
 }
 
-/* The two corners of a part. */
-static void corners_of(const stroke_job *job, uint32_t part, uint32_t corner[2])
-{
-    corner[0] = part;
-    corner[1] = part + 1 < job->count ? part + 1 : 0;
-}
-
 static void find_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out)
 {
     if (corner < job->kept) {
@@ -103,51 +101,50 @@ static void find_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out
     }
 }
 
-/* The ends of what clipping leaves of a part, as qtri_clip_line has them. False: nothing. */
-static bool clip_part(const stroke_job *job, const uint32_t corner[2], qtri_clip_vertex v[2])
+/* A part's corners and where they are; false: one is outside. */
+static bool find_corners(const stroke_job *job, uint32_t part, uint32_t corner[2], qtri_vertex v[2])
+{
+    corner[0] = part;
+    corner[1] = part + 1 < job->count ? part + 1 : 0;
+    find_vertex(job, corner[0], &v[0]);
+    find_vertex(job, corner[1], &v[1]);
+    return is_inside(&v[0]) && is_inside(&v[1]);
+}
+
+/* The ends of what clipping leaves of a part, and how far along it they lie. False: nothing. */
+static bool clip_part(const stroke_job *job, const uint32_t corner[2], qtri_vertex end[2],
+                      int32_t share_q30[2])
 {
     const qtri_vec4 *const position[2] = {&job->corners[corner[0]].position,
                                           &job->corners[corner[1]].position};
+    qtri_clip_vertex v[2];
     qtri_projector_points(&job->projector, position, 2, v);
     v[0].b1_q30 = 0;
     v[1].b1_q30 = (int32_t)1 << 30;
     const unsigned first = qtri_clip_outcode(&v[0]);
     const unsigned second = qtri_clip_outcode(&v[1]);
-    return (first & second) == 0 && qtri_clip_line(v, first | second) != 0;
+    if ((first & second) != 0 || !qtri_clip_line(v, first | second)) {
+        return false;
+    }
+    for (int i = 0; i < 2; i++) {
+        project(job, &v[i], &end[i]);
+        share_q30[i] = v[i].b1_q30;
+    }
+    return true;
 }
 
 /* The corners' parts, one after the other. */
 static bool job_place(const void *from, uint32_t part, qtri_point end[2])
 {
-    const stroke_job *job = from;
     uint32_t corner[2];
     qtri_vertex v[2];
-    corners_of(job, part, corner);
-    find_vertex(job, corner[0], &v[0]);
-    find_vertex(job, corner[1], &v[1]);
-    if (is_inside(&v[0]) && is_inside(&v[1])) {
-        end[0] = v[0].at;
-        end[1] = v[1].at;
-    } else {
-        qtri_clip_vertex clip[2];
-        if (!clip_part(job, corner, clip)) {
-            return false;
-        }
-        for (int i = 0; i < 2; i++) {
-            qtri_screen_vertex screen;
-            qtri_project(&job->projector, &clip[i], &screen);
-            end[i].x_24p8 = screen.x_24p8;
-            end[i].y_24p8 = screen.y_24p8;
-        }
+    int32_t share_q30[2];
+    if (!find_corners(from, part, corner, v) && !clip_part(from, corner, v, share_q30)) {
+        return false;
     }
+    end[0] = v[0].at;
+    end[1] = v[1].at;
     return true;
-}
-
-static void set_end_color(qtri_stroke_end *end, const qtri_rgb *color)
-{
-    end->color_8p16[0] = (int32_t)color->r << 16;
-    end->color_8p16[1] = (int32_t)color->g << 16;
-    end->color_8p16[2] = (int32_t)color->b << 16;
 }
 
 /* Its colour moves towards the other end's by what was cut off. */
@@ -167,24 +164,18 @@ static void job_ends(const void *from, uint32_t part, qtri_stroke_end end[2])
     const stroke_job *job = from;
     uint32_t corner[2];
     qtri_vertex v[2];
-    corners_of(job, part, corner);
+    int32_t share_q30[2];
+    const bool is_cut = !find_corners(job, part, corner, v);
+    if (is_cut) {
+        (void)clip_part(job, corner, v, share_q30); /* something is left: the part was placed */
+    }
     for (int i = 0; i < 2; i++) {
-        find_vertex(job, corner[i], &v[i]);
         end[i].depth_16p8 = v[i].depth_16p8;
-        set_end_color(&end[i], &job->corners[corner[i]].color);
+        qtri_line_color_set(end[i].color_8p16, &job->corners[corner[i]].color, QTRI_INTENSITY_ONE);
     }
-    if (is_inside(&v[0]) && is_inside(&v[1])) {
-        return;
+    if (is_cut) {
+        mix_colors(end, share_q30);
     }
-    qtri_clip_vertex clip[2];
-    (void)clip_part(job, corner, clip); /* something is left: the part was placed */
-    const int32_t share_q30[2] = {clip[0].b1_q30, clip[1].b1_q30};
-    for (int i = 0; i < 2; i++) {
-        qtri_screen_vertex screen;
-        qtri_project(&job->projector, &clip[i], &screen);
-        end[i].depth_16p8 = screen.depth_16p16 & ~0xFFu;
-    }
-    mix_colors(end, share_q30);
 }
 
 /* Lines -----------------------------------------------------------------------------------------
@@ -244,14 +235,13 @@ void qtri_draw_wide_lines(const qtri_surface *surface, const qtri_view *view,
     }
     job_init(&job, view, pose, corners, 2, material);
     const qtri_stroke_source source = {&job, 1, false, job_place, job_ends};
+    qtri_vertex v[2];
+    job.vertices = v;
+    job.kept = 2;
     for (uint32_t i = 0; corner_count - i >= 2; i += 2) {
-        qtri_vertex v[2];
         job.corners = &corners[i];
-        job.kept = 0;
         any_vertex(&job, 0, &v[0]);
         any_vertex(&job, 1, &v[1]);
-        job.vertices = v;
-        job.kept = 2;
         qtri_stroker_draw(&stroker, &source);
     }
 }

@@ -12,9 +12,7 @@
 
 static void set_vertex_attributes(qtri_screen_vertex *out, const qtri_corner *corner)
 {
-    out->color_8p16[0] = (int32_t)corner->color.r << 16;
-    out->color_8p16[1] = (int32_t)corner->color.g << 16;
-    out->color_8p16[2] = (int32_t)corner->color.b << 16;
+    qtri_line_color_set(out->color_8p16, &corner->color, QTRI_INTENSITY_ONE);
     out->u_q32 = (int64_t)corner->uv.x * 65536;
     out->v_q32 = (int64_t)corner->uv.y * 65536;
 }
@@ -78,7 +76,8 @@ static void begin(triangle_call *call, const qtri_surface *surface, const qtri_v
     job->illumination = NULL;
     job->lit_colors = NULL;
     job->late = NULL;
-    qtri_primitive_init(&job->primitive, surface, view, pose, &job->material, shade);
+    qtri_primitive_set_target(&job->primitive, surface, view, &job->material, shade);
+    qtri_primitive_place(&job->primitive, view, pose);
     if (material->fill == NULL) {
         qtri_mesh_solid_init(job, NULL);
         for (uint32_t i = 0; i < 3; i++) { /* whose alphas a clipped triangle's vertices have */
@@ -219,9 +218,7 @@ static void light(qtri_corner lit[3], const lit_call *call, uint32_t first, bool
     const int32_t turn = is_back ? -1 : 1;
     const qtri_vec3 p[3] = {divide_by_w(&corners[0].position), divide_by_w(&corners[1].position),
                             divide_by_w(&corners[2].position)};
-    const qtri_vec3 mean = {qtri_third(p[0].x) + qtri_third(p[1].x) + qtri_third(p[2].x),
-                            qtri_third(p[0].y) + qtri_third(p[1].y) + qtri_third(p[2].y),
-                            qtri_third(p[0].z) + qtri_third(p[1].z) + qtri_third(p[2].z)};
+    const qtri_vec3 mean = qtri_mean(p);
     int32_t face[3];
     qtri_face_normal(face, &p[0], &p[1], &p[2]);
     for (int i = 0; i < 3; i++) {
@@ -330,7 +327,7 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
         transform(&primitive, &corners[i], 2, v);
         set_vertex_attributes(&attributes[0], &corners[i]);
         set_vertex_attributes(&attributes[1], &corners[i + 1]);
-        qtri_primitive_line(&primitive, v, attributes);
+        qtri_primitive_line(&primitive, &v[0], &v[1], &attributes[0], &attributes[1]);
     }
 }
 

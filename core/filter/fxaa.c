@@ -24,14 +24,14 @@ static inline int32_t magnitude(int32_t x)
 /* Whether a pixel's luma and that of its four neighbours differ too little to look further. */
 static inline bool is_flat(int32_t m, int32_t a, int32_t b, int32_t c, int32_t d)
 {
-    const int32_t low_1 = a < b ? a : b;
-    const int32_t high_1 = a < b ? b : a;
-    const int32_t low_2 = c < d ? c : d;
-    const int32_t high_2 = c < d ? d : c;
-    int32_t high = high_1 > high_2 ? high_1 : high_2;
-    int32_t low = low_1 < low_2 ? low_1 : low_2;
+    int32_t low = a < b ? a : b;
+    int32_t high = a < b ? b : a;
     high = m > high ? m : high;
     low = m < low ? m : low;
+    high = c > high ? c : high;
+    low = c < low ? c : low;
+    high = d > high ? d : high;
+    low = d < low ? d : low;
     return high - low < LUMA_MIN || (high - low) * 8 < high;
 }
 
@@ -219,33 +219,16 @@ static inline uint32_t bit_of(bool first)
     return (uint32_t)1 << (is_first_low() == first ? HALF_BIT : 16 + HALF_BIT);
 }
 
-static inline bool is_edge(int32_t low, int32_t high, int32_t a, int32_t b, int32_t c)
-{
-    high = a > high ? a : high;
-    low = a < low ? a : low;
-    high = b > high ? b : high;
-    low = b < low ? b : low;
-    high = c > high ? c : high;
-    low = c < low ? c : low;
-    const int32_t range = high - low;
-    return range >= LUMA_MIN && range * 8 >= high;
-}
-
 /* The same one by one, for cores with few registers. Without calls: those of the loop stay. */
 QTRI_NOINLINE static uint32_t edges_by_one(const uint16_t *above, const uint16_t *own,
                                            const uint16_t *below)
 {
-    int32_t low = own[0];
-    int32_t high = own[1];
     uint32_t edges = 0;
-    if (low > high) {
-        low = own[1];
-        high = own[0];
-    }
-    if (is_edge(low, high, above[0], below[0], own[-1])) {
+    /* Of five lumas in any order: the two pixels as one pair, which is sorted once for both. */
+    if (!is_flat(above[0], own[0], own[1], below[0], own[-1])) {
         edges = bit_of(true);
     }
-    if (is_edge(low, high, above[1], below[1], own[2])) {
+    if (!is_flat(above[1], own[0], own[1], below[1], own[2])) {
         edges |= bit_of(false);
     }
     return edges;

@@ -170,7 +170,7 @@ void qtri_ink_edge_set_line(qtri_ink_edge *edge, const qtri_point *from, const q
 }
 
 /* Of most circles the square fits 32 bits, and so does each product of two parts of it. */
-QTRI_IN_PLACE int32_t half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
+int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
 {
     const uint32_t away = qtri_magnitude32(y_24p8 - arc->as.arc.center_y); /* <= radius */
     const uint32_t radius = (uint32_t)arc->radius;
@@ -183,17 +183,12 @@ QTRI_IN_PLACE int32_t half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
     return (int32_t)qtri_sqrt64_round(qtri_mul_u32(radius - away, radius + away));
 }
 
-int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
-{
-    return half_chord(arc, y_24p8);
-}
-
 int32_t qtri_ink_edge_x(const qtri_ink_edge *edge, int32_t y_24p8)
 {
     if (edge->radius == 0) {
         return line_x(edge, y_24p8);
     }
-    const int32_t half = half_chord(edge, y_24p8);
+    const int32_t half = qtri_ink_half_chord(edge, y_24p8);
     return edge->as.arc.center_x + (edge->as.arc.side < 0 ? -half : half);
 }
 
@@ -205,8 +200,8 @@ bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *ed
     }
     const qtri_point *a = &contour->points[i];
     const qtri_point *b = &contour->points[i + 1 < contour->count ? i + 1 : 0];
-    const qtri_point from = {qtri_hold_24p8(a->x_24p8), qtri_hold_24p8(a->y_24p8)};
-    const qtri_point to = {qtri_hold_24p8(b->x_24p8), qtri_hold_24p8(b->y_24p8)};
+    const qtri_point from = qtri_hold_point(a);
+    const qtri_point to = qtri_hold_point(b);
     if (from.y_24p8 == to.y_24p8) {
         return false;
     }
@@ -218,19 +213,15 @@ bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *ed
     return true;
 }
 
-/* Whether a side of a polygon lies above the row, or below: most do. */
-static bool is_beside(const qtri_contour *contour, int32_t i, int32_t top)
+/* Most sides lie above the row, or below. */
+bool qtri_contour_side_near(const qtri_contour *contour, int32_t i, int32_t top,
+                            qtri_ink_edge *side)
 {
     const int32_t a = contour->points[i].y_24p8;
     const int32_t b = contour->points[i + 1 < contour->count ? i + 1 : 0].y_24p8;
     const int32_t end = top + 256; /* rows lie between -2^21 and 2^21, where no point is held */
-    return (a <= top && b <= top) || (a >= end && b >= end);
-}
-
-bool qtri_contour_side_near(const qtri_contour *contour, int32_t i, int32_t top,
-                            qtri_ink_edge *side)
-{
-    return !is_beside(contour, i, top) && qtri_contour_edge(contour, i, side);
+    const bool is_beside = (a <= top && b <= top) || (a >= end && b >= end);
+    return !is_beside && qtri_contour_edge(contour, i, side);
 }
 
 /* Edge i where it may cross the row, `room` being for a side of a polygon. NULL: it does not. */

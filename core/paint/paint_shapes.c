@@ -106,9 +106,8 @@ static bool begin(const qtri_area *box, int32_t *radius, qtri_area *held)
     if (width <= 0 || height <= 0) {
         return false;
     }
-    int32_t most = (width < height ? width : height) / 2;
-    most = most < QTRI_PAINT_RADIUS_MAX_24P8 ? most : QTRI_PAINT_RADIUS_MAX_24P8;
-    *radius = *radius < 0 ? 0 : (*radius > most ? most : *radius);
+    const int32_t most = qtri_least32(qtri_least32(width, height) / 2, QTRI_PAINT_RADIUS_MAX_24P8);
+    *radius = qtri_hold32(*radius, 0, most);
     return true;
 }
 
@@ -137,7 +136,7 @@ void qtri_paint_round_rect_outline(const qtri_surface *surface, const qtri_area 
         return;
     }
     add(&path, &b, radius_24p8);
-    const int32_t w = width_24p8 < 2 * QTRI_PAINT_MAX_24P8 ? width_24p8 : 2 * QTRI_PAINT_MAX_24P8;
+    const int32_t w = qtri_least32(width_24p8, 2 * QTRI_PAINT_MAX_24P8);
     const qtri_area inner = {b.x0_24p8 + w, b.y0_24p8 + w, b.x1_24p8 - w, b.y1_24p8 - w};
     if (inner.x0_24p8 < inner.x1_24p8 && inner.y0_24p8 < inner.y1_24p8) {
         path.direction = -1;
@@ -147,11 +146,6 @@ void qtri_paint_round_rect_outline(const qtri_surface *surface, const qtri_area 
 }
 
 /* ---- Circles ---- */
-
-static int32_t hold_radius(int32_t radius)
-{
-    return radius < QTRI_PAINT_RADIUS_MAX_24P8 ? radius : QTRI_PAINT_RADIUS_MAX_24P8;
-}
 
 void qtri_paint_circle(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
                        const qtri_brush *brush)
@@ -176,8 +170,8 @@ void qtri_paint_ring_part(const qtri_surface *surface, const qtri_point *center,
     if (radius_24p8 <= 0 || width_24p8 <= 0) {
         return;
     }
-    const qtri_point held = {qtri_hold_24p8(center->x_24p8), qtri_hold_24p8(center->y_24p8)};
-    const int32_t radius = hold_radius(radius_24p8);
+    const qtri_point held = qtri_hold_point(center);
+    const int32_t radius = qtri_least32(radius_24p8, QTRI_PAINT_RADIUS_MAX_24P8);
     qtri_path path;
     qtri_path_init(&path);
     qtri_path_circle(&path, &held, radius);
@@ -238,7 +232,7 @@ void qtri_paint_arc(const qtri_surface *surface, const qtri_point *center, int32
     if (radius_24p8 <= 0 || width_24p8 <= 0 || sweep == 0) {
         return;
     }
-    const qtri_point held = {qtri_hold_24p8(center->x_24p8), qtri_hold_24p8(center->y_24p8)};
+    const qtri_point held = qtri_hold_point(center);
     const int32_t outer = qtri_least32(radius_24p8, QTRI_PAINT_RADIUS_MAX_24P8);
     const int32_t inner = width_24p8 < outer ? outer - width_24p8 : 0;
     from = q16_mod(from, DEGREES(360));
@@ -268,10 +262,9 @@ static void paint_few(const qtri_surface *surface, const qtri_point *point, int3
 {
     qtri_path path;
     qtri_path_init(&path);
-    const qtri_point *end = &point[count - 1];
-    qtri_point last = {qtri_hold_24p8(end->x_24p8), qtri_hold_24p8(end->y_24p8)};
+    qtri_point last = qtri_hold_point(&point[count - 1]);
     for (int32_t i = 0; i < count; i++) {
-        const qtri_point next = {qtri_hold_24p8(point[i].x_24p8), qtri_hold_24p8(point[i].y_24p8)};
+        const qtri_point next = qtri_hold_point(&point[i]);
         qtri_path_line(&path, &last, &next);
         last = next;
     }
@@ -322,8 +315,8 @@ void qtri_paint_stroke(const qtri_surface *surface, const qtri_point *from, cons
     QTRI_ASSERT(from != NULL);
     QTRI_ASSERT(to != NULL);
     QTRI_CHECK(check_stroke(surface, *from, *to, width_24p8));
-    const qtri_point a = {qtri_hold_24p8(from->x_24p8), qtri_hold_24p8(from->y_24p8)};
-    const qtri_point b = {qtri_hold_24p8(to->x_24p8), qtri_hold_24p8(to->y_24p8)};
+    const qtri_point a = qtri_hold_point(from);
+    const qtri_point b = qtri_hold_point(to);
     const int32_t dx = b.x_24p8 - a.x_24p8; /* |.| <= 2^23 */
     const int32_t dy = b.y_24p8 - a.y_24p8;
     if (width_24p8 <= 0 || (dx | dy) == 0) {

@@ -92,6 +92,12 @@ static inline int32_t qtri_hold_24p8(int32_t x)
                                     : (x > QTRI_PAINT_MAX_24P8 ? QTRI_PAINT_MAX_24P8 : x);
 }
 
+static inline qtri_point qtri_hold_point(const qtri_point *point)
+{
+    const qtri_point held = {qtri_hold_24p8(point->x_24p8), qtri_hold_24p8(point->y_24p8)};
+    return held;
+}
+
 static inline qtri_area qtri_hold_area(const qtri_area *box)
 {
     qtri_area held = {qtri_hold_24p8(box->x0_24p8), qtri_hold_24p8(box->y0_24p8),

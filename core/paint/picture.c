@@ -5,6 +5,7 @@
 #include "qtri/error.h"
 
 #include "../frame/barrier.h"
+#include "qtri/body/barrier.h"
 
 bool qtri_picture_is_usable(const qtri_image *image)
 {
@@ -46,7 +47,8 @@ uint32_t qtri_picture_key_mask(const qtri_image *image)
     return image->format->decode == qtri_decode_xrgb8888 ? 0x00FFFFFFu : UINT32_MAX;
 }
 
-void qtri_picture_fetch(const qtri_image *image, const uint8_t *at, uint32_t *stored, int32_t count)
+/* `count` pixels of a row from `at` on, as they are stored. */
+static void fetch(const qtri_image *image, const uint8_t *at, uint32_t *stored, int32_t count)
 {
     const qtri_pixels *pixels = image->format->pixels;
     if (pixels->bytes == 2) {
@@ -62,7 +64,8 @@ void qtri_picture_fetch(const qtri_image *image, const uint8_t *at, uint32_t *st
     }
 }
 
-uint32_t qtri_picture_mask(const qtri_image *image, const uint32_t *stored, int32_t count)
+/* A bit for each pixel that is not the key's, the lowest for the last. */
+static uint32_t mask_of(const qtri_image *image, const uint32_t *stored, int32_t count)
 {
     uint32_t mask = UINT32_MAX >> (32 - count);
     if (image->has_key) {
@@ -112,8 +115,9 @@ static void decode(const qtri_image *image, bool keep_565, uint32_t *color, int3
     }
 }
 
-void qtri_picture_convert(const qtri_image *image, const qtri_surface *surface, uint32_t *stored,
-                          int32_t count)
+/* From the picture's format to the surface's, in place; room for a multiple of four. */
+static void convert(const qtri_image *image, const qtri_surface *surface, uint32_t *stored,
+                    int32_t count)
 {
     const qtri_format *format = surface->format;
     const qtri_mix kind = qtri_mix_of(image->format);
@@ -247,8 +251,9 @@ static void mix_others(const qtri_format *format, uint8_t *at, uint32_t *stored,
     qtri_mix_others(format, at, stored, mask, count);
 }
 
-void qtri_picture_mix(const qtri_surface *surface, uint8_t *at, uint32_t *stored, uint32_t mask,
-                      int32_t count, uint32_t a)
+/* Mixes `count` pixels of the surface with others, which it may change, a of 256. */
+static void mix(const qtri_surface *surface, uint8_t *at, uint32_t *stored, uint32_t mask,
+                int32_t count, uint32_t a)
 {
     const qtri_format *format = surface->format;
     const uint32_t first = mask << (32 - count); /* the sign is the first pixel's */
@@ -260,19 +265,28 @@ void qtri_picture_mix(const qtri_surface *surface, uint8_t *at, uint32_t *stored
     }
 }
 
-static void blend_row(const qtri_surface *surface, const qtri_image *image, uint8_t *to,
+void qtri_picture_put(const qtri_surface *surface, const qtri_image *image, uint8_t *to,
+                      uint32_t *stored, int32_t count, uint32_t a)
+{
+    const uint32_t mask = mask_of(image, stored, count);
+    if (!qtri_picture_is_alike(image, surface)) {
+        convert(image, surface, stored, count);
+    }
+    if (a == 256) {
+        surface->format->pixels->store(to, stored, mask, count);
+    } else {
+        mix(surface, to, stored, mask, count, a);
+    }
+}
+
+static void paint_row(const qtri_surface *surface, const qtri_image *image, uint8_t *to,
                       const uint8_t *from, int32_t count, uint32_t a)
 {
-    const bool is_alike = qtri_picture_is_alike(image, surface);
     uint32_t stored[QTRI_PICTURE_BATCH];
     for (; count > 0; count -= QTRI_PICTURE_BATCH) {
         const int32_t n = qtri_least32(count, QTRI_PICTURE_BATCH);
-        qtri_picture_fetch(image, from, stored, n);
-        const uint32_t mask = qtri_picture_mask(image, stored, n);
-        if (!is_alike) {
-            qtri_picture_convert(image, surface, stored, n);
-        }
-        qtri_picture_mix(surface, to, stored, mask, n, a);
+        fetch(image, from, stored, n);
+        qtri_picture_put(surface, image, to, stored, n, a);
         from += (ptrdiff_t)image->format->pixels->bytes * n;
         to += (ptrdiff_t)surface->format->pixels->bytes * n;
     }
@@ -292,7 +306,7 @@ void qtri_image_blend(const qtri_surface *surface, const qtri_image *image, int3
     }
     uint8_t *to = qtri_surface_at(surface, rect.x0, rect.y0);
     for (int32_t row = rect.y0; row < rect.y1; row++) {
-        blend_row(surface, image, to, from, rect.x1 - rect.x0, qtri_mix_weight(255, alpha));
+        paint_row(surface, image, to, from, rect.x1 - rect.x0, qtri_mix_weight(255, alpha));
         to += surface->pitch;
         from += image->pitch;
     }
@@ -320,8 +334,7 @@ QTRI_INLINE void keyed_row(int32_t bytes, uint8_t *to, const uint8_t *from, int3
             qtri_stored_put(bytes, to + (i)*bytes, stored);                                        \
         }                                                                                          \
     }
-#ifndef __OPTIMIZE_SIZE__
-    for (; count >= 4; count -= 4) {
+    for (; !QTRI_BODY_IS_SMALL && count >= 4; count -= 4) {
         ONE(0)
         ONE(1)
         ONE(2)
@@ -331,7 +344,6 @@ QTRI_INLINE void keyed_row(int32_t bytes, uint8_t *to, const uint8_t *from, int3
         QTRI_OPAQUE(to)
         QTRI_OPAQUE(from)
     }
-#endif
     for (; count > 0; count--) {
         ONE(0)
         to += bytes;
@@ -360,22 +372,6 @@ static void paint_keyed(const qtri_image *image, uint8_t *to, const uint8_t *fro
     }
 }
 
-static void paint_converted(const qtri_surface *surface, const qtri_image *image, uint8_t *to,
-                            const uint8_t *from, int32_t count)
-{
-    const qtri_pixels *pixels = surface->format->pixels;
-    uint32_t stored[QTRI_PICTURE_BATCH];
-    for (; count > 0; count -= QTRI_PICTURE_BATCH) {
-        const int32_t n = qtri_least32(count, QTRI_PICTURE_BATCH);
-        qtri_picture_fetch(image, from, stored, n);
-        const uint32_t mask = qtri_picture_mask(image, stored, n);
-        qtri_picture_convert(image, surface, stored, n);
-        pixels->store(to, stored, mask, n);
-        from += (ptrdiff_t)image->format->pixels->bytes * n;
-        to += (ptrdiff_t)pixels->bytes * n;
-    }
-}
-
 void qtri_image_paint(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y)
 {
     qtri_rect rect;
@@ -396,7 +392,7 @@ void qtri_image_paint(const qtri_surface *surface, const qtri_image *image, int3
         if (is_alike) {
             paint_keyed(image, to, from, count);
         } else {
-            paint_converted(surface, image, to, from, count);
+            paint_row(surface, image, to, from, count, 256);
         }
         to += surface->pitch;
         from += image->pitch;

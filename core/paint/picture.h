@@ -30,36 +30,14 @@ bool qtri_picture_clip(const qtri_surface *surface, const qtri_image *image, int
 /* The bits of a stored pixel that are compared with the key. */
 uint32_t qtri_picture_key_mask(const qtri_image *image);
 
-/* `count` pixels of a row from `at` on, as they are stored. */
-void qtri_picture_fetch(const qtri_image *image, const uint8_t *at, uint32_t *stored,
-                        int32_t count);
-
-/* A bit for each pixel that is not the key's, the lowest for the last. */
-uint32_t qtri_picture_mask(const qtri_image *image, const uint32_t *stored, int32_t count);
-
-/* From the picture's format to the surface's, in place; room for a multiple of four. */
-void qtri_picture_convert(const qtri_image *image, const qtri_surface *surface, uint32_t *stored,
-                          int32_t count);
-
-/* Mixes `count` pixels of the surface with others, which it may change, a of 256. */
-void qtri_picture_mix(const qtri_surface *surface, uint8_t *at, uint32_t *stored, uint32_t mask,
-                      int32_t count, uint32_t a);
+/* Paints `count` pixels, 1..QTRI_PICTURE_BATCH, as the picture stores them, a of 256. They change.
+ */
+void qtri_picture_put(const qtri_surface *surface, const qtri_image *image, uint8_t *to,
+                      uint32_t *stored, int32_t count, uint32_t a);
 
 /* Stored pixels of rows, `bytes` of each; pitches are bytes from a row to the next. */
 void qtri_picture_copy(uint8_t *to, ptrdiff_t to_pitch, const uint8_t *from, ptrdiff_t from_pitch,
                        size_t bytes, int32_t rows);
-
-/* From pixel to pixel of a picture: coordinates in Q16.16 inside of it, steps modulo 2^32. */
-typedef struct qtri_picture_walk {
-    const qtri_image *image;
-    uint32_t u, v, du, dv;
-} qtri_picture_walk;
-
-/*
- * `count` pixels of a picture to a surface that stores them in the same way, those of the key left
- * out. False: it is to be done in batches, which takes less code.
- */
-bool qtri_picture_walk_row(const qtri_picture_walk *walk, uint8_t *to, int32_t count);
 
 static inline uint8_t *qtri_surface_at(const qtri_surface *surface, int32_t x, int32_t row)
 {

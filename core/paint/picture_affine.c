@@ -6,116 +6,7 @@
 #include "qtri/q16.h"
 
 #include "../frame/barrier.h"
-
-#ifndef __OPTIMIZE_SIZE__
-/* What a loop knows of its pixels: how many bytes, whether there is a key, whether v changes. */
-typedef struct kind {
-    int32_t bytes;
-    bool is_keyed, is_turned;
-} kind;
-
-QTRI_INLINE void walk_row(kind is, const qtri_picture_walk *walk, uint8_t *to, int32_t count)
-{
-    const qtri_image *image = walk->image;
-    const ptrdiff_t pitch = image->pitch;
-    const uint8_t *pixels = (const uint8_t *)image->pixels;
-    const uint32_t mask = is.is_keyed && is.bytes == 4 ? qtri_picture_key_mask(image) : UINT32_MAX;
-    const uint32_t key = image->key & mask;
-    const uint32_t du = walk->du;
-    const uint32_t dv = walk->dv;
-    uint32_t u = walk->u;
-    uint32_t v = walk->v;
-    if (!is.is_turned) {
-        pixels += (ptrdiff_t)(v >> 16) * pitch;
-    }
-#define ONE(i)                                                                                     \
-    {                                                                                              \
-        const uint8_t *row = is.is_turned ? pixels + (ptrdiff_t)(v >> 16) * pitch : pixels;        \
-        const uint32_t stored = qtri_stored_get(is.bytes, row + (ptrdiff_t)(u >> 16) * is.bytes);  \
-        u += du;                                                                                   \
-        QTRI_OPAQUE(u)                                                                             \
-        if (is.is_turned) {                                                                        \
-            v += dv;                                                                               \
-            QTRI_OPAQUE(v)                                                                         \
-        }                                                                                          \
-        if (!is.is_keyed) {                                                                        \
-            qtri_stored_put(is.bytes, to + (i)*is.bytes, stored);                                  \
-        } else if ((stored & mask) != key) {                                                       \
-            QTRI_BRANCH                                                                            \
-            qtri_stored_put(is.bytes, to + (i)*is.bytes, stored);                                  \
-        }                                                                                          \
-    }
-    for (; count >= 4; count -= 4) {
-        ONE(0)
-        ONE(1)
-        ONE(2)
-        ONE(3)
-        to += 4 * is.bytes;
-    }
-    for (; count > 0; count--) {
-        ONE(0)
-        to += is.bytes;
-    }
-#undef ONE
-}
-
-QTRI_INLINE void walk_sized(int32_t bytes, const qtri_picture_walk *walk, uint8_t *to,
-                            int32_t count)
-{
-    const kind plain = {bytes, false, false};
-    const kind turned = {bytes, false, true};
-    const kind keyed = {bytes, true, false};
-    const kind keyed_turned = {bytes, true, true};
-    if (!walk->image->has_key) {
-        if (walk->dv == 0) {
-            walk_row(plain, walk, to, count);
-        } else {
-            walk_row(turned, walk, to, count);
-        }
-    } else if (walk->dv == 0) {
-        walk_row(keyed, walk, to, count);
-    } else {
-        walk_row(keyed_turned, walk, to, count);
-    }
-}
-
-bool qtri_picture_walk_row(const qtri_picture_walk *walk, uint8_t *to, int32_t count)
-{
-    const qtri_image *image = walk->image;
-    const int32_t bytes = image->format->pixels->bytes;
-    if (walk->dv == 0 && walk->du == 65536 && !image->has_key) {
-        const uint8_t *row =
-            (const uint8_t *)image->pixels + (ptrdiff_t)(walk->v >> 16) * image->pitch;
-        qtri_picture_copy(to, 0, row + (ptrdiff_t)(walk->u >> 16) * bytes, 0,
-                          (size_t)bytes * (size_t)count, 1);
-        return true;
-    }
-    switch (bytes) {
-    case 1:
-        walk_sized(1, walk, to, count);
-        return true;
-    case 2:
-        walk_sized(2, walk, to, count);
-        return true;
-    case 3:
-        walk_sized(3, walk, to, count);
-        return true;
-    case 4:
-        walk_sized(4, walk, to, count);
-        return true;
-    default:
-        return false;
-    }
-}
-#else
-bool qtri_picture_walk_row(const qtri_picture_walk *walk, uint8_t *to, int32_t count)
-{
-    (void)walk;
-    (void)to;
-    (void)count;
-    return false;
-}
-#endif
+#include "qtri/body/barrier.h"
 
 #ifdef QTRI_CHECKED
 /* Not so near to 0 in both that they are taken for plain numbers; 0, too. */
@@ -278,11 +169,11 @@ typedef struct run {
     const qtri_surface *surface;
     const qtri_image *image;
     inverse inverse;
-    uint32_t a; /* of 256 */
-    bool is_alike;
-    bool is_kept; /* where it does not turn, what a row of the picture was last: */
-    int32_t kept_v;
-    const uint8_t *kept; /* its first pixel on the surface */
+    int32_t u, v;        /* of the first pixel, in the picture */
+    uint32_t a;          /* of 256 */
+    bool is_alike;       /* pixels mean the same on both sides */
+    int32_t kept_v;      /* where it does not turn: the row of the picture that was last, */
+    const uint8_t *kept; /*   and its first pixel on the surface; NULL: none */
 } run;
 
 /* u and v stay within the picture, below 2^29, all the way. */
@@ -318,52 +209,148 @@ static void fetch(const run *r, int32_t u, int32_t v, uint32_t *stored, int32_t 
     }
 }
 
-/* Pixels that are converted, or mixed. */
-static void paint_batches(const run *r, uint8_t *to, int32_t u, int32_t v, int32_t count)
+/* What a loop knows of its pixels: how many bytes, whether there is a key, whether v changes. */
+typedef struct kind {
+    int32_t bytes;
+    bool is_keyed, is_turned;
+} kind;
+
+QTRI_INLINE void walk_row(kind is, const run *r, uint8_t *to, int32_t count)
 {
-    const qtri_pixels *pixels = r->surface->format->pixels;
-    uint32_t stored[QTRI_PICTURE_BATCH];
-    for (; count > 0; count -= QTRI_PICTURE_BATCH) {
-        const int32_t n = qtri_least32(count, QTRI_PICTURE_BATCH);
-        fetch(r, u, v, stored, n);
-        const uint32_t mask = qtri_picture_mask(r->image, stored, n);
-        if (!r->is_alike) {
-            qtri_picture_convert(r->image, r->surface, stored, n);
-        }
-        if (r->a == 256) {
-            pixels->store(to, stored, mask, n);
+    const qtri_image *image = r->image;
+    const ptrdiff_t pitch = image->pitch;
+    const uint8_t *pixels = (const uint8_t *)image->pixels;
+    const uint32_t mask = is.is_keyed && is.bytes == 4 ? qtri_picture_key_mask(image) : UINT32_MAX;
+    const uint32_t key = image->key & mask;
+    const uint32_t du = (uint32_t)r->inverse.ux;
+    const uint32_t dv = (uint32_t)r->inverse.vx;
+    uint32_t u = (uint32_t)r->u;
+    uint32_t v = (uint32_t)r->v;
+    if (!is.is_turned) {
+        pixels += (ptrdiff_t)(v >> 16) * pitch;
+    }
+#define ONE(i)                                                                                     \
+    {                                                                                              \
+        const uint8_t *row = is.is_turned ? pixels + (ptrdiff_t)(v >> 16) * pitch : pixels;        \
+        const uint32_t stored = qtri_stored_get(is.bytes, row + (ptrdiff_t)(u >> 16) * is.bytes);  \
+        u += du;                                                                                   \
+        QTRI_OPAQUE(u)                                                                             \
+        if (is.is_turned) {                                                                        \
+            v += dv;                                                                               \
+            QTRI_OPAQUE(v)                                                                         \
+        }                                                                                          \
+        if (!is.is_keyed) {                                                                        \
+            qtri_stored_put(is.bytes, to + (i)*is.bytes, stored);                                  \
+        } else if ((stored & mask) != key) {                                                       \
+            QTRI_BRANCH                                                                            \
+            qtri_stored_put(is.bytes, to + (i)*is.bytes, stored);                                  \
+        }                                                                                          \
+    }
+    for (; count >= 4; count -= 4) {
+        ONE(0)
+        ONE(1)
+        ONE(2)
+        ONE(3)
+        to += 4 * is.bytes;
+    }
+    for (; count > 0; count--) {
+        ONE(0)
+        to += is.bytes;
+    }
+#undef ONE
+}
+
+QTRI_INLINE void walk_sized(int32_t bytes, const run *r, uint8_t *to, int32_t count)
+{
+    const kind plain = {bytes, false, false};
+    const kind turned = {bytes, false, true};
+    const kind keyed = {bytes, true, false};
+    const kind keyed_turned = {bytes, true, true};
+    if (!r->image->has_key) {
+        if (r->inverse.vx == 0) {
+            walk_row(plain, r, to, count);
         } else {
-            qtri_picture_mix(r->surface, to, stored, mask, n, r->a);
+            walk_row(turned, r, to, count);
         }
-        u = (int32_t)((uint32_t)u + (uint32_t)r->inverse.ux * (uint32_t)n);
-        v = (int32_t)((uint32_t)v + (uint32_t)r->inverse.vx * (uint32_t)n);
-        to += (ptrdiff_t)pixels->bytes * n;
+    } else if (r->inverse.vx == 0) {
+        walk_row(keyed, r, to, count);
+    } else {
+        walk_row(keyed_turned, r, to, count);
     }
 }
 
 /*
- * A run of pixels, whose first is at u, v of the picture. Where the picture does not turn, and
+ * Pixels to a surface that stores them in the same way, those of the key left out. False: it is to
+ * be done in batches, which takes less code.
+ */
+QTRI_NOINLINE static bool walk_pixels(const run *r, uint8_t *to, int32_t count)
+{
+    const qtri_image *image = r->image;
+    const int32_t bytes = image->format->pixels->bytes;
+    if (QTRI_BODY_IS_SMALL) {
+        return false;
+    }
+    if (r->inverse.vx == 0 && r->inverse.ux == 65536 && !image->has_key) {
+        const uint8_t *row =
+            (const uint8_t *)image->pixels + (ptrdiff_t)(r->v >> 16) * image->pitch;
+        qtri_picture_copy(to, 0, row + (ptrdiff_t)(r->u >> 16) * bytes, 0,
+                          (size_t)bytes * (size_t)count, 1);
+        return true;
+    }
+    switch (bytes) {
+    case 1:
+        walk_sized(1, r, to, count);
+        return true;
+    case 2:
+        walk_sized(2, r, to, count);
+        return true;
+    case 3:
+        walk_sized(3, r, to, count);
+        return true;
+    case 4:
+        walk_sized(4, r, to, count);
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* Pixels that are converted, or mixed. */
+static void paint_batches(const run *r, uint8_t *to, int32_t count)
+{
+    int32_t u = r->u;
+    int32_t v = r->v;
+    uint32_t stored[QTRI_PICTURE_BATCH];
+    for (; count > 0; count -= QTRI_PICTURE_BATCH) {
+        const int32_t n = qtri_least32(count, QTRI_PICTURE_BATCH);
+        fetch(r, u, v, stored, n);
+        qtri_picture_put(r->surface, r->image, to, stored, n, r->a);
+        u = (int32_t)((uint32_t)u + (uint32_t)r->inverse.ux * (uint32_t)n);
+        v = (int32_t)((uint32_t)v + (uint32_t)r->inverse.vx * (uint32_t)n);
+        to += (ptrdiff_t)r->surface->format->pixels->bytes * n;
+    }
+}
+
+/*
+ * A run of pixels. Where the picture does not turn, and
  * nothing of what is there shows through it, a row of it that is painted once more is copied from
  * above: runs are then the same in all rows.
  */
-static void paint_run(run *r, uint8_t *to, int32_t u, int32_t v, int32_t count)
+static void paint_run(run *r, uint8_t *to, int32_t count)
 {
     const qtri_image *image = r->image;
     const int32_t bytes = r->surface->format->pixels->bytes;
     const bool is_upright = r->inverse.vx == 0 && r->inverse.uy == 0;
     if (is_upright && r->a == 256 && !image->has_key) {
-        if (r->is_kept && r->kept_v == v >> 16) {
+        if (r->kept != NULL && r->kept_v == r->v >> 16) {
             qtri_picture_copy(to, 0, r->kept, 0, (size_t)bytes * (size_t)count, 1);
             return;
         }
-        r->is_kept = true;
-        r->kept_v = v >> 16;
+        r->kept_v = r->v >> 16;
         r->kept = to;
     }
-    const qtri_picture_walk walk = {image, (uint32_t)u, (uint32_t)v, (uint32_t)r->inverse.ux,
-                                    (uint32_t)r->inverse.vx};
-    if (!r->is_alike || r->a != 256 || !qtri_picture_walk_row(&walk, to, count)) {
-        paint_batches(r, to, u, v, count);
+    if (r->a != 256 || !r->is_alike || !walk_pixels(r, to, count)) {
+        paint_batches(r, to, count);
     }
 }
 
@@ -374,54 +361,40 @@ static int64_t coordinate(int32_t x, int32_t by, int32_t x2, int32_t by2)
 }
 
 /*
- * The rows that the picture may reach, a few more where its corners lie. What it covers is decided
- * by the inverse, whose roundings move a row by 8192 / 131072 times the scale: 1/4 where that is 4.
+ * The rows or columns that the picture may reach, and `more` where its corners lie; `start`, by_x
+ * and by_y: the affine's numbers for them. What it covers is decided by the inverse, whose
+ * roundings move a row by 8192 / 131072 times the scale: 1/4 where that is 4. Of a pixel in the
+ * picture x and y lie within 2^16 and 2^15 of where the picture is, so that the inverse moves u and
+ * v by .75, and that a column by less than 8.
  */
-static void narrow_rows(const qtri_affine *m, const qtri_image *image, qtri_rect *bounds)
+static void narrow(int32_t start, q16 by_x, q16 by_y, const qtri_image *image, int32_t more,
+                   int32_t *first, int32_t *end)
 {
-    const int32_t most = (int32_t)4 * 65536;
-    if (qtri_magnitude32(m->yx) > (uint32_t)most || qtri_magnitude32(m->yy) > (uint32_t)most) {
+    const uint32_t most = (uint32_t)4 * 65536;
+    if (qtri_magnitude32(by_x) > most || qtri_magnitude32(by_y) > most) {
         return;
     }
-    const int64_t x = qtri_mul_s32(m->yx, image->width); /* |.| <= 2^18 2^13 */
-    const int64_t y = qtri_mul_s32(m->yy, image->height);
-    const int64_t least = (m->y0 + (x < 0 ? x : 0) + (y < 0 ? y : 0)) >> 16;
-    const int64_t greatest = (m->y0 + (x > 0 ? x : 0) + (y > 0 ? y : 0)) >> 16;
-    bounds->y0 = qtri_greatest32(bounds->y0, (int32_t)least - 1);
-    bounds->y1 = qtri_least32(bounds->y1, (int32_t)greatest + 2);
-}
-
-/*
- * The same with columns. Of a pixel in the picture x and y lie within 2^16 and 2^15 of where the
- * picture is, so that the inverse moves u and v by .75, and that a column by less than 8.
- */
-static void narrow_columns(const qtri_affine *m, const qtri_image *image, qtri_rect *bounds)
-{
-    const int32_t most = (int32_t)4 * 65536;
-    if (qtri_magnitude32(m->xx) > (uint32_t)most || qtri_magnitude32(m->xy) > (uint32_t)most) {
-        return;
-    }
-    const int64_t x = qtri_mul_s32(m->xx, image->width);
-    const int64_t y = qtri_mul_s32(m->xy, image->height);
-    const int64_t least = (m->x0 + (x < 0 ? x : 0) + (y < 0 ? y : 0)) >> 16;
-    const int64_t greatest = (m->x0 + (x > 0 ? x : 0) + (y > 0 ? y : 0)) >> 16;
-    bounds->x0 = qtri_greatest32(bounds->x0, (int32_t)least - 8);
-    bounds->x1 = qtri_least32(bounds->x1, (int32_t)greatest + 9);
+    const int64_t x = qtri_mul_s32(by_x, image->width); /* |.| <= 2^18 2^13 */
+    const int64_t y = qtri_mul_s32(by_y, image->height);
+    const int64_t least = (start + (x < 0 ? x : 0) + (y < 0 ? y : 0)) >> 16;
+    const int64_t greatest = (start + (x > 0 ? x : 0) + (y > 0 ? y : 0)) >> 16;
+    *first = qtri_greatest32(*first, (int32_t)least - more);
+    *end = qtri_least32(*end, (int32_t)greatest + more + 1);
 }
 
 void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *image,
                              const qtri_affine *affine, uint8_t alpha)
 {
     QTRI_ASSERT(affine != NULL);
-    run r = {surface, image, {0, 0, 0, 0}, qtri_mix_weight(255, alpha), false, false, 0, NULL};
+    run r = {surface, image, {0, 0, 0, 0}, 0, 0, qtri_mix_weight(255, alpha), false, 0, NULL};
     qtri_rect bounds = qtri_surface_bounds(surface);
     if (alpha == 0 || bounds.x0 == bounds.x1 || !qtri_picture_is_usable(image) ||
         !invert(affine, &r.inverse)) {
         return;
     }
     r.is_alike = qtri_picture_is_alike(image, surface);
-    narrow_rows(affine, image, &bounds);
-    narrow_columns(affine, image, &bounds);
+    narrow(affine->y0, affine->yx, affine->yy, image, 1, &bounds.y0, &bounds.y1);
+    narrow(affine->x0, affine->xx, affine->xy, image, 8, &bounds.x0, &bounds.x1);
     if (bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1) {
         return;
     }
@@ -440,9 +413,9 @@ void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *imag
         axis_clip(&across, &first, &end);
         axis_clip(&down, &first, &end);
         if (first < end) {
-            paint_run(&r, qtri_surface_at(surface, bounds.x0 + first, row),
-                      (int32_t)(u + (int64_t)r.inverse.ux * first),
-                      (int32_t)(v + (int64_t)r.inverse.vx * first), end - first);
+            r.u = (int32_t)(u + (int64_t)r.inverse.ux * first);
+            r.v = (int32_t)(v + (int64_t)r.inverse.vx * first);
+            paint_run(&r, qtri_surface_at(surface, bounds.x0 + first, row), end - first);
         }
         axis_next(&across);
         axis_next(&down);

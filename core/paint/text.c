@@ -8,6 +8,7 @@
 #include "../bits/bits.h"
 #include "../frame/barrier.h"
 #include "../frame/pixel.h"
+#include "qtri/body/barrier.h"
 
 /* A first byte 110xxxxx, 1110xxxx or 11110xxx tells how many bytes 10xxxxxx follow. */
 static int32_t following(uint32_t first)
@@ -56,11 +57,12 @@ uint32_t qtri_text_next(const char **text)
 QTRI_INLINE void paint_eight(int32_t bytes, uint8_t *at, uint32_t value, uint32_t stored)
 {
     value <<= 24;
-#ifdef __OPTIMIZE_SIZE__
-    for (; value != 0; value <<= 1, at += bytes) {
-        BIT(0)
+    if (QTRI_BODY_IS_SMALL) {
+        for (; value != 0; value <<= 1, at += bytes) {
+            BIT(0)
+        }
+        return;
     }
-#else
     BIT(0)
     BIT(1)
     BIT(2)
@@ -69,24 +71,34 @@ QTRI_INLINE void paint_eight(int32_t bytes, uint8_t *at, uint32_t value, uint32_
     BIT(5)
     BIT(6)
     BIT(7)
-#endif
+}
+
+/*
+ * The `count` pixels behind the first `skip` of a byte of each row. Those in front leave the word
+ * where it is shifted up.
+ */
+QTRI_INLINE void paint_column(int32_t bytes, const qtri_painter *painter, uint8_t *to,
+                              const uint8_t *row, int32_t stride, int32_t rows, int32_t skip,
+                              int32_t count)
+{
+    const uint32_t stored = painter->stored;
+    const ptrdiff_t pitch = painter->surface->pitch;
+    const uint32_t within = 0xFF00u >> (skip + count); /* of the low eight bits */
+    const uint8_t *end = row + (ptrdiff_t)rows * stride;
+    for (; row != end; row += stride) {
+        const uint32_t value = (*row & within) << skip;
+        if (value != 0) {
+            paint_eight(bytes, to, value, stored);
+        }
+        to += pitch;
+    }
 }
 
 /* Whole rows of up to eight pixels, which nothing clips: most characters. */
 QTRI_INLINE void paint_narrow(int32_t bytes, const qtri_painter *painter, uint8_t *to,
                               const qtri_ink_bits *b)
 {
-    const uint32_t stored = painter->stored;
-    const ptrdiff_t pitch = painter->surface->pitch;
-    const uint32_t within = 0xFF00u >> b->width; /* of the low eight bits */
-    const uint8_t *end = b->row + b->height;
-    for (const uint8_t *row = b->row; row != end; row++) {
-        const uint32_t value = *row & within;
-        if (value != 0) {
-            paint_eight(bytes, to, value, stored);
-        }
-        to += pitch;
-    }
+    paint_column(bytes, painter, to, b->row, 1, b->height, 0, b->width);
 }
 
 static void paint_narrow_bits(const qtri_painter *painter, uint8_t *to, const qtri_ink_bits *b)
@@ -107,28 +119,6 @@ static void paint_narrow_bits(const qtri_painter *painter, uint8_t *to, const qt
     }
 }
 
-#ifndef __OPTIMIZE_SIZE__
-/*
- * The `count` pixels behind the first `skip` of a byte of each row. Those in front leave the word
- * where it is shifted up.
- */
-QTRI_INLINE void paint_column(int32_t bytes, const qtri_painter *painter, uint8_t *to,
-                              const uint8_t *row, const qtri_ink_bits *b, int32_t skip,
-                              int32_t count)
-{
-    const uint32_t stored = painter->stored;
-    const ptrdiff_t pitch = painter->surface->pitch;
-    const uint32_t within = 0xFF00u >> (skip + count);
-    for (int32_t rows = b->height; rows > 0; rows--) {
-        const uint32_t value = (*row & within) << skip;
-        if (value != 0) {
-            paint_eight(bytes, to, value, stored);
-        }
-        to += pitch;
-        row += b->stride;
-    }
-}
-
 /* Of wide characters, and of those that are clipped: byte by byte of their rows. */
 QTRI_INLINE void paint_columns(int32_t bytes, const qtri_painter *painter, uint8_t *to,
                                const qtri_ink_bits *b)
@@ -137,19 +127,16 @@ QTRI_INLINE void paint_columns(int32_t bytes, const qtri_painter *painter, uint8
     for (int32_t at = b->skip; at < end;) {
         const int32_t skip = at & 7;
         const int32_t count = qtri_least32(8 - skip, end - at);
-        paint_column(bytes, painter, to, b->row + (at >> 3), b, skip, count);
+        paint_column(bytes, painter, to, b->row + (at >> 3), b->stride, b->height, skip, count);
         to += (ptrdiff_t)count * bytes;
         at += count;
     }
 }
 
-#endif
-
 /* False: pixels of another size, or a library that is to be small. */
 static bool paint_wide_bits(const qtri_painter *painter, uint8_t *to, const qtri_ink_bits *b)
 {
-#ifndef __OPTIMIZE_SIZE__
-    switch (painter->surface->format->pixels->bytes) {
+    switch (QTRI_BODY_IS_SMALL ? 0 : painter->surface->format->pixels->bytes) {
     case 1:
         paint_columns(1, painter, to, b);
         return true;
@@ -163,14 +150,8 @@ static bool paint_wide_bits(const qtri_painter *painter, uint8_t *to, const qtri
         paint_columns(4, painter, to, b);
         return true;
     default:
-        break;
+        return false;
     }
-#else
-    (void)painter;
-    (void)to;
-    (void)b;
-#endif
-    return false;
 }
 
 static bool is_mixed(const qtri_painter *painter)

@@ -89,13 +89,8 @@ QTRI_NOINLINE static void ramp_init(qtri_line_ramp *r, int32_t from, int32_t to,
 void qtri_line_lit_colors(qtri_line_color color[2], const qtri_line_job *job, const qtri_vertex *a,
                           const qtri_vertex *b)
 {
-    const qtri_rgb *tint = &job->to->material.color;
-    for (int i = 0; i < 2; i++) {
-        const int32_t light = (int32_t)(i == 0 ? a : b)->intensity_q15 * 2;
-        color[i][0] = tint->r * light; /* <= 255.0 */
-        color[i][1] = tint->g * light;
-        color[i][2] = tint->b * light;
-    }
+    qtri_line_color_set(color[0], &job->to->material.color, a->intensity_q15);
+    qtri_line_color_set(color[1], &job->to->material.color, b->intensity_q15);
 }
 
 void qtri_line_look_of(qtri_stroke_look *look, const qtri_line_job *job, const qtri_vertex *a,

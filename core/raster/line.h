@@ -75,6 +75,15 @@ bool qtri_line_has_table(const qtri_line_job *job);
 /* A vertex of any coordinates as an end, its depth within depth_16p8, and its colour. */
 void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v);
 
+/* A colour in a light, 0..1. */
+static inline void qtri_line_color_set(qtri_line_color out, const qtri_rgb *rgb, uint32_t light_q15)
+{
+    const int32_t light = (int32_t)light_q15 * 2;
+    out[0] = rgb->r * light; /* <= 255.0 */
+    out[1] = rgb->g * light;
+    out[2] = rgb->b * light;
+}
+
 /* Those of two ends in the material's colour, which are lit. */
 void qtri_line_lit_colors(qtri_line_color color[2], const qtri_line_job *job, const qtri_vertex *a,
                           const qtri_vertex *b);

@@ -47,10 +47,10 @@ QTRI_BODY void draw_lit(const qtri_options *o, const qtri_line_job *job, const q
     qtri_line_run_draw(o, &run);
 }
 
-static const qtri_options less = {
-    .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS};
-static const qtri_options less_lit = {
-    .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS, .shade = QTRI_LIGHT};
+#define LESS .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS
+
+static const qtri_options less = {LESS};
+static const qtri_options less_lit = {LESS, .shade = QTRI_LIGHT};
 static const qtri_options over = {.format = QTRI_RGB565};
 static const qtri_options over_lit = {.format = QTRI_RGB565, .shade = QTRI_LIGHT};
 
@@ -76,9 +76,7 @@ static void line_over(const qtri_line_job *job, const qtri_vertex *a, const qtri
     draw_lit(&over_lit, job, a, b, color, draw_over);
 }
 
-static const qtri_pipeline pipeline_less = {
-    .options = {.format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS},
-    .line = line_less};
+static const qtri_pipeline pipeline_less = {.options = {LESS}, .line = line_less};
 static const qtri_pipeline pipeline_over = {.options = {.format = QTRI_RGB565}, .line = line_over};
 
 /* With depth: any comparison, written or read only. */

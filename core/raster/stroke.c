@@ -339,40 +339,33 @@ typedef struct polyline {
     uint32_t count;
 } polyline;
 
-static qtri_point point_of(const qtri_screen_vertex *v)
+/* Both ends as lines have them, and their colours. */
+static void find_ends(const polyline *line, uint32_t part, qtri_vertex end[2],
+                      qtri_line_color color[2])
 {
-    const int32_t max = QTRI_SCREEN_MAX_24P8;
-    const qtri_point point = {qtri_hold32(v->x_24p8, -max, max), qtri_hold32(v->y_24p8, -max, max)};
-    return point;
-}
-
-static uint32_t next_of(const polyline *line, uint32_t part)
-{
-    return part + 1 < line->count ? part + 1 : 0;
+    qtri_line_end(&end[0], color[0], &line->v[part]);
+    qtri_line_end(&end[1], color[1], &line->v[part + 1 < line->count ? part + 1 : 0]);
 }
 
 static bool place(const void *from, uint32_t part, qtri_point end[2])
 {
-    const polyline *line = from;
-    end[0] = point_of(&line->v[part]);
-    end[1] = point_of(&line->v[next_of(line, part)]);
+    qtri_vertex v[2];
+    qtri_line_color color[2];
+    find_ends(from, part, v, color);
+    end[0] = v[0].at;
+    end[1] = v[1].at;
     return true;
-}
-
-static void set_end(qtri_stroke_end *end, const qtri_screen_vertex *v)
-{
-    const uint32_t farthest = (uint32_t)65535 << 16;
-    end->depth_16p8 = v->depth_16p16 < farthest ? v->depth_16p16 : farthest;
-    for (int i = 0; i < 3; i++) {
-        end->color_8p16[i] = qtri_hold32(v->color_8p16[i], 0, 255 << 16);
-    }
 }
 
 static void ends(const void *from, uint32_t part, qtri_stroke_end end[2])
 {
-    const polyline *line = from;
-    set_end(&end[0], &line->v[part]);
-    set_end(&end[1], &line->v[next_of(line, part)]);
+    qtri_vertex v[2];
+    qtri_line_color color[2];
+    find_ends(from, part, v, color);
+    for (int i = 0; i < 2; i++) {
+        end[i].depth_16p8 = v[i].depth_16p8;
+        memcpy(end[i].color_8p16, color[i], sizeof color[i]);
+    }
 }
 
 void qtri_raster_polyline(const qtri_surface *surface, const qtri_material *material,

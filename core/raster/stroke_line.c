@@ -6,6 +6,7 @@
 #include "../bits/bits.h"
 #include "../filter/mix.h"
 #include "line_path.h"
+#include "stroke_shape.h"
 
 #define FULL  QTRI_STROKE_FULL
 #define LEAST (FULL / 64) /* less is nothing: it would not change RGB565 */
@@ -15,17 +16,21 @@ enum {
     CHUNK = 128 /* columns after which a line starts anew: see line_path.h */
 };
 
+/* Where a column's cells are, what covers the pixel before the first, and the share there in Q24.
+ */
+typedef struct cells {
+    const int32_t *cell, *end;
+    int32_t sum, share, along, across;
+} cells;
+
 /*
  * A line by its longer axis, "along", and the other, "across". Its rectangle's corners lie at an
  * end less the offset, on the near side, and at the end plus the offset, on the far one:
  * (offset_x, -offset_y) from it. 24.8 where nothing else is said.
  */
-typedef struct wire wire;
-struct cells;
-
-struct wire {
+typedef struct wire {
     const qtri_line_job *job;
-    void (*draw)(const wire *w, const struct cells *c); /* the pixels of a column */
+    void (*draw)(const struct wire *w, const cells *c); /* the pixels of a column */
     int32_t x[2], y[2];         /* of the ends, along and across; x[0] < x[1] */
     int32_t origin_x, origin_y; /* of the first end, without a cap */
     int32_t slope_q16;          /* across for along: -1..1 */
@@ -45,7 +50,15 @@ struct wire {
     /* Where pixels are stored as they are found: row 0 of the frame, and bytes. */
     uint8_t *pixels, *depths;
     int32_t pixel_along, pixel_across, depth_along, depth_across;
-};
+} wire;
+
+/* `dx` by along of a side whose ends are `ends` in 1/256 behind the cell's start, added. */
+QTRI_INLINE void add_piece(int32_t *cell, int32_t dx, int32_t ends)
+{
+    const int32_t behind = dx * ends;
+    cell[0] += dx * 512 - behind;
+    cell[1] += behind;
+}
 
 /*
  * Adds the area on the far side of a side that goes from `ya` to `yb`, 1/256 pixel behind the
@@ -57,9 +70,7 @@ QTRI_INLINE void add_side(int32_t *cell, int32_t dx, int32_t ya, int32_t yb, int
     int32_t k = ya >> 8;
     const int32_t last = yb >> 8;
     if (k == last) {
-        const int32_t behind = dx * ((ya & 255) + (yb & 255));
-        cell[k] += dx * 512 - behind;
-        cell[k + 1] += behind;
+        add_piece(&cell[k], dx, (ya & 255) + (yb & 255));
         return;
     }
     const int32_t size = dx < 0 ? -dx : dx;
@@ -71,18 +82,12 @@ QTRI_INLINE void add_side(int32_t *cell, int32_t dx, int32_t ya, int32_t yb, int
         const int32_t to = step > 0 ? 256 : 0;
         gone += (to - y) * step;
         const int32_t upto = qtri_least32((gone * ratio_q8) >> 8, size); /* 2^10 2^21 */
-        const int32_t part = dx < 0 ? done - upto : upto - done;
-        const int32_t behind = part * (y + to);
-        cell[k] += part * 512 - behind;
-        cell[k + 1] += behind;
+        add_piece(&cell[k], dx < 0 ? done - upto : upto - done, y + to);
         k += step;
         y = 256 - to;
         done = upto;
     } while (k != last);
-    const int32_t part = dx < 0 ? done - size : size - done;
-    const int32_t behind = part * (y + yb - k * 256);
-    cell[k] += part * 512 - behind;
-    cell[k + 1] += behind;
+    add_piece(&cell[k], dx < 0 ? done - size : size - done, y + yb - k * 256);
 }
 
 /* An end of the rectangle, from its near corner to the far one, as far as it lies in the column. */
@@ -133,19 +138,6 @@ QTRI_NOINLINE static void add_ends(int32_t *cell, const wire *w, int32_t column,
     }
 }
 
-/* Held to the line: 16 bits. */
-static inline uint32_t held_share(int32_t share_q24)
-{
-    return (uint32_t)qtri_hold32(share_q24, 0, (1 << 24) - 1) >> 8;
-}
-
-/* Where a column's cells are, what covers the pixel before the first, and the share there in Q24.
- */
-typedef struct cells {
-    const int32_t *cell, *end;
-    int32_t sum, share, along, across;
-} cells;
-
 /* Leaves out cells outside of the bounds. */
 static void clip_cells(const wire *w, cells *c)
 {
@@ -172,7 +164,7 @@ static void draw_any(const wire *w, const cells *c)
         sum += *cell;
         const uint32_t cover = (uint32_t)qtri_hold32(sum, 0, FULL);
         weight[count] = (uint16_t)(sum < LEAST ? 0 : qtri_stroke_weight(cover, to->alpha_q16));
-        share_q16[count] = (uint16_t)held_share(share_q24);
+        share_q16[count] = qtri_stroke_held_share(share_q24);
         count++;
     }
     const qtri_stroke_span span = {&to->state,
@@ -199,7 +191,7 @@ QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
     do {
         sum += *cell++;
         if (sum >= LEAST) {
-            const uint32_t share = qtri_stroke_share(held_share(share_q24));
+            const uint32_t share = qtri_stroke_share(qtri_stroke_held_share(share_q24));
             uint16_t *at = (uint16_t *)(void *)depth;
             const uint32_t z = (qtri_stroke_look_depth(&w->look, share) + 0x8000u) >> 16;
             if (!has_depth || z < *at) {

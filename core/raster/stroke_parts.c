@@ -120,7 +120,6 @@ static void add_box(qtri_stroke_box *sum, const qtri_stroke_box *box)
 /* Boxes of blocks of parts, and that of all; without a part that is seen it is empty. */
 qtri_stroke_box qtri_stroker_find_blocks(qtri_stroker *stroker)
 {
-    const qtri_stroke_box anywhere = {INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX};
     const qtri_stroke_box none = {INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN};
     const uint32_t count = count_of(stroker);
     qtri_stroke_box all = none;
@@ -131,8 +130,9 @@ qtri_stroke_box qtri_stroker_find_blocks(qtri_stroker *stroker)
         const uint32_t end = part + (left < stroker->block_parts ? left : stroker->block_parts);
         *block = none;
         for (; part < end; part++) {
-            qtri_stroke_box box;
-            if (is_near(stroker, part, &anywhere, &box)) {
+            qtri_stroke_place place;
+            if (qtri_stroker_place(stroker, part, &place)) {
+                const qtri_stroke_box box = qtri_stroke_box_of(&place);
                 add_box(block, &box);
             }
         }

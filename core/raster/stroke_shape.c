@@ -311,12 +311,6 @@ static void to_pixel(const qtri_stroke_shape *s, int32_t x, int32_t y, int32_t t
     to[1] = y * 256 + 128 - s->origin.y_24p8;
 }
 
-/* Of 24 bits, held to the part: 16 bits. */
-static inline uint16_t held_share(int32_t share_q24)
-{
-    return (uint16_t)(share_q24 < 0 ? 0 : share_q24 >= 1 << 24 ? 65535 : share_q24 >> 8);
-}
-
 /* A share of the length a unit, of a part of a pixel or more: at most 2^30. */
 static int32_t share_q38(int32_t share, int32_t shift)
 {
@@ -349,7 +343,9 @@ void qtri_stroke_shape_shares(const qtri_stroke_shape *s, int32_t x, int32_t y, 
                  s->share_shift; /* < 2^56 */
     at += skip * step;
     for (int32_t i = 0; i < count; i++, at += step) {
-        share_q16[i] = held_share((int32_t)(at < -most ? -most : at > most ? most : at));
+        share_q16[i] = qtri_stroke_held_share((int32_t)(at < -most  ? -most
+                                                        : at > most ? most
+                                                                    : at));
     }
 }
 

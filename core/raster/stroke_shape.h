@@ -95,6 +95,12 @@ static inline int32_t qtri_stroke_piece_x(const qtri_stroke_piece *piece, int32_
                : piece->x0 + ((piece->slope_q16 * (y - piece->top) + 0x8000) >> 16); /* < 2^31 */
 }
 
+/* A share of the part's length, held to the part. */
+static inline uint16_t qtri_stroke_held_share(int32_t share_q24)
+{
+    return (uint16_t)(qtri_hold32(share_q24, 0, (1 << 24) - 1) >> 8);
+}
+
 /* Shares of the part's length, 16 bits each, at the centres of `count` pixels from (x, y) on. */
 void qtri_stroke_shape_shares(const qtri_stroke_shape *shape, int32_t x, int32_t y, int32_t count,
                               uint16_t *share_q16);
