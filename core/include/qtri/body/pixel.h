@@ -294,6 +294,12 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
                                         qtri_load(bytes, pixel));
             }
             if (qtri_pixel_writes(o, w) && !early && (!o->covered || w->cover_writes)) {
+                if (QTRI_BODY_IS_SMALL && o->depth == QTRI_LINEAR16 &&
+                    (qtri_is_lit(o) || o->fog || qtri_reads_pixel(o))) {
+                    /* a shift, where registers are few */
+                    QTRI_BODY_BARRIER(w->z);
+                    z = qtri_depth_encode(o, surface, w->z);
+                }
                 qtri_save(depth_bytes, depth, z);
             }
             if (o->blend != QTRI_KEEP_PIXEL) {
