@@ -164,7 +164,7 @@ static void job_ends(const void *from, uint32_t part, qtri_stroke_end end[2])
     const stroke_job *job = from;
     uint32_t corner[2];
     qtri_vertex v[2];
-    int32_t share_q30[2];
+    int32_t share_q30[2] = {0, (int32_t)1 << 30}; /* all of it */
     const bool is_cut = !find_corners(job, part, corner, v);
     if (is_cut) {
         (void)clip_part(job, corner, v, share_q30); /* something is left: the part was placed */
