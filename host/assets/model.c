@@ -418,3 +418,19 @@ bool model_picture_beside(struct model_material *material, const char *beside, i
     text_error_set(error, beside, line, "there is no picture %s; --plain does without", path);
     return false;
 }
+
+void model_leave_out_words(struct model *model, const char *words)
+{
+    const size_t length = strlen(model->left_out);
+    (void)snprintf(model->left_out + length, sizeof model->left_out - length, "%s%s",
+                   length > 0 && words[0] != '\0' ? ", " : "", words);
+}
+
+void model_leave_out(struct model *model, size_t count, const char *one, const char *many)
+{
+    char words[100];
+    if (count > 0) {
+        (void)snprintf(words, sizeof words, "%zu %s", count, count == 1 ? one : many);
+        model_leave_out_words(model, words);
+    }
+}

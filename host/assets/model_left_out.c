@@ -4,28 +4,10 @@
  */
 #include "model_scene.h"
 
-#include <stdio.h>
-#include <string.h>
-
-void model_leave_out_words(struct model *model, const char *words)
-{
-    const size_t length = strlen(model->left_out);
-    (void)snprintf(model->left_out + length, sizeof model->left_out - length, "%s%s",
-                   length > 0 && words[0] != '\0' ? ", " : "", words);
-}
-
-void model_leave_out(struct model *model, size_t count, const char *one, const char *many)
-{
-    char words[100];
-    if (count > 0) {
-        (void)snprintf(words, sizeof words, "%zu %s", count, count == 1 ? one : many);
-        model_leave_out_words(model, words);
-    }
-}
-
 #ifdef QTRI_HAVE_ASSIMP
 
 #include <assimp/material.h>
+#include <string.h>
 
 /* Counts of what no model has. */
 struct left_out {

@@ -69,7 +69,11 @@ static bool read_scene(const struct model_request *request, struct model *model)
         return model_request_fail(request, "cannot be read: ",
                                   reason[0] != '\0' ? reason : "the file is incomplete or wrong");
     }
-    return model_copy_scene(request, scene, model);
+    if (!model_copy_scene(request, scene, model)) {
+        return false;
+    }
+    model_list_left_out(scene, request->content == MODEL_ALL, model);
+    return true;
 }
 
 /* ---- Between the two processes ---- */

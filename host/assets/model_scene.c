@@ -430,12 +430,8 @@ bool model_copy_scene(const struct model_request *request, const struct aiScene 
     if (request->content == MODEL_ALL && scene->mNumAnimations > 0) {
         walk.animation = scene->mAnimations[0];
     }
-    if (!copy_node(&walk, scene->mRootNode, place) || (materials > 0 && !copy_materials(&walk)) ||
-        (request->content == MODEL_ALL && !copy_pictures(&walk))) {
-        return false;
-    }
-    model_list_left_out(scene, request->content == MODEL_ALL, model);
-    return true;
+    return copy_node(&walk, scene->mRootNode, place) && (materials == 0 || copy_materials(&walk)) &&
+           (request->content != MODEL_ALL || copy_pictures(&walk));
 }
 
 #endif
