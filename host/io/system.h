@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What C99 has not and systems do each in their way: POSIX's in system_posix.c, Windows' in
- * system_windows.c. Beside it two files have a twin for Windows, file_identity.c and
- * ../assets/apart.c. Functions that return an int return 0 or an errno, unless they say otherwise.
+ * What C99 has not and systems do each in their way: POSIX's in system_posix.c and
+ * system_memory.c, Windows' in system_windows.c. Beside it two files have a twin for Windows,
+ * file_identity.c and ../assets/apart.c. Functions that return an int return 0 or an errno, unless
+ * they say otherwise.
  */
 #ifndef QTRI_HOST_IO_SYSTEM_H
 #define QTRI_HOST_IO_SYSTEM_H

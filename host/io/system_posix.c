@@ -68,21 +68,6 @@ FILE *system_temporary(void)
     return tmpfile();
 }
 
-char *system_collect(void (*write)(FILE *out, const char *name), const char *name, size_t *length)
-{
-    char *text = NULL;
-    FILE *out = open_memstream(&text, length);
-    if (out == NULL) {
-        return NULL;
-    }
-    write(out, name);
-    if (fclose(out) != 0) {
-        free(text);
-        return NULL;
-    }
-    return text;
-}
-
 /* Signals that are ignored stay ignored, as nohup wants it. */
 void system_on_end(void (*end)(int number))
 {

@@ -8,7 +8,7 @@ WEB_OBJ := $(BUILD)/obj-web
 # Without what needs processes, signals or files of a disk, for which web_files.c and web_system.c stand in.
 web_sources := $(wildcard core/*/*.c host/io/*.c host/reference/*.c host/assets/*.c host/web/*.c) \
                $(wildcard host/tools/mesh_*.c host/tools/scene_*.c) host/tools/model_command.c host/tools/texture_command.c host/tools/options.c host/tools/compare.c host/tools/font_build.c
-web_sources := $(filter-out host/io/file.c host/io/file_i%.c host/io/system_%.c host/assets/apart%.c host/tools/scene_view.c,$(web_sources))
+web_sources := $(filter-out host/io/file.c host/io/file_i%.c host/io/system_posix.c host/io/system_windows.c host/assets/apart%.c host/tools/scene_view.c,$(web_sources))
 web_exports := malloc free web_command web_scene web_draw web_count \
                web_file_create web_file_content web_file_length web_files_clear
 WEB_CC      := clang --target=wasm32-wasi -std=c99 -O2
