@@ -10,12 +10,16 @@
  * q_min) and the range of f, F is off by less than range r^2 / 4 where r <= 1/3: largest on an
  * edge, .20 range r^2 for small r, .239 range r^2 at r = 1/3.
  *
- * Along a row F(x + m) = F(x) + m slope(x) + m^2 curve, so a chord over m pixels steps by slope + m
- * curve; mostly one serves the row.
+ * Weights are linear on the screen, so F is of second order in pixels too, and the sum of its
+ * products is right modulo 2^32. Pieces are chords of it; mostly one serves the row.
  */
 #include "large_setup.h"
 
-enum { PIXELS_MAX = 1024 /* of a side: weights are off by 2^-20 */ };
+enum {
+    PIXELS_MAX = 512, /* of a side: weights are off by 2^-21 */
+    SHORT = 96,       /* pixels of a side up to which whole coefficients do: F is off by 2^15 */
+    BEND = 4          /* more bits of those of second order above: F is off by 2^16 at most */
+};
 
 /* a b / 2^30, to nearest, |a| <= 2^31, |b| <= 2^30. */
 static inline int32_t mul_q30(int32_t a, int32_t b)
@@ -67,10 +71,10 @@ static bool is_near(const qtri_large_job *job)
     return true;
 }
 
-/* Weights in Q30; false: of a triangle so thin that they step by more than 1/2 a pixel. */
-static bool set_weights(qtri_large_job *job)
+/* Weights in Q30, of the pixel of vertex 0 and their steps to the right and down; false: of a
+   triangle so thin that they step by more than 1/2 a pixel. */
+static bool set_weights(int32_t weight_q30[2][3], const qtri_large_weights *w)
 {
-    const qtri_large_weights *w = &job->t.weights;
     const int32_t down = w->fraction - 30;
     if (down < 0 || down > 62) {
         return false;
@@ -78,10 +82,10 @@ static bool set_weights(qtri_large_job *job)
     for (int i = 0; i < 2; i++) {
         for (int k = 0; k < 3; k++) {
             const int64_t b = w->b[i][k] >> down;
-            if (k < 2 && qtri_magnitude64(b) > (uint64_t)1 << 29) {
+            if (qtri_magnitude64(b) > (uint64_t)1 << 29) {
                 return false;
             }
-            job->weight_q30[i][k] = (uint32_t)b;
+            weight_q30[i][k] = (int32_t)b;
         }
     }
     return true;
@@ -92,34 +96,54 @@ static uint32_t shifted(const qtri_large_attribute *a, int32_t x)
     return (uint32_t)((int32_t)((uint32_t)x << a->at_left) >> a->at_right);
 }
 
-/*
- * |f| < 2^29, |e| <= |d| < 2^29: |a| < 2^30 and |b| < 2^29 for r <= 1/3. Slopes are below 2^30: a
- * weight's share of F changes by the range of f times 1 + 4 r at most, by half of which a pixel
- * steps, and is_near() leaves r <= .16 where that range is 2^29.
- */
-static void set_polynomial(qtri_large_attribute *a, const qtri_large_job *job,
-                           const int32_t middle[3])
+/* a x + b y of Q30 with `more` bits, and whether 31 bits hold it. */
+static bool set_bend(int32_t *out, int32_t a, int32_t x, int32_t b, int32_t y, int32_t more)
 {
+    const int64_t bend = (qtri_mul_s32(a, x) + qtri_mul_s32(b, y)) >> (30 - more);
+    *out = (int32_t)bend;
+    return qtri_magnitude64(bend) < (uint64_t)1 << 30;
+}
+
+/*
+ * The polynomial in b1 and b2, then, by b1 = c1 + x1 X + y1 Y and b2 = c2 + x2 X + y2 Y, in pixels
+ * to the right of vertex 0's and below. |f| < 2^29, |e| <= |d| < 2^29: |a| < 2^30 and |b| < 2^29
+ * for r <= 1/3. Steps are below 2^30: a weight's share of F changes by the range of f times 1 + 4 r
+ * at most, by half of which a pixel steps, and is_near() leaves r <= .16 where that range is 2^29.
+ * False: F bends so much that its products have more than 32 bits.
+ */
+static bool set_polynomial(qtri_large_attribute *a, const qtri_large_job *job,
+                           int32_t weight_q30[2][3], const int32_t middle[3])
+{
+    const int32_t more = job->quadratic_more;
     qtri_large_quadratic *f = &a->along.quadratic;
-    const int32_t x1 = (int32_t)job->weight_q30[0][0], x2 = (int32_t)job->weight_q30[1][0];
+    const int32_t x1 = weight_q30[0][0], y1 = weight_q30[0][1], c1 = weight_q30[0][2];
+    const int32_t x2 = weight_q30[1][0], y2 = weight_q30[1][1], c2 = weight_q30[1][2];
     const int32_t d1 = (int32_t)(a->f[1] - a->f[0]), d2 = (int32_t)(a->f[2] - a->f[0]);
     const int32_t e1 = mul_q30(d1, middle[0]), e2 = mul_q30(d2, middle[1]);
     const int32_t a1 = 4 * e1 - d1, a2 = 4 * e2 - d2;
     const int32_t b11 = 2 * (d1 - 2 * e1), b22 = 2 * (d2 - 2 * e2);
     const int32_t b12 = 4 * (d1 - e1 - e2 + mul_q30(d2 - d1, middle[2]));
-    const int32_t slope1 = 2 * mul_q30(b11, x1) + mul_q30(b12, x2);
-    const int32_t slope2 = 2 * mul_q30(b22, x2) + mul_q30(b12, x1);
-    f->a1 = a1;
-    f->a2 = a2;
-    f->b11 = 2 * b11;
-    f->b12 = 2 * b12;
-    f->b22 = 2 * b22;
-    f->slope = mul_q30(a1, x1) + mul_q30(a2, x2);
-    f->slope1 = 2 * slope1;
-    f->slope2 = 2 * slope2;
-    f->curve = (mul_q30(slope1, x1) + mul_q30(slope2, x2)) / 2;
+    const int32_t g1 = a1 + 2 * mul_q30(b11, c1) + mul_q30(b12, c2);
+    const int32_t g2 = a2 + 2 * mul_q30(b22, c2) + mul_q30(b12, c1);
+    int32_t right1, right2, down1, down2; /* what dF/db1 and dF/db2 change by a pixel */
+    f->at = a->f[0] + (uint32_t)(mul_q30(a1 / 2 + g1 / 2, c1) + mul_q30(a2 / 2 + g2 / 2, c2));
+    f->right = mul_q30(g1, x1) + mul_q30(g2, x2);
+    f->down = mul_q30(g1, y1) + mul_q30(g2, y2);
+    if (!set_bend(&right1, 2 * b11, x1, b12, x2, more) ||
+        !set_bend(&right2, 2 * b22, x2, b12, x1, more) ||
+        !set_bend(&down1, 2 * b11, y1, b12, y2, more) ||
+        !set_bend(&down2, 2 * b22, y2, b12, y1, more)) {
+        return false;
+    }
+    f->right_right = (mul_q30(right1, x1) + mul_q30(right2, x2)) / 2;
+    f->right_down = mul_q30(right1, y1) + mul_q30(right2, y2);
+    f->down_down = (mul_q30(down1, y1) + mul_q30(down2, y2)) / 2;
     a->at_left = (uint8_t)qtri_greatest32(a->up, 0);
     a->at_right = (uint8_t)qtri_greatest32(-a->up, 0);
+    f->bend = shifted(a, 2 * f->right_right >> more);
+    const uint32_t most = qtri_magnitude32(f->right_right) | qtri_magnitude32(f->right_down) |
+                          qtri_magnitude32(f->down_down);
+    return more == 0 || qtri_mul_u32(most, (uint32_t)job->t.pixels) < (uint64_t)1 << 29;
 }
 
 /* Pieces start at multiples of 2^this pixels of a row: chords that are off by half of the bound,
@@ -129,7 +153,7 @@ static void set_length(qtri_large_job *job)
     const uint32_t limit = bound_of(job) * (job->rounds ? 1 : 2);
     uint32_t curve = 0;
     for (int i = job->first_color; i < job->count; i++) {
-        curve |= qtri_magnitude32(job->a[i].along.quadratic.curve);
+        curve |= qtri_magnitude32(job->a[i].along.quadratic.right_right) >> job->quadratic_more;
     }
     int32_t log2 = QTRI_LARGE_RUN_LOG2;
     while (log2 > 0 && curve > limit >> 2 * log2) {
@@ -146,16 +170,16 @@ bool qtri_large_set_quadratics(qtri_large_job *job)
     }
     /* Colours where vertices are snapped to, so that they stay within those of the vertices. */
     qtri_large_use_weights(&job->t, job->t.is_true && job->first_color != 0);
-    if (!set_weights(job)) {
+    job->quadratic_more = job->t.pixels > SHORT ? BEND : 0;
+    int32_t weight_q30[2][3];
+    if (!set_weights(weight_q30, &job->t.weights)) {
         return false;
     }
     const int32_t middle[3] = {middle_of(q[0], q[1]), middle_of(q[0], q[2]), middle_of(q[1], q[2])};
     for (int i = 0; i < job->count; i++) {
-        set_polynomial(&job->a[i], job, middle);
-    }
-    for (int i = 0; i < job->first_color; i++) {
-        qtri_large_quadratic *f = &job->a[i].along.quadratic;
-        f->bend = shifted(&job->a[i], 2 * f->curve);
+        if (!set_polynomial(&job->a[i], job, weight_q30, middle)) {
+            return false;
+        }
     }
     set_length(job);
     job->is_bent = job->first_color != 0;
@@ -166,83 +190,58 @@ bool qtri_large_set_quadratics(qtri_large_job *job)
     return true;
 }
 
-/* Weights of a pixel: Q30, Q15, and products of these, Q15. */
-typedef struct at_pixel {
-    int32_t b1, b2, s1, s2, s11, s12, s22;
-} at_pixel;
-
-/* True positions may leave a weight outside of 0 to 1 by what a pixel's 1/512 changes it. */
-static inline void set_pixel(at_pixel *b, const qtri_large_job *job, int32_t x)
+static inline uint32_t times(int32_t a, int32_t n, int32_t more)
 {
-    const uint32_t right = (uint32_t)(x - (job->t.corner_x[0] >> 8));
-    const uint32_t down = (uint32_t)(job->t.y - (job->t.corner_y[0] >> 8));
-    const uint32_t *w1 = job->weight_q30[0], *w2 = job->weight_q30[1];
-    const int32_t most = ((int32_t)1 << 30) - 1;
-    b->b1 = qtri_hold32((int32_t)(w1[0] * right + w1[1] * down + w1[2]), 0, most);
-    b->b2 = qtri_hold32((int32_t)(w2[0] * right + w2[1] * down + w2[2]), 0, most);
-    b->s1 = b->b1 >> 15;
-    b->s2 = b->b2 >> 15;
-    b->s11 = (b->s1 * b->s1) >> 15;
-    b->s12 = (b->s1 * b->s2) >> 15;
-    b->s22 = (b->s2 * b->s2) >> 15;
+    return (uint32_t)((int32_t)((uint32_t)a * (uint32_t)n) >> more);
 }
 
-/* Products of Q30 lose two bits. */
-static inline int32_t value_at(const qtri_large_attribute *a, const at_pixel *b)
+/* F at a pixel, and its slope along the n pixels from there. Products and sums wrap, F does not. */
+static inline int32_t value_at(const qtri_large_quadratic *f, int32_t right, int32_t down,
+                               int32_t more, int32_t n, uint32_t *slope)
 {
-    const qtri_large_quadratic *f = &a->along.quadratic;
-    const uint32_t linear =
-        (uint32_t)qtri_mul_high_s30(f->a1, b->b1) + (uint32_t)qtri_mul_high_s30(f->a2, b->b2);
-    const uint32_t bent = (uint32_t)qtri_mul_s16(f->b11, b->s11) +
-                          (uint32_t)qtri_mul_s16(f->b12, b->s12) +
-                          (uint32_t)qtri_mul_s16(f->b22, b->s22);
-    return (int32_t)(a->f[0] + 4 * linear + bent);
-}
-
-/* The slope there, and n times half of what it grows by. */
-static inline int32_t slope_at(const qtri_large_attribute *a, const at_pixel *b, int32_t n)
-{
-    const qtri_large_quadratic *f = &a->along.quadratic;
-    return (int32_t)((uint32_t)f->slope + (uint32_t)qtri_mul_s16(f->slope1, b->s1) +
-                     (uint32_t)qtri_mul_s16(f->slope2, b->s2) + (uint32_t)f->curve * (uint32_t)n);
-}
-
-/* Colours of a piece of n pixels, along chords. */
-static inline void set_chords(qtri_large_job *job, const at_pixel *b, int32_t n)
-{
-    uint32_t at[QTRI_LARGE_ATTRIBUTES], step[QTRI_LARGE_ATTRIBUTES];
-    for (int i = job->first_color; i < job->count; i++) {
-        const qtri_large_attribute *a = &job->a[i];
-        at[i] = (uint32_t)(value_at(a, b) >> QTRI_LARGE_COLOR_UP) + a->start;
-        step[i] = (uint32_t)(slope_at(a, b, n) >> QTRI_LARGE_COLOR_UP);
-        qtri_large_clamp_chord(a, &at[i], &step[i], n);
-    }
-    qtri_large_pack(job, &job->piece[0], at, step, n);
+    const uint32_t step = (uint32_t)f->right + times(f->right_down, down, more);
+    const uint32_t row = (uint32_t)f->down + times(f->down_down, down, more);
+    const uint32_t along = step + times(f->right_right, right, more);
+    *slope = step + times(f->right_right, 2 * right + n, more);
+    return (int32_t)(f->at + row * (uint32_t)down + along * (uint32_t)right);
 }
 
 int32_t qtri_large_quadratic_piece(qtri_large_job *job)
 {
     qtri_large *t = &job->t;
     qtri_large_piece *piece = &job->piece[0];
-    at_pixel b;
+    uint32_t at[QTRI_LARGE_ATTRIBUTES], step[QTRI_LARGE_ATTRIBUTES];
     if (t->is_new) { /* pieces are counted from the row's left end, which no scissor moves */
         t->x = t->row_left + ((t->x0 - t->row_left) >> job->quadratic_log2 << job->quadratic_log2);
         t->is_new = false;
     }
     const int32_t x = t->x;
     const int32_t n = qtri_least32((int32_t)1 << job->quadratic_log2, t->row_right - x);
-    set_pixel(&b, job, x);
+    const int32_t right = x - (t->corner_x[0] >> 8), down = t->y - (t->corner_y[0] >> 8);
+    for (int i = 0; i < job->count; i++) {
+        const qtri_large_attribute *a = &job->a[i];
+        uint32_t slope;
+        const int32_t value = value_at(&a->along.quadratic, right, down, job->quadratic_more,
+                                       i < job->first_color ? 1 : n, &slope);
+        if (i < job->first_color) {
+            at[i] = shifted(a, value);
+            step[i] = shifted(a, (int32_t)slope);
+            continue;
+        }
+        at[i] = (uint32_t)(value >> QTRI_LARGE_COLOR_UP) + a->start;
+        step[i] = (uint32_t)((int32_t)slope >> QTRI_LARGE_COLOR_UP);
+        qtri_large_clamp_chord(a, &at[i], &step[i], n);
+    }
     if (job->first_color != 0) {
-        const qtri_large_attribute *u = &job->a[0], *v = &job->a[1];
-        piece->u = shifted(u, value_at(u, &b));
-        piece->u_step = shifted(u, slope_at(u, &b, 1));
-        piece->u_bend = u->along.quadratic.bend;
-        piece->v = shifted(v, value_at(v, &b));
-        piece->v_step = shifted(v, slope_at(v, &b, 1));
-        piece->v_bend = v->along.quadratic.bend;
+        piece->u = at[0];
+        piece->u_step = step[0];
+        piece->u_bend = job->a[0].along.quadratic.bend;
+        piece->v = at[1];
+        piece->v_step = step[1];
+        piece->v_bend = job->a[1].along.quadratic.bend;
     }
     if (job->first_color != job->count) {
-        set_chords(job, &b, n);
+        qtri_large_pack(job, piece, at, step, n);
     }
     piece->count = n;
     if (x < t->x0 || x + n > t->x1) {

@@ -100,14 +100,12 @@ typedef struct qtri_large_plane {
     uint64_t s, s_step; /* at the next point of the row */
 } qtri_large_plane;
 
-/* A polynomial of second order in the weights of vertices 1 and 2, and its slope along a row, which
-   is linear in them. See large_quadratic.c. */
+/* A polynomial of second order in pixels from vertex 0's. See large_quadratic.c. */
 typedef struct qtri_large_quadratic {
-    int32_t a1, a2;
-    int32_t b11, b12, b22;         /* doubled, for products of Q15 */
-    int32_t slope, slope1, slope2; /* a pixel; the latter doubled */
-    int32_t curve;                 /* half of what the slope grows by, a pixel */
-    uint32_t bend;                 /* a coordinate's, as pieces have it */
+    uint32_t at;                                /* at the pixel of vertex 0 */
+    int32_t right, down;                        /* its slopes there */
+    int32_t right_right, right_down, down_down; /* of second order, with more bits */
+    uint32_t bend;                              /* a coordinate's, as pieces have it */
 } qtri_large_quadratic;
 
 typedef struct qtri_large_attribute {
@@ -232,8 +230,8 @@ typedef struct qtri_large_job {
     bool is_curved;                               /* planes are times q */
     bool is_quadratic;                            /* attributes are quadratics */
     uint8_t quadratic_log2;                       /* pixels of a piece of these */
+    uint8_t quadratic_more;                       /* bits of their coefficients of second order */
     bool may_be_level;                            /* q hardly changes along rows: by `steep` */
-    uint32_t weight_q30[2][3];                    /* as weights, of quadratics */
     uint32_t steep;                               /* 2^-16 a pixel */
     int8_t steps_log2;                            /* of pieces that steps are for */
     uint8_t level_log2;                           /* of the row's pixels that steps are for */
