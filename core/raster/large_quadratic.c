@@ -206,11 +206,26 @@ static inline int32_t value_at(const qtri_large_quadratic *f, int32_t right, int
     return (int32_t)(f->at + row * (uint32_t)down + along * (uint32_t)right);
 }
 
+/* Colours of a piece of n pixels, along chords. */
+static inline void set_chords(qtri_large_job *job, int32_t right, int32_t down, int32_t n)
+{
+    uint32_t at[QTRI_LARGE_ATTRIBUTES], step[QTRI_LARGE_ATTRIBUTES];
+    for (int i = job->first_color; i < job->count; i++) {
+        const qtri_large_attribute *a = &job->a[i];
+        uint32_t slope;
+        const int32_t value =
+            value_at(&a->along.quadratic, right, down, job->quadratic_more, n, &slope);
+        at[i] = (uint32_t)(value >> QTRI_LARGE_COLOR_UP) + a->start;
+        step[i] = (uint32_t)((int32_t)slope >> QTRI_LARGE_COLOR_UP);
+        qtri_large_clamp_chord(a, &at[i], &step[i], n);
+    }
+    qtri_large_pack(job, &job->piece[0], at, step, n);
+}
+
 int32_t qtri_large_quadratic_piece(qtri_large_job *job)
 {
     qtri_large *t = &job->t;
     qtri_large_piece *piece = &job->piece[0];
-    uint32_t at[QTRI_LARGE_ATTRIBUTES], step[QTRI_LARGE_ATTRIBUTES];
     if (t->is_new) { /* pieces are counted from the row's left end, which no scissor moves */
         t->x = t->row_left + ((t->x0 - t->row_left) >> job->quadratic_log2 << job->quadratic_log2);
         t->is_new = false;
@@ -218,30 +233,19 @@ int32_t qtri_large_quadratic_piece(qtri_large_job *job)
     const int32_t x = t->x;
     const int32_t n = qtri_least32((int32_t)1 << job->quadratic_log2, t->row_right - x);
     const int32_t right = x - (t->corner_x[0] >> 8), down = t->y - (t->corner_y[0] >> 8);
-    for (int i = 0; i < job->count; i++) {
-        const qtri_large_attribute *a = &job->a[i];
-        uint32_t slope;
-        const int32_t value = value_at(&a->along.quadratic, right, down, job->quadratic_more,
-                                       i < job->first_color ? 1 : n, &slope);
-        if (i < job->first_color) {
-            at[i] = shifted(a, value);
-            step[i] = shifted(a, (int32_t)slope);
-            continue;
-        }
-        at[i] = (uint32_t)(value >> QTRI_LARGE_COLOR_UP) + a->start;
-        step[i] = (uint32_t)((int32_t)slope >> QTRI_LARGE_COLOR_UP);
-        qtri_large_clamp_chord(a, &at[i], &step[i], n);
-    }
     if (job->first_color != 0) {
-        piece->u = at[0];
-        piece->u_step = step[0];
-        piece->u_bend = job->a[0].along.quadratic.bend;
-        piece->v = at[1];
-        piece->v_step = step[1];
-        piece->v_bend = job->a[1].along.quadratic.bend;
+        const qtri_large_attribute *u = &job->a[0], *v = &job->a[1];
+        const int32_t more = job->quadratic_more;
+        uint32_t step;
+        piece->u = shifted(u, value_at(&u->along.quadratic, right, down, more, 1, &step));
+        piece->u_step = shifted(u, (int32_t)step);
+        piece->u_bend = u->along.quadratic.bend;
+        piece->v = shifted(v, value_at(&v->along.quadratic, right, down, more, 1, &step));
+        piece->v_step = shifted(v, (int32_t)step);
+        piece->v_bend = v->along.quadratic.bend;
     }
     if (job->first_color != job->count) {
-        qtri_large_pack(job, piece, at, step, n);
+        set_chords(job, right, down, n);
     }
     piece->count = n;
     if (x < t->x0 || x + n > t->x1) {
