@@ -318,7 +318,8 @@ struct scene {
     size_t mesh_count;
     struct scene_model *models; /* of each operation its own */
     size_t model_count;
-    uint32_t triangle_count; /* the largest id: of the first pass that of all passes */
+    uint32_t triangle_count;   /* the largest id: of the first pass that of all passes */
+    uint32_t triangles_before; /* of passes before this one */
     struct scene_paints paints;
     struct scene *next; /* the pass that is drawn over this one; NULL: none */
 };

@@ -116,6 +116,7 @@ bool scene_statement_pass(struct scene_parser *parser, const int32_t *value)
     begin_pass(&fresh, next);
     copy_picture(parser->first, next);
     next->triangle_count = parser->scene->triangle_count;
+    next->triangles_before = next->triangle_count;
     parser->scene->next = next;
     free_requests(parser);
     *parser = fresh;

@@ -6,7 +6,6 @@
 #include "web.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "../reference/reference.h"
 #include "../reference/reference_picture.h"
@@ -36,11 +35,9 @@ static int complain(const char *what)
     return 1;
 }
 
-int web_command(int argc, char **argv)
+int web_model(int argc, char **argv)
 {
-    const int status = strcmp(argv[0], "model") == 0  ? model_main(argc, argv)
-                       : strcmp(argv[0], "mesh") == 0 ? mesh_main(argc, argv)
-                                                      : texture_main(argc, argv);
+    const int status = model_main(argc, argv);
     (void)fflush(stdout);
     return status;
 }
@@ -59,9 +56,11 @@ int web_scene(const char *path)
 /* Cameras go around what they look at. */
 static void turn(int degrees)
 {
-    for (size_t i = 0; i < scene.op_count; i++) {
-        if (scene.ops[i].kind == SCENE_ORBIT) {
-            scene.ops[i].u.number[4] = degrees * 65536;
+    for (struct scene *pass = &scene; pass != NULL; pass = pass->next) {
+        for (size_t i = 0; i < pass->op_count; i++) {
+            if (pass->ops[i].kind == SCENE_ORBIT) {
+                pass->ops[i].u.number[4] = degrees * 65536;
+            }
         }
     }
 }
