@@ -17,10 +17,11 @@ static const struct {
     const char *name;
     const qtri_format *core;
     enum reference_format reference;
+    enum scene_pixels pixels;
 } formats[FORMATS] = {
-    {"RGB888", &qtri_xrgb8888, REFERENCE_RGB888},
-    {"RGB565", &qtri_rgb565, REFERENCE_RGB565},
-    {"GRAY8", &qtri_gray8, REFERENCE_GRAY8},
+    {"RGB888", &qtri_xrgb8888, REFERENCE_RGB888, SCENE_XRGB8888},
+    {"RGB565", &qtri_rgb565, REFERENCE_RGB565, SCENE_RGB565},
+    {"GRAY8", &qtri_gray8, REFERENCE_GRAY8, SCENE_GRAY8},
 };
 
 static const double degree = 3.14159265358979323846 / 180;
@@ -81,7 +82,7 @@ static bool turn_cameras(struct scene *scene, const struct scene_view *view)
             op->u.number[5] += view->elevation * 65536;
         }
     }
-    return found;
+    return scene->next != NULL ? turn_cameras(scene->next, view) || found : found;
 }
 
 static void count(const struct scene *scene, const struct scene_view *view,
@@ -106,9 +107,15 @@ static void count(const struct scene *scene, const struct scene_view *view,
     }
     figures->m0plus = figures->m3 = 0;
     figures->error = 0;
-    if (view->format == 1 && view->band_rows == 0 && scene_kind(scene, &kind)) {
-        const struct scene_cost cost =
-            scene_cost(kind, (double)figures->triangles, (double)figures->pixels, (double)all);
+    if (scene->next == NULL && scene_kind(scene, &kind)) {
+        const struct scene_load load = {kind,
+                                        formats[view->format].pixels,
+                                        scene->depth_format,
+                                        view->band_rows,
+                                        (double)figures->triangles,
+                                        (double)figures->pixels,
+                                        (double)all};
+        const struct scene_cost cost = scene_cost(&load);
         figures->m0plus = cost.m0plus;
         figures->m3 = cost.m3;
         figures->error = cost.error;

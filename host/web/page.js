@@ -189,7 +189,7 @@ function showFigures(look, report) {
     element('flash').textContent = count(flash) + ' bytes';
     element('ram').textContent = count(figures.bandBytes + line + vertices + lists) + ' bytes: ' + count(figures.bandBytes) + ' for colour and depth, ' +
         count(line) + ' to send, ' + count(vertices + lists) + ' for vertices and lists';
-    element('instructions').textContent = figures.m3 === 0 ? 'unknown for these options'
+    element('instructions').textContent = figures.m3 === 0 ? 'unknown where something is seen through'
         : millions(figures.m0plus) + ' million on a Cortex-M0+, ' + millions(figures.m3) + ' on an M3, within ' + figures.costError + ' %';
     if (isPlaying()) {
         element('differing').textContent = 'counted when it stands';

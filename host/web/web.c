@@ -5,6 +5,7 @@
  */
 #include "web.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "../reference/reference.h"
@@ -18,10 +19,11 @@
 static const struct {
     const qtri_format *core;
     enum reference_format reference;
+    enum scene_pixels pixels;
 } formats[] = {
-    {&qtri_rgb565, REFERENCE_RGB565},
-    {&qtri_xrgb8888, REFERENCE_RGB888},
-    {&qtri_gray8, REFERENCE_GRAY8},
+    {&qtri_rgb565, REFERENCE_RGB565, SCENE_RGB565},
+    {&qtri_xrgb8888, REFERENCE_RGB888, SCENE_XRGB8888},
+    {&qtri_gray8, REFERENCE_GRAY8, SCENE_GRAY8},
 };
 
 static struct scene scene;
@@ -98,33 +100,59 @@ const uint8_t *web_draw(enum web_picture what, int format, int rows, int degrees
     return ok ? picture->rgb : NULL;
 }
 
+/* Covered pixels of a pass: those whose triangle is its. */
+static double pixels_of(const struct scene *pass, const struct picture *picture)
+{
+    const size_t all = (size_t)picture->width * (size_t)picture->height;
+    const uint32_t end = pass->next != NULL ? pass->next->triangles_before : scene.triangle_count;
+    double pixels = 0;
+    for (size_t i = 0; i < all; i++) {
+        pixels += picture->id[i] > pass->triangles_before && picture->id[i] <= end;
+    }
+    return pixels;
+}
+
+/* The passes' sum, unless one is of no kind that is known. */
+static void add_costs(int format, int rows, const struct picture *picture)
+{
+    struct scene_load load = {.format = formats[format].pixels,
+                              .depth = scene.depth_format,
+                              .rows = rows > 0 && rows < scene.height ? rows : 0,
+                              .screen = (double)scene.width * scene.height};
+    bool is_known = true;
+    figures.pixels = figures.m0plus = figures.m3 = figures.cost_error = 0;
+    for (const struct scene *pass = &scene; pass != NULL; pass = pass->next) {
+        const uint32_t end =
+            pass->next != NULL ? pass->next->triangles_before : scene.triangle_count;
+        is_known = scene_kind(pass, &load.kind) && is_known;
+        load.triangles = end - pass->triangles_before;
+        load.pixels = pixels_of(pass, picture);
+        const struct scene_cost cost = scene_cost(&load);
+        figures.pixels += load.pixels;
+        figures.m0plus += cost.m0plus;
+        figures.m3 += cost.m3;
+        figures.cost_error = fmax(figures.cost_error, cost.error);
+        load.screen = 0; /* is cleared once */
+    }
+    if (!is_known) {
+        figures.m0plus = figures.m3 = 0;
+    }
+}
+
 const struct web_figures *web_count(int format, int rows, int degrees)
 {
     static const size_t depth_bytes[] = {
         [SCENE_LINEAR16] = 2, [SCENE_FLOAT16] = 2, [SCENE_LINEAR24] = 3, [SCENE_LINEAR32] = 4};
-    const size_t all = (size_t)scene.width * (size_t)scene.height;
     const int held = rows < 1 || rows > scene.height ? scene.height : rows;
     struct picture picture = {0};
-    enum scene_kind kind;
     turn(degrees);
     if (!scene_render_resources(&resources, formats[format].core, rows, true, &picture)) {
         return NULL;
     }
     figures.triangles = scene.triangle_count;
-    figures.pixels = 0;
-    for (size_t i = 0; i < all; i++) {
-        figures.pixels += picture.id[i] != 0 ? 1 : 0;
-    }
+    add_costs(format, rows, &picture);
     picture_free(&picture);
     figures.band_bytes = (double)QTRI_BAND_BYTES_DEPTH(
         scene.width, held, formats[format].core->pixels->bytes, depth_bytes[scene.depth_format]);
-    figures.m0plus = figures.m3 = figures.cost_error = 0;
-    if (scene_kind(&scene, &kind)) {
-        const struct scene_cost cost =
-            scene_cost(kind, figures.triangles, figures.pixels, (double)all);
-        figures.m0plus = cost.m0plus;
-        figures.m3 = cost.m3;
-        figures.cost_error = cost.error;
-    }
     return &figures;
 }

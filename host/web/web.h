@@ -12,10 +12,10 @@ enum web_picture { WEB_CORE, WEB_DOUBLE, WEB_DIFFERENCE };
 
 /* Doubles alone: the page reads them as an array, in this order. */
 struct web_figures {
-    double triangles, pixels; /* asked for; covered */
-    double band_bytes;        /* RAM for colour and depth */
-    double m0plus, m3;        /* instructions of RGB565 in one band, scene_cost.h; 0: unknown */
-    double cost_error;        /* of these, percent */
+    double triangles, pixels;        /* asked for; covered */
+    double band_bytes;               /* RAM for colour and depth */
+    double m0plus, m3;               /* instructions, scene_cost.h; 0: unknown */
+    double cost_error;               /* of these, percent */
     double differing, largest_error; /* pixels; of 255: of the last WEB_DIFFERENCE */
 };
 

@@ -294,6 +294,20 @@ async function main() {
     check(/^[0-9.]+ million on a Cortex-M0\+/.test(await text('instructions')), 'instructions: ' + await text('instructions'));
     check((await evaluate(`[...document.querySelectorAll('#chips td:last-child')].every((cell) => Number(cell.textContent) > 0)`)), 'frames a second are no numbers');
 
+    // Every choice has an estimate, and each of these takes more than RGB565 with 16 bits of depth in one band.
+    const costs = await evaluate(`{
+        const choices = (id) => [...document.getElementById(id).options].map((option) => option.value), before = chosen(), found = [];
+        for (const format of choices('format')) for (const depth of choices('depth')) for (const rows of choices('rows')) {
+            engine.scene(sceneText({...before, depth}));
+            const {m0plus, m3, costError} = engine.count({...before, format: Number(format), depth, rows: Number(rows), degrees});
+            found.push([format + ' ' + depth + ' ' + rows, m0plus, m3, costError]);
+        }
+        refresh();
+        found;
+    }`);
+    check(costs.length === 60, 'only ' + costs.length + ' choices');
+    costs.forEach(([choice, m0plus, m3, error], i) => check(m0plus > m3 && m3 > costs[0][2] * (i > 0 ? 1.02 : 0.99) && error >= 10 && error <= 80, 'instructions of ' + choice + ': ' + m0plus + ', ' + m3 + ' within ' + error));
+
     // What is chosen is what is drawn.
     await set('model', 'gear');
     for (const [id, value] of [['size', '240x240'], ['format', '2'], ['rows', '8'], ['depth', 'linear24'], ['style', 'shade flat']]) {
