@@ -169,6 +169,7 @@ static void cost_fits_the_benchmark(void **state)
         int triangles, pixels, rows;
         enum scene_pixels format;
         enum scene_depth_format depth;
+        bool is_blended;
     } scenes[] = {
         {"S1", SCENE_KIND_FLAT, 2, 76800},
         {"S5", SCENE_KIND_FLAT, 6320, 15296},
@@ -203,11 +204,16 @@ static void cost_fits_the_benchmark(void **state)
         {"D2", SCENE_KIND_SMOOTH, 2, 76800, 0, SCENE_RGB565, SCENE_FLOAT16},
         {"D3", SCENE_KIND_TEXTURED, 2, 53290, 0, SCENE_RGB565, SCENE_FLOAT16},
         {"D6", SCENE_KIND_TEXTURED, 5856, 12414, 0, SCENE_RGB565, SCENE_FLOAT16},
+        {"B1", SCENE_KIND_FLAT, 2, 76800, .is_blended = true},
+        {"B2", SCENE_KIND_SMOOTH, 2, 76800, .is_blended = true},
+        {"B4", SCENE_KIND_SMOOTH, 5856, 12414, .is_blended = true},
+        {"B7", SCENE_KIND_TEXTURED, 5856, 12414, .is_blended = true},
     };
     for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++) {
         const struct scene_load load = {.kind = scenes[i].kind,
                                         .format = scenes[i].format,
                                         .depth = scenes[i].depth,
+                                        .is_blended = scenes[i].is_blended,
                                         .rows = scenes[i].rows,
                                         .triangles = scenes[i].triangles,
                                         .pixels = scenes[i].pixels};

@@ -30,7 +30,7 @@ static const struct {
         [SCENE_KIND_LINES] = {{{36, 499}, {18.6, 217}}, 15},
     },
     {
-        [SCENE_KIND_FLAT] = {{{8.6, 0}, {8.4, 0}}, 12},
+        [SCENE_KIND_FLAT] = {{{8.6, 0}, {8.4, 0}}, 15},
         [SCENE_KIND_SMOOTH] = {{{16.7, 0}, {12.4, 0}}, 25},
         [SCENE_KIND_TEXTURED] = {{{40, 0}, {24, 0}}, 60},
         [SCENE_KIND_LINES] = {{{36, 499}, {18.6, 217}}, 15},
@@ -103,17 +103,22 @@ static const double clear_depth[][CORES] = {[SCENE_LINEAR16] = {.5, .5},
                                             [SCENE_LINEAR24] = {3.5, 2.5},
                                             [SCENE_LINEAR32] = {1, 1}};
 
-/* WAYS: the one that the models are of. */
+/* What blending by alpha adds a pixel: to RGB565, to the generic pipeline, and there with depths of
+   other formats. */
+static const double blends[3][CORES] = {{55, 28}, {235, 155}, {112, 66}};
+
+/* WAYS: the one that the models are of. Depths of other formats bring no pipelines that blend. */
 static enum way way_of(const struct scene_load *load)
 {
     static const enum way of_depth[] = {[SCENE_LINEAR16] = WAYS,
                                         [SCENE_FLOAT16] = FLOAT16,
                                         [SCENE_LINEAR24] = LINEAR24,
                                         [SCENE_LINEAR32] = LINEAR32};
-    return load->format == SCENE_RGB565     ? of_depth[load->depth]
-           : load->depth != SCENE_LINEAR16  ? GENERIC_DEPTH
-           : load->format == SCENE_XRGB8888 ? XRGB8888
-                                            : GRAY8;
+    const bool is_generic = load->format != SCENE_RGB565 || load->is_blended;
+    return is_generic && load->depth != SCENE_LINEAR16 ? GENERIC_DEPTH
+           : load->format == SCENE_XRGB8888            ? XRGB8888
+           : load->format == SCENE_GRAY8               ? GRAY8
+                                                       : of_depth[load->depth];
 }
 
 static double instructions(const struct scene_load *load, const struct model *model, enum core core)
@@ -126,6 +131,9 @@ static double instructions(const struct scene_load *load, const struct model *mo
     if (way != WAYS) {
         sum += ways[load->kind][way][core].pixel * load->pixels +
                ways[load->kind][way][core].root * root;
+    }
+    if (load->is_blended) {
+        sum += blends[way == WAYS ? 0 : way == GENERIC_DEPTH ? 2 : 1][core] * load->pixels;
     }
     if (load->rows > 0) {
         sum += bands[load->kind][core].triangle * load->triangles +
@@ -144,20 +152,21 @@ struct scene_cost scene_cost(const struct scene_load *load)
     return cost;
 }
 
-bool scene_kind(const struct scene *scene, enum scene_kind *kind)
+bool scene_load_pass(struct scene_load *load, const struct scene *pass)
 {
-    bool is_known = !scene->lamps_on && scene->blend == SCENE_BLEND_OFF &&
-                    scene->fog.kind == SCENE_FOG_OFF && !scene->texture_bilinear &&
-                    scene->antialias == SCENE_ANTIALIAS_OFF && !scene->hidden_lines &&
-                    !scene->smooth_lines && !scene->wide_lines &&
-                    scene->triangle_count > scene->triangles_before;
-    for (size_t i = 0; i < scene->op_count; i++) {
+    bool is_known = !pass->lamps_on && pass->fog.kind == SCENE_FOG_OFF && !pass->texture_bilinear &&
+                    pass->antialias == SCENE_ANTIALIAS_OFF && !pass->hidden_lines &&
+                    !pass->smooth_lines && !pass->wide_lines &&
+                    pass->triangle_count > pass->triangles_before;
+    for (size_t i = 0; i < pass->op_count; i++) {
         is_known =
-            is_known && scene->ops[i].kind != SCENE_STROKE && scene->ops[i].kind != SCENE_PAINT;
+            is_known && pass->ops[i].kind != SCENE_STROKE && pass->ops[i].kind != SCENE_PAINT;
     }
-    *kind = scene->wireframe           ? SCENE_KIND_LINES
-            : scene->texture.width > 0 ? SCENE_KIND_TEXTURED
-            : scene->flat              ? SCENE_KIND_FLAT
-                                       : SCENE_KIND_SMOOTH;
-    return is_known;
+    load->kind = pass->wireframe           ? SCENE_KIND_LINES
+                 : pass->texture.width > 0 ? SCENE_KIND_TEXTURED
+                 : pass->flat              ? SCENE_KIND_FLAT
+                                           : SCENE_KIND_SMOOTH;
+    load->depth = pass->depth_format;
+    load->is_blended = pass->blend == SCENE_BLEND_ALPHA;
+    return is_known && (pass->blend == SCENE_BLEND_OFF || (load->is_blended && !pass->wireframe));
 }

@@ -19,7 +19,8 @@ struct scene_load {
     enum scene_kind kind;
     enum scene_pixels format;
     enum scene_depth_format depth;
-    int rows; /* of a band, in which prepared meshes are drawn; 0: one band, without */
+    bool is_blended; /* by alpha; not lines */
+    int rows;        /* of a band, in which prepared meshes are drawn; 0: one band, without */
     double triangles, pixels; /* pixels: covered */
     double screen;            /* pixels that are cleared before */
 };
@@ -32,9 +33,9 @@ struct scene_cost {
 struct scene_cost scene_cost(const struct scene_load *load);
 
 /*
- * Which kind a pass of a scene is. False: none that the model knows, as it has lamps, blends, fog,
- * filters, anti-aliasing, strokes or flat shapes, whose costs differ.
+ * Sets the kind, the depth and the blending of a pass of a scene. False: none that the model knows,
+ * as it has lamps, other blends, fog, filters, anti-aliasing, strokes or flat shapes.
  */
-bool scene_kind(const struct scene *scene, enum scene_kind *kind);
+bool scene_load_pass(struct scene_load *load, const struct scene *pass);
 
 #endif

@@ -90,7 +90,6 @@ static void count(const struct scene *scene, const struct scene_view *view,
 {
     const size_t all = (size_t)core->width * (size_t)core->height;
     const size_t rows = (size_t)(view->band_rows > 0 ? view->band_rows : scene->height);
-    enum scene_kind kind;
     figures->width = core->width;
     figures->height = core->height;
     figures->triangles = scene->triangle_count;
@@ -107,14 +106,12 @@ static void count(const struct scene *scene, const struct scene_view *view,
     }
     figures->m0plus = figures->m3 = 0;
     figures->error = 0;
-    if (scene->next == NULL && scene_kind(scene, &kind)) {
-        const struct scene_load load = {kind,
-                                        formats[view->format].pixels,
-                                        scene->depth_format,
-                                        view->band_rows,
-                                        (double)figures->triangles,
-                                        (double)figures->pixels,
-                                        (double)all};
+    struct scene_load load = {.format = formats[view->format].pixels,
+                              .rows = view->band_rows,
+                              .triangles = (double)figures->triangles,
+                              .pixels = (double)figures->pixels,
+                              .screen = (double)all};
+    if (scene->next == NULL && scene_load_pass(&load, scene)) {
         const struct scene_cost cost = scene_cost(&load);
         figures->m0plus = cost.m0plus;
         figures->m3 = cost.m3;

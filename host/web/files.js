@@ -35,24 +35,42 @@ function splitGlb(bytes) {
     return {json, binary};
 }
 
-/* {values, width, count} of an accessor: a number's `width` values each, as they are stored, or whole ones as shares of the largest. */
+/* `count` elements of `width` numbers, as they are stored, which lie in a view of the buffer; null: all zero. */
+function readView(glb, index, offset, Numbers, width, count) {
+    const size = width * Numbers.BYTES_PER_ELEMENT, slice = glb.json.bufferViews[index], packed = new Uint8Array(count * size);
+    if (slice !== undefined) {
+        const stride = slice.byteStride || size, start = (slice.byteOffset || 0) + (offset || 0);
+        if (slice.buffer !== 0 || start + stride * (count - 1) + size > glb.binary.length) {
+            throw new Error('ends before its last number.');
+        }
+        for (let i = 0; i < count; i++) {
+            packed.set(glb.binary.subarray(start + i * stride, start + i * stride + size), i * size);
+        }
+    }
+    return new Numbers(packed.buffer);
+}
+
+/* {values, width, count} of an accessor; whole numbers that are shares of the largest as such. */
 function readAccessor(glb, index) {
-    const accessor = glb.json.accessors[index], width = GLB_PARTS[accessor.type], Numbers = GLB_ARRAYS[accessor.componentType];
-    const slice = glb.json.bufferViews[accessor.bufferView], count = accessor.count;
-    if (accessor.sparse !== undefined || slice === undefined || slice.buffer !== 0 || width === undefined || Numbers === undefined) {
+    const {type, componentType, count, bufferView, byteOffset, sparse, normalized} = glb.json.accessors[index];
+    const width = GLB_PARTS[type], Numbers = GLB_ARRAYS[componentType];
+    if (width === undefined || Numbers === undefined || !(count <= MOST_BYTES)) {
         throw new Error('stores its numbers in a way that this page does not read.');
     }
-    const size = Numbers.BYTES_PER_ELEMENT, stride = slice.byteStride || width * size;
-    const start = (slice.byteOffset || 0) + (accessor.byteOffset || 0);
-    if (start + stride * (count - 1) + width * size > glb.binary.length) {
-        throw new Error('ends before its last number.');
+    const values = readView(glb, bufferView, byteOffset, Numbers, width, count);
+    if (sparse !== undefined) {
+        const own = readView(glb, sparse.values.bufferView, sparse.values.byteOffset, Numbers, width, sparse.count);
+        readView(glb, sparse.indices.bufferView, sparse.indices.byteOffset, GLB_ARRAYS[sparse.indices.componentType], 1, sparse.count)
+            .forEach((at, i) => values.set(own.subarray(i * width, i * width + width), at * width));
     }
-    const packed = new Uint8Array(count * width * size);
-    for (let i = 0; i < count; i++) {
-        packed.set(glb.binary.subarray(start + i * stride, start + i * stride + width * size), i * width * size);
-    }
-    const values = new Numbers(packed.buffer);
-    return {values: accessor.normalized ? Float32Array.from(values, (value) => value / (2 ** (8 * size - (accessor.componentType & 1 ? 0 : 1)) - 1)) : values, width, count};
+    const largest = 2 ** (8 * Numbers.BYTES_PER_ELEMENT - (componentType & 1 ? 0 : 1)) - 1;
+    return {values: normalized ? Float32Array.from(values, (value) => value / largest) : values, width, count};
+}
+
+/* The values of an attribute; null where there is none for every vertex. */
+function readAttribute(glb, index, width, count) {
+    const accessor = index !== undefined ? readAccessor(glb, index) : {};
+    return accessor.count === count && accessor.width === width ? accessor.values : null;
 }
 
 /* ---- GLB to the words that web_import.c reads ---- */
@@ -119,45 +137,58 @@ function trianglesOf(mode, corners) {
 }
 
 /* Which joints move a primitive's vertices: lists of a vertex and a weight. */
-function writeBones(out, glb, skin, attributes) {
-    const joints = readAccessor(glb, attributes.JOINTS_0).values, weights = readAccessor(glb, attributes.WEIGHTS_0).values;
-    const matrices = readAccessor(glb, skin.inverseBindMatrices).values, uses = skin.joints.map(() => []);
-    weights.forEach((weight, i) => weight > 0 && uses[joints[i]] !== undefined && uses[joints[i]].push([i >> 2, weight]));
+function writeBones(out, glb, skin, {JOINTS_0, WEIGHTS_0}, count) {
+    const joints = readAttribute(glb, JOINTS_0, 4, count), weights = readAttribute(glb, WEIGHTS_0, 4, count);
+    const matrices = readAttribute(glb, skin.inverseBindMatrices, 16, skin.joints.length), uses = skin.joints.map(() => []);
+    if (joints === null || weights === null || matrices === null) {
+        throw new Error('has a skin that is not complete.');
+    }
+    weights.forEach((weight, i) => weight > 0 && uses[joints[i]] !== undefined && uses[joints[i]].push(i));
     out.whole(uses.length);
     uses.forEach((list, i) => {
+        const pairs = new Uint32Array(2 * list.length);
+        list.forEach((at, k) => pairs[2 * k] = at >> 2);
+        list.forEach((at, k) => new Float32Array(pairs.buffer, 8 * k + 4, 1)[0] = weights[at]);
         out.text(nodeName(glb.json, skin.joints[i]));
         out.reals(matrices.subarray(16 * i, 16 * i + 16));
         out.whole(list.length);
-        list.forEach(([vertex, weight]) => {
-            out.whole(vertex);
-            out.reals([weight]);
-        });
+        out.pieces.push(new Uint8Array(pairs.buffer));
     });
 }
 
+/* Whether there are any, and the values of all vertices. */
+function writeOptional(out, values) {
+    out.whole(values !== null ? 1 : 0);
+    out.reals(values || []);
+}
+
 function writePrimitive(out, glb, mesh, primitive, material, skin) {
-    const {attributes, mode = 4, targets = []} = primitive, position = readAccessor(glb, attributes.POSITION);
-    const sets = (name) => [0, 1, 2, 3, 4, 5, 6, 7].map((i) => attributes[name + i]).filter((index) => index !== undefined).map((index) => readAccessor(glb, index));
-    const corners = primitive.indices !== undefined ? readAccessor(glb, primitive.indices).values : Uint32Array.from({length: position.count}, (unused, i) => i);
-    const uvs = sets('TEXCOORD_'), colors = sets('COLOR_'), triangles = trianglesOf(mode, corners);
-    out.whole(mode >= 4 ? 1 : 0, material, position.count);
-    out.reals(position.values);
-    out.whole(attributes.NORMAL !== undefined ? 1 : 0);
-    out.reals(attributes.NORMAL !== undefined ? readAccessor(glb, attributes.NORMAL).values : []);
-    out.whole(uvs.length);
-    uvs.forEach((set) => out.reals(set.values));
-    out.whole(colors.length);
-    colors.forEach(({values, width}) => out.reals(Float32Array.from({length: 4 * position.count}, (unused, i) => i % 4 < width ? values[(i >> 2) * width + i % 4] : 1)));
+    const {attributes, mode = 4, targets = []} = primitive, {values: positions, width, count} = readAccessor(glb, attributes.POSITION);
+    const sets = (name, least) => [0, 1, 2, 3, 4, 5, 6, 7].map((i) => attributes[name + i]).filter((index) => index !== undefined).map((index) => readAccessor(glb, index))
+        .filter((set) => set.count === count && set.width >= least);
+    const corners = primitive.indices !== undefined ? readAccessor(glb, primitive.indices).values : Uint32Array.from({length: count}, (unused, i) => i);
+    const uvs = sets('TEXCOORD_', 2), colors = sets('COLOR_', 3), triangles = trianglesOf(mode, corners);
+    if (width !== 3) {
+        throw new Error('has positions that are not of three numbers.');
+    }
+    out.whole(mode >= 4 ? 1 : 0, material, count);
+    out.reals(positions);
+    writeOptional(out, readAttribute(glb, attributes.NORMAL, 3, count));
+    for (const [list, kept] of [[uvs, 2], [colors, 4]]) {
+        out.whole(list.length);
+        list.forEach((set) => out.reals(set.width === kept ? set.values
+            : Float32Array.from({length: kept * count}, (unused, i) => i % kept < set.width ? set.values[Math.floor(i / kept) * set.width + i % kept] : 1)));
+    }
     out.whole(triangles.length / 3);
     out.pieces.push(new Uint8Array(Uint32Array.from(triangles).buffer));
     out.whole(targets.length);
     targets.forEach((target, i) => {
         out.reals([(mesh.weights || [])[i] || 0]);
-        out.whole(target.NORMAL !== undefined ? 1 : 0, target.POSITION !== undefined ? 1 : 0);
-        out.reals(target.POSITION !== undefined ? readAccessor(glb, target.POSITION).values : []);
+        out.whole(target.NORMAL !== undefined ? 1 : 0);
+        writeOptional(out, readAttribute(glb, target.POSITION, 3, count));
     });
     if (skin !== undefined && attributes.JOINTS_0 !== undefined) {
-        writeBones(out, glb, skin, attributes);
+        writeBones(out, glb, skin, attributes, count);
     } else {
         out.whole(0);
     }
@@ -182,17 +213,26 @@ function writeNode(out, glb, index, depth, used) {
     out.pieces.push(...children.pieces);
 }
 
-/* A list of times and values; of a curve its values at the keys. */
-function writeKeys(out, glb, sampler, rest) {
+/* The times of keys, and `width` values at each, 0: as many as there are. Of a curve they stand between its slopes. */
+function readSampler(glb, sampler, width) {
+    const times = readAccessor(glb, sampler.input).values, values = readAccessor(glb, sampler.output).values;
+    const isCurve = sampler.interpolation === 'CUBICSPLINE', each = width || Math.floor(values.length / times.length / (isCurve ? 3 : 1));
+    const first = (i) => isCurve ? (3 * i + 1) * each : i * each;
+    if (times.length === 0 || first(times.length - 1) + each > values.length) {
+        throw new Error('has fewer values than times in its animation.');
+    }
+    return {times, each, valuesAt: (i) => values.subarray(first(i), first(i) + each)};
+}
+
+function writeKeys(out, glb, sampler, width, rest) {
     if (sampler === undefined) {
         out.whole(rest !== undefined ? 1 : 0);
         out.reals(rest !== undefined ? [0, ...rest] : []);
         return;
     }
-    const {values: times} = readAccessor(glb, sampler.input), {values, width} = readAccessor(glb, sampler.output);
-    const isCurve = sampler.interpolation === 'CUBICSPLINE', step = isCurve ? 3 * width : width;
+    const {times, valuesAt} = readSampler(glb, sampler, width);
     out.whole(times.length);
-    times.forEach((time, i) => out.reals([time, ...values.subarray(i * step + (isCurve ? width : 0), i * step + (isCurve ? width : 0) + width)]));
+    times.forEach((time, i) => out.reals([time, ...valuesAt(i)]));
 }
 
 function writeAnimation(out, glb, animation) {
@@ -203,15 +243,14 @@ function writeAnimation(out, glb, animation) {
     out.whole(moved.length);
     moved.forEach((index) => {
         out.text(nodeName(glb.json, index));
-        ['translation', 'rotation', 'scale'].forEach((path) => writeKeys(out, glb, samplerOf(index, path), glb.json.nodes[index][path]));
+        [['translation', 3], ['rotation', 4], ['scale', 3]].forEach(([path, width]) => writeKeys(out, glb, samplerOf(index, path), width, glb.json.nodes[index][path]));
     });
     out.whole(shaped.length);
     shaped.forEach((index) => {
-        const sampler = samplerOf(index, 'weights'), {values: times} = readAccessor(glb, sampler.input), {values} = readAccessor(glb, sampler.output);
-        const isCurve = sampler.interpolation === 'CUBICSPLINE', each = values.length / times.length, targets = isCurve ? each / 3 : each;
+        const {times, each, valuesAt} = readSampler(glb, samplerOf(index, 'weights'), 0);
         out.text(nodeName(glb.json, index));
-        out.whole(times.length, targets);
-        times.forEach((time, i) => out.reals([time, ...values.subarray(i * each + (isCurve ? targets : 0), i * each + (isCurve ? targets : 0) + targets)]));
+        out.whole(times.length, each);
+        times.forEach((time, i) => out.reals([time, ...valuesAt(i)]));
     });
 }
 

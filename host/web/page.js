@@ -189,7 +189,7 @@ function showFigures(look, report) {
     element('flash').textContent = count(flash) + ' bytes';
     element('ram').textContent = count(figures.bandBytes + line + vertices + lists) + ' bytes: ' + count(figures.bandBytes) + ' for colour and depth, ' +
         count(line) + ' to send, ' + count(vertices + lists) + ' for vertices and lists';
-    element('instructions').textContent = figures.m3 === 0 ? 'unknown where something is seen through'
+    element('instructions').textContent = figures.m3 === 0 ? 'unknown for lines that are seen through'
         : millions(figures.m0plus) + ' million on a Cortex-M0+, ' + millions(figures.m3) + ' on an M3, within ' + figures.costError + ' %';
     if (isPlaying()) {
         element('differing').textContent = 'counted when it stands';
@@ -292,6 +292,7 @@ function listen() {
         guard(refresh);
     });
     element('model').addEventListener('change', () => element('model').value !== 'opened' && openBuiltIn());
+    element('files').addEventListener('click', () => element('files').value = ''); /* the same file may have changed */
     element('files').addEventListener('change', () => element('files').files.length > 0 && openPicked([...element('files').files]));
     element('download').addEventListener('click', download);
     ['size', 'format', 'rows', 'depth', 'style', 'texture', 'backs', 'bus', 'compare'].forEach((id) => element(id).addEventListener('change', () => guard(() => {

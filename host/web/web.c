@@ -116,7 +116,6 @@ static double pixels_of(const struct scene *pass, const struct picture *picture)
 static void add_costs(int format, int rows, const struct picture *picture)
 {
     struct scene_load load = {.format = formats[format].pixels,
-                              .depth = scene.depth_format,
                               .rows = rows > 0 && rows < scene.height ? rows : 0,
                               .screen = (double)scene.width * scene.height};
     bool is_known = true;
@@ -124,7 +123,7 @@ static void add_costs(int format, int rows, const struct picture *picture)
     for (const struct scene *pass = &scene; pass != NULL; pass = pass->next) {
         const uint32_t end =
             pass->next != NULL ? pass->next->triangles_before : scene.triangle_count;
-        is_known = scene_kind(pass, &load.kind) && is_known;
+        is_known = scene_load_pass(&load, pass) && is_known;
         load.triangles = end - pass->triangles_before;
         load.pixels = pixels_of(pass, picture);
         const struct scene_cost cost = scene_cost(&load);

@@ -405,10 +405,11 @@ const struct aiScene *aiImportFileExWithProperties(const char *path, unsigned st
     char name[1024];
     (void)steps, (void)io, (void)properties;
     (void)snprintf(name, sizeof name, "%s.words", path);
-    at = (uint32_t *)(void *)web_file_content(name);
-    if (at == NULL) {
+    const char *first = web_file_content(name);
+    if (first == NULL) {
         return NULL;
     }
+    at = (uint32_t *)(uintptr_t)first;
     release();
     struct aiScene *scene = take(1, sizeof *scene);
     scene->mTextures = list(&scene->mNumTextures, picture);
@@ -418,7 +419,7 @@ const struct aiScene *aiImportFileExWithProperties(const char *path, unsigned st
     scene->mAnimations = animations(scene->mNumAnimations = number());
     scene->mNumCameras = number();
     scene->mNumLights = number();
-    return scene;
+    return (const char *)at == first + web_file_length(name) ? scene : NULL;
 }
 
 const struct aiScene *aiImportFileFromMemoryWithProperties(const char *bytes, unsigned length,

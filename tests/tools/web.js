@@ -104,6 +104,8 @@ function richGlb(pictures, moves) {
     const strip = add('SCALAR', 5123, Uint16Array.from({length: 2 * (COLUMNS + 1)}, (unused, i) => (i >> 1) + (i & 1) * (COLUMNS + 1)));
     const fan = add('SCALAR', 5121, Uint8Array.from({length: COLUMNS + 1}, (unused, i) => i + 3 * (COLUMNS + 1)));
     const targets = [0.3, 0.1].map((size) => ({POSITION: add('VEC3', 5126, Float32Array.from(normals, () => size * random()), bound)}));
+    accessors[targets[1].POSITION].sparse = {count: 3, indices: {bufferView: arrays.push(new Uint16Array([5, 17, 40])) - 1, componentType: 5123},
+        values: {bufferView: arrays.push(new Float32Array([0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5])) - 1}};
     const inverseBindMatrices = add('MAT4', 5126, Float32Array.from([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -0.5, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.3, 0.5, 0, 1]));
     const input = add('SCALAR', 5126, new Float32Array([0, 0.7, 1.3]), {min: [0], max: [1.3]});
     const outputs = [add('VEC4', 5126, Float32Array.from([...unit(1, 2, 3, 9), ...unit(4, 1, -2, 9), ...unit(1, 8, 3, 5)])),
