@@ -140,12 +140,9 @@ static bool parse_all(struct scene_parser *parser, const char *text, size_t leng
 static bool parse(const char *name, const char *text, size_t length, char *root,
                   const struct scene_reading *how, struct scene *scene, struct text_error *error)
 {
-    struct scene_parser parser = {.name = name,
-                                  .error = error,
-                                  .first = scene,
-                                  .root = root,
-                                  .output = how->output,
-                                  .time = how->time};
+    struct scene_parser parser = {
+        .name = name, .error = error, .first = scene, .output = how->output, .time = how->time};
+    parser.root = root;
     begin_pass(&parser, scene);
     bool ok = parse_all(&parser, text, length);
     free_requests(&parser);

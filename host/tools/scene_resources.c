@@ -110,7 +110,7 @@ static bool parts_create(struct scene_parts *parts, const struct obj_mesh *mesh)
     return ok;
 }
 
-bool scene_resources_create(struct scene_resources *resources, const struct scene *scene)
+static bool create_pass(struct scene_resources *resources, const struct scene *scene)
 {
     memset(resources, 0, sizeof *resources);
     resources->scene = scene;
@@ -146,9 +146,17 @@ bool scene_resources_create(struct scene_resources *resources, const struct scen
             ok = resources->sphere_uvs != NULL;
         }
     }
-    if (ok && scene->next != NULL) {
-        resources->next = calloc(1, sizeof *resources->next);
-        ok = resources->next != NULL && scene_resources_create(resources->next, scene->next);
+    return ok;
+}
+
+bool scene_resources_create(struct scene_resources *resources, const struct scene *scene)
+{
+    struct scene_resources *last = resources;
+    bool ok = create_pass(last, scene);
+    while (ok && (scene = scene->next) != NULL) {
+        last->next = malloc(sizeof *last->next);
+        last = last->next;
+        ok = last != NULL && create_pass(last, scene);
     }
     if (!ok) {
         scene_resources_free(resources);
@@ -156,7 +164,7 @@ bool scene_resources_create(struct scene_resources *resources, const struct scen
     return ok;
 }
 
-void scene_resources_free(struct scene_resources *resources)
+static void free_pass(struct scene_resources *resources)
 {
     for (size_t i = 0; resources->meshes != NULL && i < resources->scene->mesh_count; i++) {
         for (size_t j = 0; j < resources->meshes[i].count; j++) {
@@ -170,9 +178,16 @@ void scene_resources_free(struct scene_resources *resources)
     free(resources->vertices);
     free(resources->sphere_uvs);
     scene_painting_free(resources);
-    if (resources->next != NULL) {
-        scene_resources_free(resources->next);
-        free(resources->next);
+}
+
+void scene_resources_free(struct scene_resources *resources)
+{
+    for (struct scene_resources *next = resources->next; next != NULL;) {
+        struct scene_resources *after = next->next;
+        free_pass(next);
+        free(next);
+        next = after;
     }
+    free_pass(resources);
     memset(resources, 0, sizeof *resources);
 }

@@ -69,20 +69,22 @@ static void turn_lookat(int32_t number[9], const struct scene_view *view)
 static bool turn_cameras(struct scene *scene, const struct scene_view *view)
 {
     bool found = false;
-    for (size_t i = 0; i < scene->op_count; i++) {
-        struct scene_op *op = &scene->ops[i];
-        if (op->kind == SCENE_LOOKAT || op->kind == SCENE_LOOKAT_D3D) {
-            found = true;
-            if (view->azimuth != 0 || view->elevation != 0) {
-                turn_lookat(op->u.number, view);
+    for (; scene != NULL; scene = scene->next) {
+        for (size_t i = 0; i < scene->op_count; i++) {
+            struct scene_op *op = &scene->ops[i];
+            if (op->kind == SCENE_LOOKAT || op->kind == SCENE_LOOKAT_D3D) {
+                found = true;
+                if (view->azimuth != 0 || view->elevation != 0) {
+                    turn_lookat(op->u.number, view);
+                }
+            } else if (op->kind == SCENE_ORBIT) {
+                found = true;
+                op->u.number[4] += view->azimuth * 65536;
+                op->u.number[5] += view->elevation * 65536;
             }
-        } else if (op->kind == SCENE_ORBIT) {
-            found = true;
-            op->u.number[4] += view->azimuth * 65536;
-            op->u.number[5] += view->elevation * 65536;
         }
     }
-    return scene->next != NULL ? turn_cameras(scene->next, view) || found : found;
+    return found;
 }
 
 static void count(const struct scene *scene, const struct scene_view *view,

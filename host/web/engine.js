@@ -39,7 +39,7 @@ async function createEngine() {
     };
     const hasOrder = typeof MeshoptEncoder !== 'undefined';
     await (hasOrder && MeshoptEncoder.ready);
-    c = (await WebAssembly.instantiate(bytesOfScript, {wasi_snapshot_preview1: wasi, page: {order}})).instance.exports;
+    c = (await WebAssembly.instantiate(bytesOfScript, {wasi_snapshot_preview1: wasi, env: {page_order: order}})).instance.exports;
     c._initialize();
 
     /* Calls with memory for text that lives no longer than the call. */

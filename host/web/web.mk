@@ -9,11 +9,13 @@ WEB_OBJ := $(BUILD)/obj-web
 web_sources := $(wildcard core/*/*.c host/io/*.c host/reference/*.c host/assets/*.c host/web/*.c) \
                $(wildcard host/tools/mesh_*.c host/tools/model_*.c host/tools/scene_*.c) host/tools/options.c host/tools/compare.c host/tools/font_build.c
 web_sources := $(filter-out host/io/file.c host/io/file_i%.c host/io/system_posix.c host/io/system_windows.c host/assets/apart%.c host/assets/asset_order.c host/tools/scene_view.c,$(web_sources))
-# Headers alone of the libraries that the command has: web_stb.c is the one of pictures, web_import.c stands in for assimp.
+# Headers alone of the libraries that the command has: stb is compiled of its own, web_import.c stands in for assimp.
 web_defines := -DQTRI_HAVE_STB $(shell pkg-config --cflags stb 2>/dev/null) -DQTRI_HAVE_ASSIMP -I$(WEB_OBJ)/include
 web_exports := malloc free web_model web_show web_scene web_draw web_count \
                web_file_create web_file_content web_file_length web_files_clear
 WEB_CC      := clang --target=wasm32-wasi -std=c99 -O2
+
+$(WEB_OBJ)/host/assets/image_stb.o: web_defines += -DSTB_IMAGE_IMPLEMENTATION -DSTBI_NO_STDIO -DSTBI_ONLY_JPEG -DSTBI_ONLY_PNG
 
 # The folder of assimp's headers alone: those beside it are of this computer's C library.
 $(WEB_OBJ)/include/assimp:
@@ -25,7 +27,8 @@ $(WEB_OBJ)/%.o: %.c host/web/web.mk | $(WEB_OBJ)/include/assimp
 	$(call run,compile $< for the page)$(WEB_CC) $(web_defines) -Icore/include -Iport/include -MMD -MP -c -o $@ $<
 
 $(WEB_OBJ)/qtri.wasm: $(web_sources:%.c=$(WEB_OBJ)/%.o)
-	$(call run,link $@)$(WEB_CC) -mexec-model=reactor -Wl,-z,stack-size=1048576 -Wl,--strip-all $(web_exports:%=-Wl,--export=%) -o $@ $^
+	@echo page_order >$(@D)/imports
+	$(call run,link $@)$(WEB_CC) -mexec-model=reactor -Wl,--allow-undefined-file=$(@D)/imports -Wl,-z,stack-size=1048576 -Wl,--strip-all $(web_exports:%=-Wl,--export=%) -o $@ $^
 
 # Base64 in a script, since a page that is opened as a file may fetch nothing; before it the library meshoptimizer of npm
 # where `make setup-all` has installed it.

@@ -75,7 +75,7 @@ static struct aiString text(void)
 /* Column by column. */
 static struct aiMatrix4x4 matrix(void)
 {
-    struct aiMatrix4x4 m;
+    struct aiMatrix4x4 m = {.a1 = 0};
     for (int i = 0; i < 16; i++) {
         (&m.a1)[i % 4 * 4 + i / 4] = real();
     }
@@ -140,6 +140,8 @@ static const struct material *from(const struct aiMaterial *base)
     return (const struct material *)base;
 }
 
+/* NOLINTBEGIN(readability-non-const-parameter): the library's */
+
 aiReturn aiGetMaterialString(const struct aiMaterial *mat, const char *key, unsigned type,
                              unsigned index, struct aiString *out)
 {
@@ -201,6 +203,8 @@ aiReturn aiGetMaterialUVTransform(const struct aiMaterial *mat, const char *key,
     }
     return aiReturn_SUCCESS;
 }
+
+/* NOLINTEND(readability-non-const-parameter) */
 
 /* ---- Meshes ---- */
 
@@ -405,11 +409,11 @@ const struct aiScene *aiImportFileExWithProperties(const char *path, unsigned st
     char name[1024];
     (void)steps, (void)io, (void)properties;
     (void)snprintf(name, sizeof name, "%s.words", path);
-    const char *first = web_file_content(name);
+    char *first = web_file_content(name);
     if (first == NULL) {
         return NULL;
     }
-    at = (uint32_t *)(uintptr_t)first;
+    at = (uint32_t *)(void *)first;
     release();
     struct aiScene *scene = take(1, sizeof *scene);
     scene->mTextures = list(&scene->mNumTextures, picture);

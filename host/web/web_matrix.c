@@ -26,7 +26,7 @@ int aiMatrix4IsIdentity(const struct aiMatrix4x4 *mat)
 
 void aiMultiplyMatrix4(struct aiMatrix4x4 *dst, const struct aiMatrix4x4 *src)
 {
-    struct aiMatrix4x4 product;
+    struct aiMatrix4x4 product = {.a1 = 0};
     const float *a = &dst->a1, *b = &src->a1;
     float *to = &product.a1;
     for (int i = 0; i < 16; i++) {

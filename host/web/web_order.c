@@ -2,8 +2,7 @@
 /* The library meshoptimizer is a module of its own, which engine.js has where it is there. */
 #include "../assets/asset.h"
 
-__attribute__((import_module("page"), import_name("order"))) void page_order(uint32_t *indices,
-                                                                             size_t count);
+void page_order(uint32_t *indices, size_t count); /* engine.js */
 
 bool asset_order_triangles(uint32_t (*triangles)[3], size_t count, size_t vertices)
 {

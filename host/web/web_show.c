@@ -61,10 +61,12 @@ static void print_part(const struct asset *asset, size_t i, const qtri_transform
            part->material.two_sided, part->mesh.normals != NULL || part->mesh.normals8 != NULL,
            part->material.opacity, part->material.color[0], part->material.color[1],
            part->material.color[2]);
-    for (int i = 0; i < 16; i++) {
-        const qtri_row *row = &pose->row[i % 4];
-        printf(" %.9g", i < 12 ? ldexp(row->m[i / 4], -row->exponent)
-                               : ldexp((double)row->t, -row->exponent - 16));
+    for (int column = 0; column < 4; column++) {
+        for (int k = 0; k < 4; k++) {
+            const qtri_row *row = &pose->row[k];
+            printf(" %.9g", column < 3 ? ldexp(row->m[column], -row->exponent)
+                                       : ldexp((double)row->t, -row->exponent - 16));
+        }
     }
     putchar('\n');
 }
