@@ -73,6 +73,7 @@ struct scene_parser {
     struct scene *first; /* the first pass, which has what is the whole picture's */
     struct scene *scene; /* the pass that is being read */
     int pass_count;      /* besides the first */
+    size_t texel_count;  /* of passes that have been read */
     char *root;          /* files lie below this folder, which has no links; NULL: anywhere */
     const char *output;  /* a path that must not be one of them; NULL: none */
     double time;         /* $t of expressions */

@@ -86,11 +86,19 @@ static void copy_picture(const struct scene *from, struct scene *to)
     to->antialias = from->antialias;
 }
 
+/* A few statements name many textures: those of all passes together have a bound. */
 static bool finish_pass(struct scene_parser *parser)
 {
+    enum { MOST_TEXELS = 16 * 1024 * 1024 };
+    const struct scene_texture *texture = &parser->scene->texture;
     parser->first->triangle_count = parser->scene->triangle_count;
     copy_picture(parser->first, parser->scene);
-    return scene_make_texture(parser);
+    if (!scene_make_texture(parser)) {
+        return false;
+    }
+    parser->texel_count += (size_t)texture->width * (size_t)texture->height;
+    return parser->texel_count <= MOST_TEXELS ||
+           scene_fail(parser, "the textures of all passes have more than 16777216 texels");
 }
 
 bool scene_statement_pass(struct scene_parser *parser, const int32_t *value)
@@ -109,6 +117,7 @@ bool scene_statement_pass(struct scene_parser *parser, const int32_t *value)
     if (!finish_pass(parser)) {
         return false;
     }
+    fresh.texel_count = parser->texel_count;
     struct scene *next = fresh.pass_count < MOST ? malloc(sizeof *next) : NULL;
     if (next == NULL) {
         return scene_fail(parser, "there are too many");
