@@ -260,6 +260,9 @@ function glbToWords(bytes) {
     if ((json.extensionsRequired || []).includes('KHR_draco_mesh_compression')) {
         throw new Error('has meshes that are compressed with Draco, which this page does not read.');
     }
+    if ((json.extensionsRequired || []).some((name) => /meshopt|quantization|basisu|webp/.test(name))) {
+        return new Uint8Array(0); /* model_check_gltf says it by name */
+    }
     const roots = ((json.scenes || [])[json.scene || 0] || {}).nodes || [], used = {meshes: [], materials: [], pictures: [], cameras: [], lights: []};
     if (roots.length !== 1) {
         nodes.text('ROOT');

@@ -68,8 +68,8 @@ function glbOf(json, arrays) {
 }
 
 // A tetrahedron with a material, moved by its node.
-const glb = () => glbOf({
-    scenes: [{nodes: [0]}], nodes: [{mesh: 0, scale: [2, 1, 1]}],
+const glb = (more) => glbOf({
+    scenes: [{nodes: [0]}], nodes: [{mesh: 0, scale: [2, 1, 1]}], ...more,
     meshes: [{primitives: [{attributes: {POSITION: 0}, indices: 1, material: 0}]}],
     materials: [{pbrMetallicRoughness: {baseColorFactor: [0.2, 0.5, 0.8, 1]}}],
     accessors: [{bufferView: 0, componentType: 5126, count: 4, type: 'VEC3', min: [0, 0, 0], max: [1, 1, 1]},
@@ -369,6 +369,9 @@ async function main() {
         [file('broken.obj', 'v 0 0 0\nf 1 2 3\n'), /broken\.obj:2: /],
         [file('words.glb', 'these are words, not a model'), /words\.glb does not begin as a GLB file does/],
         [file('cut.glb', glb().subarray(0, 300)), /cut\.glb ends before its last byte/],
+        [file('draco.glb', glb({extensionsRequired: ['KHR_draco_mesh_compression']})), /draco\.glb has meshes that are compressed with Draco/],
+        [file('meshopt.glb', glb({extensionsRequired: ['EXT_meshopt_compression']})), /meshopt\.glb: its meshes are compressed with meshopt/],
+        [file('nodes.glb', glb({scenes: [{nodes: [7]}]})), /nodes\.glb is broken/],
         [file('notes.txt', 'no model'), /None of these files is a model.*notes\.txt/],
         [file('large.obj', Buffer.alloc((64 << 20) + 1, ' ')), /65 MB; this page takes up to 64/],
         [file('empty.obj', ''), /empty\.obj/],
