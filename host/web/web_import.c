@@ -229,9 +229,10 @@ static void *target(void)
     target->mWeight = real();
     target->mNormals = number() ? mesh->mNormals : NULL; /* whether it has any is asked */
     if (number()) {
-        target->mVertices = words(3 * (size_t)mesh->mNumVertices);
+        const float *shifts = words(3 * (size_t)mesh->mNumVertices);
+        target->mVertices = take(mesh->mNumVertices, sizeof *target->mVertices);
         for (unsigned i = 0; i < 3 * mesh->mNumVertices; i++) {
-            (&target->mVertices->x)[i] += (&mesh->mVertices->x)[i];
+            (&target->mVertices->x)[i] = (&mesh->mVertices->x)[i] + shifts[i];
         }
     }
     return target;
