@@ -115,15 +115,14 @@ function writeMaterial(out, glb, material, pictures) {
     const others = [material.normalTexture, material.occlusionTexture, material.emissiveTexture].filter((other) => other !== undefined);
     const texture = use !== undefined ? glb.json.textures[use.index] : {}, image = (glb.json.images || [])[texture.source];
     const sampler = (glb.json.samplers || [])[texture.sampler] || {}, wraps = {33071: 1, 33648: 2};
-    const transform = use !== undefined && (use.extensions || {}).KHR_texture_transform;
-    const {offset = [0, 0], rotation = 0, scale = [1, 1], texCoord = use && use.texCoord} = transform || {};
+    const {offset = [0, 0], rotation = 0, scale = [1, 1], texCoord = (use || {}).texCoord} = ((use || {}).extensions || {}).KHR_texture_transform || {};
     const path = image === undefined ? '' : pictureBytes(glb, image) !== null ? '*' + numberOf(pictures, texture.source) : image.uri;
     out.text(material.name || '');
     out.text(material.alphaMode || 'OPAQUE');
     out.reals([...(surface.baseColorFactor || [1, 1, 1, 1]), ...(material.emissiveFactor || [0, 0, 0]), 1]);
     out.whole(material.doubleSided ? 1 : 0, others.length, image !== undefined ? 1 : 0);
     out.text(path);
-    out.whole(texCoord || 0, wraps[sampler.wrapS] || 0, wraps[sampler.wrapT] || 0, transform ? 1 : 0);
+    out.whole(texCoord || 0, wraps[sampler.wrapS] || 0, wraps[sampler.wrapT] || 0);
     out.reals([...offset, rotation, ...scale]);
 }
 

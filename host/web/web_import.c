@@ -100,7 +100,7 @@ struct material { /* what an aiMaterial points at here */
     struct aiString name, alpha_mode, picture;
     struct aiColor4D color, emissive;
     int two_sided;
-    uint32_t other_pictures, has_picture, channel, wrap[2], has_transform;
+    uint32_t other_pictures, has_picture, channel, wrap[2];
     struct aiUVTransform transform;
 };
 
@@ -130,7 +130,6 @@ static void *material(void)
     m->channel = number();
     m->wrap[0] = number();
     m->wrap[1] = number();
-    m->has_transform = number();
     m->transform = transform();
     return m;
 }
@@ -198,9 +197,7 @@ aiReturn aiGetMaterialUVTransform(const struct aiMaterial *mat, const char *key,
                                   unsigned index, struct aiUVTransform *out)
 {
     (void)key, (void)type, (void)index;
-    if (from(mat)->has_transform) {
-        *out = from(mat)->transform;
-    }
+    *out = from(mat)->transform;
     return aiReturn_SUCCESS;
 }
 
