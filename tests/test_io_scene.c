@@ -401,6 +401,26 @@ static void triangles(void **state)
     scene_free(&scene);
 }
 
+static void passes_have_bounds(void **state)
+{
+    (void)state;
+    static const char large[] = "texture 1024 1024 4 1 1 1 2 2 2\npass\n", plain[] = "pass\n";
+    char text[1024 * sizeof plain];
+    size_t length = 0;
+    for (int i = 0; i < 17; i++) {
+        length += (size_t)snprintf(text + length, sizeof text - length, "%s", large);
+    }
+    assert_error(text,
+                 "x.scene:33: texture: the textures of all passes have more than 16777216 texels");
+    for (length = 0; length < 1024 * (sizeof plain - 1);) {
+        length += (size_t)snprintf(text + length, sizeof text - length, "%s", plain);
+    }
+    assert_error(text, "x.scene:1024: pass: there are too many");
+    assert_error("clear 0 0 0\npass\nviewport 9 9\n",
+                 "x.scene:3: viewport: must be the first statement");
+    assert_error("push\npass\npop\n", "x.scene:3: pop: without a push on the same stack");
+}
+
 static void stacks(void **state)
 {
     (void)state;
@@ -955,6 +975,7 @@ int main(void)
         cmocka_unit_test(camera_errors),
         cmocka_unit_test(wrong_number_of_values),
         cmocka_unit_test(what_is_no_scene),
+        cmocka_unit_test(passes_have_bounds),
         cmocka_unit_test(very_long_lines),
         cmocka_unit_test(many_statements),
     };

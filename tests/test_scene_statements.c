@@ -12,10 +12,11 @@
 #include "tools/demo_waves.h"
 #include "tools/scene_draw.h"
 
-#define STAGE                                                                                      \
-    "viewport 100 75\nclear .1 .12 .2\ndepth less\nlight .4 .6 .7 .2 .8\nmode projection\n"        \
-    "perspective 60 1.33333333 .1 50\nmode modelview\n"
-#define LOOK "lookat 0 .5 3  0 0 0  0 1 0\n"
+#define STATE                                                                                      \
+    "depth less\nlight .4 .6 .7 .2 .8\nmode projection\nperspective 60 1.33333333 .1 50\n"         \
+    "mode modelview\n"
+#define STAGE "viewport 100 75\nclear .1 .12 .2\n" STATE
+#define LOOK  "lookat 0 .5 3  0 0 0  0 1 0\n"
 #define CARD                                                                                       \
     "trit -1.5 -1.2 0 1 1 1 1 0 2  1.5 -1.2 0 1 1 .8 1 2 2  1.5 1.2 0 1 1 1 .8 2 0\n"              \
     "trit -1.5 -1.2 0 1 1 1 1 0 2  1.5 1.2 0 1 1 1 .8 2 0  -1.5 1.2 0 1 .8 1 1 0 0\n"
@@ -117,6 +118,14 @@ static const struct {
      "viewport 100 75\ncleardepth 0\ndepth greater\npolygon hidden .01\nmode projection\n"
      "ortho -1.5 1.5 -1.2 1.2 -2 2\nmode modelview\nrotate 30 1 1 0\nshape torus .8 .3 12 6\n",
      2, 2},
+    {"colours of vertices", STAGE LOOK "mesh colors.obj color 0 0 0\n", 0, 0},
+    {"colours of first vertices", STAGE "shade flat first\n" LOOK "mesh colors.obj\n", 0, 0},
+    {"passes",
+     STAGE GLASS "cull back\nwindow 0 0 70 75\n" LOOK "shape grid 2 3 2 2\n"
+                 "pass\nblend alpha .5\ntexture 8 8 2 255 0 0 0 255 0\n" STATE LOOK CARD
+                 "pass\n" STATE LOOK
+                 "mesh colors.obj\ntri -1 0 .5 1 1 0 0 1 0 .5 1 1 0 0 0 1 .5 1 0 1 0\n",
+     2, 20},
     {"morph", STAGE LOOK "morph .3 wave-0.obj wave-1.obj color 1 .7 .4\n", 0, 60},
     {"an end of a morph", STAGE LOOK "morph 1 wave-0.obj wave-1.obj\n", 0, 60},
     {"textured morph", STAGE GLASS LOOK "morph .3 wave-0.obj wave-1.obj\n", 1, 60},
@@ -377,10 +386,17 @@ static void windows_are_clipped(void **state)
     scene_free(&scene);
 }
 
+static const char colored[] = "v -1 -1 0 1 0 0\nv 1 -1 0 0 1 0\nv 1 1 .5 0 0 1\nv -1 1 0\n"
+                              "f 1 2 3\nf 1 3 4\n";
+
 static int setup(void **state)
 {
     struct text_error error;
-    return io_setup(state) == 0 && demo_write_waves(io_folder, &error) ? 0 : -1;
+    if (io_setup(state) != 0 || !demo_write_waves(io_folder, &error)) {
+        return -1;
+    }
+    io_write("colors.obj", colored, sizeof colored - 1);
+    return 0;
 }
 
 int main(void)

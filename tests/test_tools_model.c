@@ -117,7 +117,7 @@ static void write_model(const char *name, const char *materials, const char *mor
     "{\"samplers\":[{\"input\":3,\"output\":4}],\"channels\":[{\"sampler\":0,\"target\":{"         \
     "\"node\":2,\"path\":\"rotation\"}}]}"
 
-/* Skips the test where the command was built without libassimp or libpng. */
+/* Skips the test where the command was built without libassimp or libstb. */
 static void need_libraries(void)
 {
     write_model("t.glb", TEXTURED "," RED "," RED "," BLUE, "");

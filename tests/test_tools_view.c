@@ -166,24 +166,58 @@ static void cost_fits_the_benchmark(void **state)
     static const struct {
         const char *name;
         enum scene_kind kind;
-        int triangles, pixels;
+        int triangles, pixels, rows;
+        enum scene_pixels format;
+        enum scene_depth_format depth;
+        bool is_blended;
     } scenes[] = {
-        {"S1", SCENE_KIND_FLAT, 2, 76800},         {"S5", SCENE_KIND_FLAT, 6320, 15296},
-        {"S5k", SCENE_KIND_FLAT, 5760, 30520},     {"S14", SCENE_KIND_FLAT, 768, 42835},
-        {"S2", SCENE_KIND_SMOOTH, 2, 76800},       {"S4", SCENE_KIND_SMOOTH, 5856, 12414},
-        {"S4k", SCENE_KIND_SMOOTH, 5760, 30520},   {"S12", SCENE_KIND_SMOOTH, 96, 35132},
-        {"S12b", SCENE_KIND_SMOOTH, 216, 38484},   {"S12c", SCENE_KIND_SMOOTH, 384, 39368},
-        {"S12d", SCENE_KIND_SMOOTH, 864, 40308},   {"S3", SCENE_KIND_TEXTURED, 2, 53290},
-        {"S11", SCENE_KIND_TEXTURED, 2, 45956},    {"S6", SCENE_KIND_TEXTURED, 5856, 12414},
-        {"S6k", SCENE_KIND_TEXTURED, 5760, 30520}, {"S8", SCENE_KIND_TEXTURED, 256, 74236},
-        {"S8w", SCENE_KIND_TEXTURED, 256, 74236},  {"S13a", SCENE_KIND_TEXTURED, 96, 35132},
-        {"S13b", SCENE_KIND_TEXTURED, 216, 38484}, {"S13", SCENE_KIND_TEXTURED, 384, 39368},
-        {"S13d", SCENE_KIND_TEXTURED, 864, 40308}, {"S7", SCENE_KIND_LINES, 5856, 7917},
-        {"S7k", SCENE_KIND_LINES, 5760, 15924},
+        {"S1", SCENE_KIND_FLAT, 2, 76800, .rows = 0},
+        {"S5", SCENE_KIND_FLAT, 6320, 15296, .rows = 0},
+        {"S5k", SCENE_KIND_FLAT, 5760, 30520, .rows = 0},
+        {"S2", SCENE_KIND_SMOOTH, 2, 76800, .rows = 0},
+        {"S4", SCENE_KIND_SMOOTH, 5856, 12414, .rows = 0},
+        {"S4k", SCENE_KIND_SMOOTH, 5760, 30520, .rows = 0},
+        {"S12", SCENE_KIND_SMOOTH, 96, 35132, .rows = 0},
+        {"S12b", SCENE_KIND_SMOOTH, 216, 38484, .rows = 0},
+        {"S12c", SCENE_KIND_SMOOTH, 384, 39368, .rows = 0},
+        {"S12d", SCENE_KIND_SMOOTH, 864, 40308, .rows = 0},
+        {"S3", SCENE_KIND_TEXTURED, 2, 53290, .rows = 0},
+        {"S11", SCENE_KIND_TEXTURED, 2, 45956, .rows = 0},
+        {"S6", SCENE_KIND_TEXTURED, 5856, 12414, .rows = 0},
+        {"S6k", SCENE_KIND_TEXTURED, 5760, 30520, .rows = 0},
+        {"S8", SCENE_KIND_TEXTURED, 256, 74236, .rows = 0},
+        {"S8w", SCENE_KIND_TEXTURED, 256, 74236, .rows = 0},
+        {"S13a", SCENE_KIND_TEXTURED, 96, 35132, .rows = 0},
+        {"S13b", SCENE_KIND_TEXTURED, 216, 38484, .rows = 0},
+        {"S13", SCENE_KIND_TEXTURED, 384, 39368, .rows = 0},
+        {"S13d", SCENE_KIND_TEXTURED, 864, 40308, .rows = 0},
+        {"S7", SCENE_KIND_LINES, 5856, 7917, .rows = 0},
+        {"S7k", SCENE_KIND_LINES, 5760, 15924, .rows = 0},
+        {"S4b", SCENE_KIND_SMOOTH, 5856, 12414, .rows = 16},
+        {"S4kb", SCENE_KIND_SMOOTH, 5760, 30520, .rows = 16},
+        {"S5b", SCENE_KIND_FLAT, 6320, 15296, .rows = 16},
+        {"S6b", SCENE_KIND_TEXTURED, 5856, 12414, .rows = 16},
+        {"S7b", SCENE_KIND_LINES, 5856, 7917, .rows = 16},
+        {"S4kg", SCENE_KIND_SMOOTH, 5760, 30520, .format = SCENE_GRAY8},
+        {"S7g", SCENE_KIND_LINES, 5856, 7917, .format = SCENE_GRAY8},
+        {"D1", SCENE_KIND_FLAT, 2, 76800, .depth = SCENE_FLOAT16},
+        {"D2", SCENE_KIND_SMOOTH, 2, 76800, .depth = SCENE_FLOAT16},
+        {"D3", SCENE_KIND_TEXTURED, 2, 53290, .depth = SCENE_FLOAT16},
+        {"D6", SCENE_KIND_TEXTURED, 5856, 12414, .depth = SCENE_FLOAT16},
+        {"B1", SCENE_KIND_FLAT, 2, 76800, .is_blended = true},
+        {"B2", SCENE_KIND_SMOOTH, 2, 76800, .is_blended = true},
+        {"B4", SCENE_KIND_SMOOTH, 5856, 12414, .is_blended = true},
+        {"B7", SCENE_KIND_TEXTURED, 5856, 12414, .is_blended = true},
     };
     for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++) {
-        const struct scene_cost cost =
-            scene_cost(scenes[i].kind, scenes[i].triangles, scenes[i].pixels, 0);
+        const struct scene_load load = {.kind = scenes[i].kind,
+                                        .format = scenes[i].format,
+                                        .depth = scenes[i].depth,
+                                        .is_blended = scenes[i].is_blended,
+                                        .rows = scenes[i].rows,
+                                        .triangles = scenes[i].triangles,
+                                        .pixels = scenes[i].pixels};
+        const struct scene_cost cost = scene_cost(&load);
         const double ratios[2] = {cost.m0plus / budget_of(scenes[i].name, "cortex-m0plus"),
                                   cost.m3 / budget_of(scenes[i].name, "cortex-m3")};
         for (int core = 0; core < 2; core++) {
@@ -194,7 +228,8 @@ static void cost_fits_the_benchmark(void **state)
             }
         }
     }
-    const struct scene_cost cleared = scene_cost(SCENE_KIND_FLAT, 0, 0, 76800);
+    const struct scene_load nothing = {.screen = 76800};
+    const struct scene_cost cleared = scene_cost(&nothing);
     assert_true(cleared.m3 > 25000 && cleared.m3 < 35000);
 }
 

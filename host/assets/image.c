@@ -36,45 +36,6 @@ void image_free(struct image *image)
     memset(image, 0, sizeof *image);
 }
 
-/* ---- PNG ---- */
-
-#ifdef QTRI_HAVE_LIBPNG
-
-#include <png.h>
-
-static bool parse_png(const char *path, const char *bytes, size_t length, struct image *image,
-                      struct text_error *error)
-{
-    png_image png;
-    memset(&png, 0, sizeof png);
-    png.version = PNG_IMAGE_VERSION;
-    if (png_image_begin_read_from_memory(&png, bytes, length) == 0) {
-        text_error_set(error, path, 0, "cannot be read as PNG: %s", png.message);
-        return false;
-    }
-    png.format = PNG_FORMAT_RGBA;
-    bool ok = create(path, image, png.width, png.height, error);
-    if (ok && png_image_finish_read(&png, NULL, image->rgba, 0, NULL) == 0) {
-        text_error_set(error, path, 0, "cannot be read as PNG: %s", png.message);
-        ok = false;
-    }
-    png_image_free(&png);
-    return ok;
-}
-
-#else
-
-static bool parse_png(const char *path, const char *bytes, size_t length, struct image *image,
-                      struct text_error *error)
-{
-    (void)bytes;
-    (void)length;
-    (void)image;
-    return fail(error, path, "this qtri was built without libpng and cannot read PNG");
-}
-
-#endif
-
 /* ---- PPM and PGM ---- */
 
 /* The next number of a header, after white space and comments; 0 when there is none to 16384. */
@@ -146,9 +107,9 @@ bool image_parse(const char *path, const char *bytes, size_t length, struct imag
     bool ok;
     memset(image, 0, sizeof *image);
     if (length >= sizeof png_magic && memcmp(bytes, png_magic, sizeof png_magic) == 0) {
-        ok = parse_png(path, bytes, length, image, error);
+        ok = image_parse_stb(path, "PNG", bytes, length, image, error);
     } else if (length > 2 && memcmp(bytes, "\xFF\xD8\xFF", 3) == 0) {
-        ok = image_parse_jpeg(path, bytes, length, image, error);
+        ok = image_parse_stb(path, "JPEG", bytes, length, image, error);
     } else if (length > 2 && bytes[0] == 'P' && (bytes[1] == '5' || bytes[1] == '6') &&
                (text_is_space(bytes[2]) || bytes[2] == '#')) {
         ok = parse_pnm(path, bytes, length, image, error);

@@ -25,13 +25,13 @@ struct image {
     uint8_t *rgba;
 };
 
-/* The first bytes decide: PNG and JPEG (where libpng and libstb were there when this was built),
-   P5, P6. "-" is standard input. False with *error set. */
+/* The first bytes decide: PNG and JPEG (where libstb was there when this was built), P5, P6. "-" is
+   standard input. False with *error set. */
 bool image_read(const char *path, struct image *image, struct text_error *error);
 bool image_parse(const char *path, const char *bytes, size_t length, struct image *image,
                  struct text_error *error);
-bool image_parse_jpeg(const char *path, const char *bytes, size_t length, struct image *image,
-                      struct text_error *error);
+bool image_parse_stb(const char *path, const char *format, const char *bytes, size_t length,
+                     struct image *image, struct text_error *error);
 void image_free(struct image *image);
 
 /* Writes PNG to a path that ends in .png, else PPM. False with *error set. */

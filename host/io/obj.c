@@ -145,7 +145,7 @@ static bool parse_numbers(struct obj_parser *parser, struct line *line,
         }
     }
     if (!append(&source->lists[attribute], numbers) ||
-        (source->full && attribute == OBJ_POSITION && !append_color(source, numbers, count))) {
+        (attribute == OBJ_POSITION && !append_color(source, numbers, count))) {
         return fail(parser, "out of memory");
     }
     return true;
@@ -442,6 +442,7 @@ void obj_free(struct obj_mesh *mesh)
     free(mesh->positions);
     free(mesh->normals);
     free(mesh->uvs);
+    free(mesh->colors);
     free(mesh->triangles);
     memset(mesh, 0, sizeof *mesh);
 }

@@ -22,6 +22,7 @@ struct obj_mesh {
                               where those have no area or cancel */
     int32_t (*uvs)[2];     /* NULL when no corner has any; 0 0 for corners without.
                               v = 0 is the first row of a texture: 1 - v of the file */
+    uint8_t (*colors)[3];  /* sRGB; NULL when the file gives none; white for vertices without */
     uint32_t (*triangles)[3];
 };
 

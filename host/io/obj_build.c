@@ -282,9 +282,11 @@ static bool allocate(const struct obj_source *source, struct obj_mesh *mesh)
     }
     if (any_uv(source)) {
         mesh->uvs = calloc(source->vertex_count, sizeof *mesh->uvs);
-        return mesh->uvs != NULL;
     }
-    return true;
+    if (source->has_colors) {
+        mesh->colors = calloc(source->vertex_count, sizeof *mesh->colors);
+    }
+    return (mesh->uvs != NULL || !any_uv(source)) && (mesh->colors != NULL || !source->has_colors);
 }
 
 /* Numbers that were read as Q16.16: exact. */
@@ -305,6 +307,10 @@ bool obj_build(struct obj_source *source, struct obj_mesh *mesh)
         to_q16(source->lists[OBJ_POSITION].items[index[OBJ_POSITION]], 3, mesh->positions[i]);
         if (index[OBJ_UV] != OBJ_ABSENT) {
             to_q16(source->lists[OBJ_UV].items[index[OBJ_UV]], 2, mesh->uvs[i]);
+        }
+        for (int c = 0; source->has_colors && c < 3; c++) {
+            mesh->colors[i][c] =
+                (uint8_t)lround(255.0 * source->colors.items[index[OBJ_POSITION]][c]);
         }
     }
     mesh->vertex_count = source->vertex_count;

@@ -59,11 +59,11 @@ struct obj_source {
     uint32_t (*triangles)[3];
     size_t triangle_count, triangle_capacity;
     struct obj_table table;
-    /* Where `full`: all that follows, and numbers in double precision. */
-    bool full;
-    bool wide_positions;    /* positions alone are in double precision: they will be scaled */
     struct obj_list colors; /* one for each position, 0..1; white where the file gives none */
     bool has_colors;
+    bool wide_positions; /* positions alone are in double precision: they will be scaled */
+    /* Where `full`: all that follows, and numbers in double precision. */
+    bool full;
     struct obj_names materials; /* the first, "", is that of faces before any usemtl */
     struct obj_names libraries; /* mtllib */
 };

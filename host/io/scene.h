@@ -5,8 +5,9 @@
  * The scene language (README, "Scene files") is OpenGL-like: matrix statements and geometry take
  * effect in file order, every other statement is global and its last occurrence wins. A parsed
  * scene therefore is a list of operations (matrix statements and geometry) beside one record of
- * global state. Both renderers, the fixed-point one and the double-precision reference, replay the
- * same list, each with arithmetic of its own; nothing here computes anything.
+ * global state; one of several passes is a list of such scenes. Both renderers, the fixed-point one
+ * and the double-precision reference, replay the same list, each with arithmetic of its own;
+ * nothing here computes anything.
  *
  * All numbers are Q16.16: read as decimal fractions and rounded to nearest. One that does not fit
  * is an error in the file, so both renderers start from exactly the same inputs. A number may be an
@@ -317,8 +318,10 @@ struct scene {
     size_t mesh_count;
     struct scene_model *models; /* of each operation its own */
     size_t model_count;
-    uint32_t triangle_count; /* the largest id */
+    uint32_t triangle_count;   /* the largest id: of the first pass that of all passes */
+    uint32_t triangles_before; /* of passes before this one */
     struct scene_paints paints;
+    struct scene *next; /* the pass that is drawn over this one; NULL: none */
 };
 
 /*

@@ -70,10 +70,13 @@ struct scene_mesh_file {
 struct scene_parser {
     const char *name;
     struct text_error *error;
-    struct scene *scene;
-    char *root;         /* files lie below this folder, which has no links; NULL: anywhere */
-    const char *output; /* a path that must not be one of them; NULL: none */
-    double time;        /* $t of expressions */
+    struct scene *first; /* the first pass, which has what is the whole picture's */
+    struct scene *scene; /* the pass that is being read */
+    int pass_count;      /* besides the first */
+    size_t texel_count;  /* of passes that have been read */
+    char *root;          /* files lie below this folder, which has no links; NULL: anywhere */
+    const char *output;  /* a path that must not be one of them; NULL: none */
+    double time;         /* $t of expressions */
     int line;
     const char *line_text;                   /* where the line begins */
     const struct scene_statement *statement; /* the one being parsed */
@@ -183,6 +186,9 @@ void scene_brush_free(struct scene_brush *brush);
 
 /* Appends an operation of the given kind; NULL with the error set when memory runs out. */
 struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind kind);
+
+/* scene_read.c */
+scene_handler scene_statement_pass;
 
 /* Fills scene->texture with what the last `texture` and `texalpha` ask for, and checks what goes
    with what. */

@@ -54,6 +54,84 @@ static void set_defaults(struct scene *scene)
     scene->depth_far = SCENE_ONE;
 }
 
+/* All that a pass begins with. */
+static void begin_pass(struct scene_parser *parser, struct scene *scene)
+{
+    set_defaults(scene);
+    parser->scene = scene;
+    parser->mode = 1;
+    parser->stroke.width = SCENE_ONE;
+    parser->stroke.alpha = SCENE_ONE;
+    parser->stroke.smooth = true;
+    parser->point_size = 4 * SCENE_ONE;
+    scene_brush_defaults(&parser->brush);
+}
+
+static void free_requests(struct scene_parser *parser)
+{
+    free(parser->mesh_files);
+    free(parser->texture.path);
+    free(parser->texalpha.path);
+    scene_brush_free(&parser->brush);
+}
+
+/* Of the whole picture there is one. */
+static void copy_picture(const struct scene *from, struct scene *to)
+{
+    to->width = from->width;
+    to->height = from->height;
+    memcpy(to->clear, from->clear, sizeof to->clear);
+    to->clear_depth = from->clear_depth;
+    to->depth_format = from->depth_format;
+    to->antialias = from->antialias;
+}
+
+/* A few statements name many textures: those of all passes together have a bound. */
+static bool finish_pass(struct scene_parser *parser)
+{
+    enum { MOST_TEXELS = 16 * 1024 * 1024 };
+    const struct scene_texture *texture = &parser->scene->texture;
+    parser->first->triangle_count = parser->scene->triangle_count;
+    copy_picture(parser->first, parser->scene);
+    if (!scene_make_texture(parser)) {
+        return false;
+    }
+    parser->texel_count += (size_t)texture->width * (size_t)texture->height;
+    return parser->texel_count <= MOST_TEXELS ||
+           scene_fail(parser, "the textures of all passes have more than 16777216 texels");
+}
+
+bool scene_statement_pass(struct scene_parser *parser, const int32_t *value)
+{
+    enum { MOST = 1024 };
+    struct scene_parser fresh = {.name = parser->name,
+                                 .error = parser->error,
+                                 .first = parser->first,
+                                 .pass_count = parser->pass_count + 1,
+                                 .root = parser->root,
+                                 .output = parser->output,
+                                 .time = parser->time,
+                                 .line = parser->line,
+                                 .any_statement = true};
+    (void)value;
+    if (!finish_pass(parser)) {
+        return false;
+    }
+    fresh.texel_count = parser->texel_count;
+    struct scene *next = fresh.pass_count < MOST ? malloc(sizeof *next) : NULL;
+    if (next == NULL) {
+        return scene_fail(parser, "there are too many");
+    }
+    begin_pass(&fresh, next);
+    copy_picture(parser->first, next);
+    next->triangle_count = parser->scene->triangle_count;
+    next->triangles_before = next->triangle_count;
+    parser->scene->next = next;
+    free_requests(parser);
+    *parser = fresh;
+    return true;
+}
+
 static bool parse_all(struct scene_parser *parser, const char *text, size_t length)
 {
     struct line_reader reader;
@@ -64,34 +142,20 @@ static bool parse_all(struct scene_parser *parser, const char *text, size_t leng
             return false;
         }
     }
-    return scene_make_texture(parser);
+    return finish_pass(parser);
 }
 
 /* Takes `root`, which it frees. */
 static bool parse(const char *name, const char *text, size_t length, char *root,
                   const struct scene_reading *how, struct scene *scene, struct text_error *error)
 {
-    struct scene_parser parser;
-    memset(&parser, 0, sizeof parser);
-    parser.name = name;
-    parser.error = error;
-    parser.scene = scene;
+    struct scene_parser parser = {
+        .name = name, .error = error, .first = scene, .output = how->output, .time = how->time};
     parser.root = root;
-    parser.output = how->output;
-    parser.time = how->time;
-    parser.mode = 1;
-    set_defaults(scene);
-    parser.stroke.width = SCENE_ONE;
-    parser.stroke.alpha = SCENE_ONE;
-    parser.stroke.smooth = true;
-    parser.point_size = 4 * SCENE_ONE;
-    scene_brush_defaults(&parser.brush);
+    begin_pass(&parser, scene);
     bool ok = parse_all(&parser, text, length);
+    free_requests(&parser);
     free(parser.root);
-    free(parser.mesh_files);
-    free(parser.texture.path);
-    free(parser.texalpha.path);
-    scene_brush_free(&parser.brush);
     if (!ok) {
         scene_free(scene);
     }
@@ -158,7 +222,7 @@ bool scene_read(const char *path, struct scene *scene, struct text_error *error)
     return scene_read_as(path, &how, scene, error);
 }
 
-void scene_free(struct scene *scene)
+static void free_pass(struct scene *scene)
 {
     for (size_t i = 0; i < scene->mesh_count; i++) {
         obj_free(&scene->meshes[i]);
@@ -175,5 +239,16 @@ void scene_free(struct scene *scene)
         free(scene->texture.level_alpha[i]);
     }
     scene_paints_free(&scene->paints);
+}
+
+void scene_free(struct scene *scene)
+{
+    for (struct scene *next = scene->next; next != NULL;) {
+        struct scene *after = next->next;
+        free_pass(next);
+        free(next);
+        next = after;
+    }
+    free_pass(scene);
     memset(scene, 0, sizeof *scene);
 }

@@ -43,6 +43,7 @@ static const struct kind {
 
 /* clang-format off */
 static const struct scene_statement statements[] = {
+    {"pass",        "", "", scene_statement_pass, 0},
     {"viewport",    "W H", "2s", scene_statement_viewport, 0},
     {"clear",       "R G B", "3f", scene_store, SCENE(clear)},
     {"cleardepth",  "Z", "f", scene_store, SCENE(clear_depth)},

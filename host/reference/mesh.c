@@ -47,15 +47,20 @@ static void set_sphere(struct ref_vertex *vertex, const struct ref_lighting *lig
     vertex->attribute[REF_V] = (1.0 - n[1]) / 2.0;
 }
 
-static void light_vertex(const struct drawing *d, struct ref_vertex *vertex, const double normal[3],
-                         const double position[3])
+/* colored: the vertex whose colour it takes. */
+static void light_vertex(const struct drawing *d, struct ref_vertex *vertex, size_t colored,
+                         const double normal[3], const double position[3])
 {
+    double color[3];
+
+    for (int c = 0; c < 3; c++)
+        color[c] = d->mesh->colors ? d->mesh->colors[colored][c] / 255.0 : d->color[c];
     if (d->light->scene->lamps_on && d->light->scene->by_pixel)
-        ref_light_by_pixel(d->light, normal, position, d->color, vertex->attribute);
+        ref_light_by_pixel(d->light, normal, position, color, vertex->attribute);
     else if (d->light->scene->lamps_on)
-        ref_illuminate(d->light, normal, position, d->color, vertex->attribute);
+        ref_illuminate(d->light, normal, position, color, vertex->attribute);
     else
-        set_color(vertex, d->color, ref_intensity(d->light, normal));
+        set_color(vertex, color, ref_intensity(d->light, normal));
 }
 
 static void transform_vertices(const struct drawing *d, const struct scene_op *op,
@@ -71,7 +76,7 @@ static void transform_vertices(const struct drawing *d, const struct scene_op *o
 
         ref_matrix_transform(to_clip, position, clip);
         out[i] = (struct ref_vertex){clip[0], clip[1], clip[2], clip[3], {0}};
-        light_vertex(d, &out[i], normal, position);
+        light_vertex(d, &out[i], i, normal, position);
         out[i].attribute[REF_ALPHA] = ref_vertex_alpha(d->light->scene, op, i);
         if (d->light->scene->texture_sphere)
             set_sphere(&out[i], d->light, normal);
@@ -102,7 +107,8 @@ static void light_triangle(const struct drawing *d, struct ref_triangle *triangl
 
         for (int k = 0; k < 3; k++)
             n[k] = own[k] * (turned ? -1.0 : 1.0);
-        light_vertex(d, &triangle->vertex[i], n, scene->flat ? middle : p[i]);
+        light_vertex(d, &triangle->vertex[i], index[scene->flat ? scene->provoking : i], n,
+                     scene->flat ? middle : p[i]);
     }
 }
 

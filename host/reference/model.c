@@ -49,6 +49,7 @@ static bool create_read(struct ref_model *model, const struct obj_mesh *mesh)
         if (mesh->uvs)
             from_q16(mesh->uvs[i], 2, model->uvs[i]);
     }
+    model->colors = (const uint8_t(*)[3])mesh->colors;
     if (mesh->triangle_count > 0)
         memcpy(model->triangles, mesh->triangles, mesh->triangle_count * sizeof *mesh->triangles);
     return true;
@@ -115,6 +116,7 @@ static bool create_mixed(struct ref_model *model, const struct scene *scene,
 
     if (!create_read(model, &scene->meshes[of->mesh[0]]))
         return false;
+    model->colors = NULL; /* what is mixed has the one of its statement */
     if (of->kind == SCENE_TARGETS) {
         mix_targets(model, scene, of);
         return true;

@@ -13,6 +13,7 @@
 
 struct ref_model {
     double (*positions)[3], (*normals)[3], (*uvs)[2]; /* uvs may be NULL */
+    const uint8_t (*colors)[3];                       /* the scene's, or NULL */
     uint32_t (*triangles)[3];
     size_t vertex_count, triangle_count;
 };

@@ -270,6 +270,23 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
     return true;
 }
 
+static bool replay_pass(struct replay *replay, const struct scene *scene)
+{
+    bool ok = true;
+
+    replay->target.scene = scene;
+    replay->camera = ref_matrix_identity();
+    replay->joint_count = 0;
+    replay->projection.top = 0;
+    replay->projection.matrix[0] = ref_matrix_identity();
+    replay->modelview.top = 0;
+    replay->modelview.matrix[0] = ref_matrix_identity();
+    replay->current = &replay->modelview;
+    for (size_t i = 0; ok && i < scene->op_count; i++)
+        ok = replay_op(replay, &scene->ops[i]);
+    return ok;
+}
+
 bool ref_render_at(const struct scene *scene, int subpixel_bits, const struct ref_sampling *at,
                    struct reference_image *image)
 {
@@ -279,19 +296,13 @@ bool ref_render_at(const struct scene *scene, int subpixel_bits, const struct re
     if (!ref_target_open(&replay.target, scene, subpixel_bits, image))
         return false;
     replay.target.at = *at;
-    replay.camera = ref_matrix_identity();
-    replay.joint_count = 0;
-    replay.projection.top = 0;
-    replay.projection.matrix[0] = ref_matrix_identity();
-    replay.modelview.top = 0;
-    replay.modelview.matrix[0] = ref_matrix_identity();
-    replay.current = &replay.modelview;
-
-    for (size_t i = 0; i < scene->op_count; i++) {
-        if (!replay_op(&replay, &scene->ops[i])) {
-            reference_free(image);
-            return false;
-        }
+    const struct ref_window whole = replay.target.window;
+    bool ok = true;
+    for (; ok && scene != NULL; scene = scene->next) {
+        replay.target.window = whole;
+        ok = replay_pass(&replay, scene);
     }
-    return true;
+    if (!ok)
+        reference_free(image);
+    return ok;
 }

@@ -4,69 +4,169 @@
 #include <math.h>
 
 /*
- * Instructions = a pixels + b triangles + c sqrt(pixels triangles), the latter being about how many
- * rows all triangles have. Fitted so that the largest relative error over the benchmark's scenes of
- * the kind (tests/test_tools_view.c has them) is as small as it can be. Large triangles, of more
- * than 1000 pixels, are a kind of their own: what a pixel costs there depends on how perspective
- * runs along the rows, so that textured ones differ by a factor of three.
+ * Instructions = a pixels + b triangles; then what another format of pixels or depth than RGB565
+ * with linear16 adds, c pixels + d sqrt(pixels triangles), the root being about how many rows all
+ * triangles have; and what bands add. Fitted so that the largest relative error is as small as it
+ * can be, to scenes of the benchmark and to some of them, with the torus of S12c flat and as lines,
+ * in all formats, depths and bands of 8, 16, 32 and 64 rows (tests/test_tools_view.c has those that
+ * `make bench` counts). Large triangles, of more than 1000 pixels, are a kind of their own: what a
+ * pixel costs there depends on how perspective runs along the rows, so that textured ones differ by
+ * a factor of three.
  */
+enum core { M0PLUS, M3, CORES };
+
 struct model {
-    double pixel, triangle, root;
+    double pixel, triangle;
 };
 
 static const struct {
-    struct model m0plus, m3;
+    struct model cores[CORES];
     int error;
 } models[2][4] = {
     {
-        [SCENE_KIND_FLAT] = {{8.5, 0, 372}, {8.5, 0, 170}, 25},
-        [SCENE_KIND_SMOOTH] = {{48.8, 323, 0}, {31.4, 141, 0}, 30},
-        [SCENE_KIND_TEXTURED] = {{117.7, 220, 0}, {68.3, 135, 0}, 45},
-        [SCENE_KIND_LINES] = {{100.3, 369, 0}, {49.4, 158, 0}, 10},
+        [SCENE_KIND_FLAT] = {{{22, 528}, {16.2, 254}}, 25},
+        [SCENE_KIND_SMOOTH] = {{{48.8, 323}, {31.4, 141}}, 30},
+        [SCENE_KIND_TEXTURED] = {{{117.7, 220}, {68.3, 135}}, 45},
+        [SCENE_KIND_LINES] = {{{36, 499}, {18.6, 217}}, 15},
     },
     {
-        [SCENE_KIND_FLAT] = {{8.6, 0, 0}, {8.4, 0, 0}, 10},
-        [SCENE_KIND_SMOOTH] = {{16.7, 0, 0}, {12.4, 0, 0}, 10},
-        [SCENE_KIND_TEXTURED] = {{40, 0, 0}, {24, 0, 0}, 60},
-        [SCENE_KIND_LINES] = {{100.3, 369, 0}, {49.4, 158, 0}, 10},
+        [SCENE_KIND_FLAT] = {{{8.6, 0}, {8.4, 0}}, 15},
+        [SCENE_KIND_SMOOTH] = {{{16.7, 0}, {12.4, 0}}, 25},
+        [SCENE_KIND_TEXTURED] = {{{40, 0}, {24, 0}}, 60},
+        [SCENE_KIND_LINES] = {{{36, 499}, {18.6, 217}}, 15},
     },
 };
 
-/* S0 of the benchmark: colour and depth of 76,800 pixels. */
-enum { CLEAR = 29280, CLEARED = 76800, LARGE = 1000 };
+/* What takes another way than RGB565 with linear16: a pipeline of the depth's, or the generic one.
+ */
+enum way { FLOAT16, LINEAR24, LINEAR32, XRGB8888, GRAY8, GENERIC_DEPTH, WAYS };
 
-static double instructions(const struct model *model, double triangles, double pixels)
+static const struct {
+    double pixel, root;
+} ways[4][WAYS][CORES] =
+    {
+        [SCENE_KIND_FLAT] =
+            {
+                [FLOAT16] = {{11.3, 193}, {3.8, 98}},
+                [LINEAR24] = {{33.4, 0}, {19.1, 9}},
+                [LINEAR32] = {{11.7, 12}, {8.1, 8}},
+                [XRGB8888] = {{51.5, 216}, {27.7, 161}},
+                [GRAY8] = {{51.4, 221}, {28, 165}},
+                [GENERIC_DEPTH] = {{203.4, 255}, {151.8, 175}},
+            },
+        [SCENE_KIND_SMOOTH] =
+            {
+                [FLOAT16] = {{16.4, 152}, {5.7, 97}},
+                [LINEAR24] = {{23.5, 22}, {20, 15}},
+                [LINEAR32] = {{16.3, 0}, {8.5, 13}},
+                [XRGB8888] = {{116.5, 444}, {77.9, 273}},
+                [GRAY8] = {{101.3, 453}, {68.7, 312}},
+                [GENERIC_DEPTH] = {{242.1, 420}, {177.2, 290}},
+            },
+        [SCENE_KIND_TEXTURED] =
+            {
+                [FLOAT16] = {{17.1, 140}, {7.3, 83}},
+                [LINEAR24] = {{27.8, 37}, {21.3, 21}},
+                [LINEAR32] = {{11.6, 32}, {10.1, 21}},
+                [XRGB8888] = {{200.9, 307}, {139.3, 251}},
+                [GRAY8] = {{227.1, 370}, {152.5, 249}},
+                [GENERIC_DEPTH] = {{323.7, 381}, {228, 234}},
+            },
+        [SCENE_KIND_LINES] =
+            {
+                [FLOAT16] = {{255, 586}, {189.9, 422}},
+                [LINEAR24] = {{210.5, 539}, {165.1, 395}},
+                [LINEAR32] = {{197.5, 546}, {157.3, 389}},
+                [XRGB8888] = {{177.4, 838}, {156.4, 531}},
+                [GRAY8] = {{0, 252}, {0, 118}},
+                [GENERIC_DEPTH] = {{189.9, 904}, {166.7, 552}},
+            },
+};
+
+/* What bands add: a triangle, and a pixel over the rows of a band. */
+static const struct {
+    double triangle, pixel;
+} bands[4][CORES] = {
+    [SCENE_KIND_FLAT] = {{126, 238}, {70, 121}},
+    [SCENE_KIND_SMOOTH] = {{58, 291}, {68, 142}},
+    [SCENE_KIND_TEXTURED] = {{124, 389}, {72, 192}},
+    [SCENE_KIND_LINES] = {{247, 1419}, {118, 987}},
+};
+
+/* S0 of the benchmark: colour and depth of 76,800 pixels, half of it either. */
+enum { CLEAR = 29280, CLEARED = 76800, LARGE = 1000, FLOAT16_ERROR = 20 };
+
+static const double clear_color[] = {
+    [SCENE_RGB565] = .5, [SCENE_XRGB8888] = 1, [SCENE_GRAY8] = .25};
+static const double clear_depth[][CORES] = {[SCENE_LINEAR16] = {.5, .5},
+                                            [SCENE_FLOAT16] = {.5, .5},
+                                            [SCENE_LINEAR24] = {3.5, 2.5},
+                                            [SCENE_LINEAR32] = {1, 1}};
+
+/* What blending by alpha adds a pixel: to RGB565, to the generic pipeline, and there with depths of
+   other formats. */
+static const double blends[3][CORES] = {{55, 28}, {235, 155}, {112, 66}};
+
+/* WAYS: the one that the models are of. Depths of other formats bring no pipelines that blend. */
+static enum way way_of(const struct scene_load *load)
 {
-    return model->pixel * pixels + model->triangle * triangles +
-           model->root * sqrt(pixels * triangles);
+    static const enum way of_depth[] = {[SCENE_LINEAR16] = WAYS,
+                                        [SCENE_FLOAT16] = FLOAT16,
+                                        [SCENE_LINEAR24] = LINEAR24,
+                                        [SCENE_LINEAR32] = LINEAR32};
+    const bool is_generic = load->format != SCENE_RGB565 || load->is_blended;
+    return is_generic && load->depth != SCENE_LINEAR16 ? GENERIC_DEPTH
+           : load->format == SCENE_XRGB8888            ? XRGB8888
+           : load->format == SCENE_GRAY8               ? GRAY8
+                                                       : of_depth[load->depth];
 }
 
-struct scene_cost scene_cost(enum scene_kind kind, double triangles, double pixels, double screen)
+static double instructions(const struct scene_load *load, const struct model *model, enum core core)
 {
-    const int is_large = pixels > LARGE * triangles;
-    const double clear = CLEAR * screen / CLEARED;
+    const double root = sqrt(load->pixels * load->triangles);
+    const enum way way = way_of(load);
+    double sum = model->pixel * load->pixels + model->triangle * load->triangles +
+                 CLEAR * load->screen / CLEARED *
+                     (clear_color[load->format] + clear_depth[load->depth][core]);
+    if (way != WAYS) {
+        sum += ways[load->kind][way][core].pixel * load->pixels +
+               ways[load->kind][way][core].root * root;
+    }
+    if (load->is_blended) {
+        sum += blends[way == WAYS ? 0 : way == GENERIC_DEPTH ? 2 : 1][core] * load->pixels;
+    }
+    if (load->rows > 0) {
+        sum += bands[load->kind][core].triangle * load->triangles +
+               bands[load->kind][core].pixel * load->pixels / load->rows;
+    }
+    return sum;
+}
+
+struct scene_cost scene_cost(const struct scene_load *load)
+{
+    const int is_large = load->pixels > LARGE * load->triangles;
+    const struct model *of = models[is_large][load->kind].cores;
     const struct scene_cost cost = {
-        instructions(&models[is_large][kind].m0plus, triangles, pixels) + clear,
-        instructions(&models[is_large][kind].m3, triangles, pixels) + clear,
-        models[is_large][kind].error,
-    };
+        instructions(load, &of[M0PLUS], M0PLUS), instructions(load, &of[M3], M3),
+        models[is_large][load->kind].error + (way_of(load) == FLOAT16 ? FLOAT16_ERROR : 0)};
     return cost;
 }
 
-bool scene_kind(const struct scene *scene, enum scene_kind *kind)
+bool scene_load_pass(struct scene_load *load, const struct scene *pass)
 {
-    bool is_known = !scene->lamps_on && scene->blend == SCENE_BLEND_OFF &&
-                    scene->fog.kind == SCENE_FOG_OFF && !scene->texture_bilinear &&
-                    scene->antialias == SCENE_ANTIALIAS_OFF && !scene->hidden_lines &&
-                    !scene->smooth_lines && !scene->wide_lines &&
-                    scene->depth_format == SCENE_LINEAR16 && scene->triangle_count > 0;
-    for (size_t i = 0; i < scene->op_count; i++) {
+    bool is_known = !pass->lamps_on && pass->fog.kind == SCENE_FOG_OFF && !pass->texture_bilinear &&
+                    pass->antialias == SCENE_ANTIALIAS_OFF && !pass->hidden_lines &&
+                    !pass->smooth_lines && !pass->wide_lines &&
+                    pass->triangle_count > pass->triangles_before;
+    for (size_t i = 0; i < pass->op_count; i++) {
         is_known =
-            is_known && scene->ops[i].kind != SCENE_STROKE && scene->ops[i].kind != SCENE_PAINT;
+            is_known && pass->ops[i].kind != SCENE_STROKE && pass->ops[i].kind != SCENE_PAINT;
     }
-    *kind = scene->wireframe           ? SCENE_KIND_LINES
-            : scene->texture.width > 0 ? SCENE_KIND_TEXTURED
-            : scene->flat              ? SCENE_KIND_FLAT
-                                       : SCENE_KIND_SMOOTH;
-    return is_known;
+    load->kind = pass->wireframe           ? SCENE_KIND_LINES
+                 : pass->texture.width > 0 ? SCENE_KIND_TEXTURED
+                 : pass->flat              ? SCENE_KIND_FLAT
+                                           : SCENE_KIND_SMOOTH;
+    load->depth = pass->depth_format;
+    load->is_blended = pass->blend == SCENE_BLEND_ALPHA;
+    return is_known && (pass->blend == SCENE_BLEND_OFF || (load->is_blended && !pass->wireframe));
 }

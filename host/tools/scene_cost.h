@@ -12,19 +12,30 @@
 #include "../io/scene.h"
 
 enum scene_kind { SCENE_KIND_FLAT, SCENE_KIND_SMOOTH, SCENE_KIND_TEXTURED, SCENE_KIND_LINES };
+enum scene_pixels { SCENE_RGB565, SCENE_XRGB8888, SCENE_GRAY8 };
 
-struct scene_cost {
-    double m0plus, m3; /* instructions, the clear included */
-    int error;         /* percent: no benchmark of the kind is further off */
+/* What is drawn, by the default pipelines. */
+struct scene_load {
+    enum scene_kind kind;
+    enum scene_pixels format;
+    enum scene_depth_format depth;
+    bool is_blended; /* by alpha; not lines */
+    int rows;        /* of a band, in which prepared meshes are drawn; 0: one band, without */
+    double triangles, pixels; /* pixels: covered */
+    double screen;            /* pixels that are cleared before */
 };
 
-/* pixels: covered; screen: of the whole frame. */
-struct scene_cost scene_cost(enum scene_kind kind, double triangles, double pixels, double screen);
+struct scene_cost {
+    double m0plus, m3; /* instructions */
+    int error;         /* percent: nothing that was counted is further off */
+};
+
+struct scene_cost scene_cost(const struct scene_load *load);
 
 /*
- * Which kind a scene is. False: none that the model knows, as it has lamps, blends, fog, filters,
- * anti-aliasing, strokes or flat shapes, whose costs differ.
+ * Sets the kind, the depth and the blending of a pass of a scene. False: none that the model knows,
+ * as it has lamps, other blends, fog, filters, anti-aliasing, strokes or flat shapes.
  */
-bool scene_kind(const struct scene *scene, enum scene_kind *kind);
+bool scene_load_pass(struct scene_load *load, const struct scene *pass);
 
 #endif

@@ -222,6 +222,7 @@ static void draw_mesh_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
     one.positions16 = mesh->positions == NULL ? positions16 : NULL;
     one.positions = mesh->positions != NULL ? positions : NULL;
     one.normals = NULL;
+    one.colors = NULL;
     one.uvs = mesh->uvs != NULL ? uvs : NULL;
     one.normals8 = NULL;
     one.triangles = corners;
@@ -516,27 +517,13 @@ static uint32_t *begin_edges(qtri_edges *edges, const qtri_surface *surface)
     return memory;
 }
 
-void scene_draw(const struct scene_resources *resources, const qtri_surface *surface,
-                enum scene_pass pass)
+/* edges: to note outlines on, for SCENE_EDGES. */
+static void draw_pass(const struct scene_resources *resources, const qtri_surface *surface,
+                      enum scene_pass pass, qtri_edges *edges)
 {
     const struct scene *scene = resources->scene;
-    const qtri_rgb black = {0, 0, 0};
-    qtri_edges edges;
-    uint32_t *memory = NULL;
-    struct drawing d = {.resources = resources,
-                        .surface = surface,
-                        .whole = surface,
-                        .pass = pass,
-                        .edges = &edges};
-    if (pass == SCENE_EDGES) {
-        memory = begin_edges(&edges, surface);
-        if (memory == NULL) {
-            return;
-        }
-    } else {
-        qtri_samples_clear(surface, pass == SCENE_IDS ? black : scene_rgb(scene->clear));
-        qtri_samples_clear_depth(surface, scene->clear_depth);
-    }
+    struct drawing d = {
+        .resources = resources, .surface = surface, .whole = surface, .pass = pass, .edges = edges};
     qtri_view_init(&d.view, surface->width, surface->height);
     if (resources->pipelines != NULL) {
         d.view.pipelines = resources->pipelines->list;
@@ -559,6 +546,27 @@ void scene_draw(const struct scene_resources *resources, const qtri_surface *sur
     }
     replay(&d, stacks);
     free(stacks);
+}
+
+void scene_draw(const struct scene_resources *resources, const qtri_surface *surface,
+                enum scene_pass pass)
+{
+    const qtri_rgb black = {0, 0, 0};
+    const struct scene *scene = resources->scene;
+    qtri_edges edges;
+    uint32_t *memory = NULL;
+    if (pass == SCENE_EDGES) {
+        memory = begin_edges(&edges, surface);
+        if (memory == NULL) {
+            return;
+        }
+    } else {
+        qtri_samples_clear(surface, pass == SCENE_IDS ? black : scene_rgb(scene->clear));
+        qtri_samples_clear_depth(surface, scene->clear_depth);
+    }
+    for (; resources != NULL; resources = resources->next) {
+        draw_pass(resources, surface, pass, &edges);
+    }
     if (pass == SCENE_EDGES) {
         qtri_edges_blend(&edges);
     }

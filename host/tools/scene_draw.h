@@ -15,7 +15,8 @@ struct scene_part {
     qtri_mesh mesh;
     qtri_vec3 *positions;
     qtri_normal *normals;
-    qtri_vec2 *uvs; /* NULL when the file has none */
+    qtri_vec2 *uvs;   /* NULL when the file has none */
+    qtri_rgb *colors; /* so here */
     uint16_t (*triangles)[3];
     uint16_t (*neighbours)[3];
     qtri_face8 *planes;           /* mesh.faces has them where they pay */
@@ -57,6 +58,7 @@ struct scene_resources {
     int32_t jitter_log2;
     struct scene_painting *painting;         /* fonts and pictures */
     const struct scene_pipelines *pipelines; /* NULL: the default ones */
+    struct scene_resources *next;            /* of the scene's next pass */
 };
 
 enum scene_pass {

@@ -11,6 +11,7 @@ void scene_part_free(struct scene_part *part)
     free(part->positions);
     free(part->normals);
     free(part->uvs);
+    free(part->colors);
     free(part->triangles);
     free(part->neighbours);
     free(part->planes);

@@ -70,17 +70,25 @@ static void begin_rows(const struct target *t, qtri_surface *surface, int32_t sc
     }
 }
 
+static void set_jitter(struct scene_resources *resources, uint32_t place, int32_t places_log2)
+{
+    for (; resources != NULL; resources = resources->next) {
+        resources->jitter = place;
+        resources->jitter_log2 = places_log2;
+    }
+}
+
 /* The mean of several frames. */
 static void draw_mean(const struct target *t, const qtri_surface *surface)
 {
     struct scene_resources *resources = t->resources;
     qtri_sum_clear(t->words, t->word_count);
-    resources->jitter_log2 = FRAMES_LOG2;
-    for (resources->jitter = 0; resources->jitter < 1u << FRAMES_LOG2; resources->jitter++) {
+    for (uint32_t i = 0; i < 1u << FRAMES_LOG2; i++) {
+        set_jitter(resources, i, FRAMES_LOG2);
         scene_draw(resources, surface, SCENE_COLORS);
         (void)qtri_sum_add(t->words, t->word_count, surface);
     }
-    resources->jitter_log2 = 0;
+    set_jitter(resources, 0, 0);
     (void)qtri_sum_store(surface, t->words, t->word_count, FRAMES_LOG2);
 }
 
@@ -199,7 +207,9 @@ static bool render_scene(const struct scene *scene, const qtri_format *format, i
     if (!scene_resources_create(&resources, scene)) {
         return false;
     }
-    resources.pipelines = pipelines;
+    for (struct scene_resources *pass = &resources; pass != NULL; pass = pass->next) {
+        pass->pipelines = pipelines;
+    }
     const bool ok = scene_render_resources(&resources, format, rows, with_dump, picture);
     scene_resources_free(&resources);
     return ok;

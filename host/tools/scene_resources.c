@@ -28,6 +28,10 @@ static void copy_vertex(struct scene_part *part, uint32_t to, const struct obj_m
         qtri_vec2 uv = {mesh->uvs[from][0], mesh->uvs[from][1]};
         part->uvs[to] = uv;
     }
+    if (part->colors != NULL) {
+        const uint8_t *c = mesh->colors[from];
+        part->colors[to] = (qtri_rgb){c[0], c[1], c[2]};
+    }
 }
 
 /*
@@ -58,7 +62,7 @@ static size_t part_fill(struct scene_part *part, const struct obj_mesh *mesh, si
         .positions = part->positions,
         .normals = part->normals,
         .uvs = part->uvs,
-        .colors = NULL,
+        .colors = part->colors,
         .triangles = (const uint16_t(*)[3])part->triangles,
         .vertex_count = vertices,
         .triangle_count = (uint32_t)(triangle - first),
@@ -76,12 +80,14 @@ static bool part_allocate(struct scene_part *part, const struct obj_mesh *mesh, 
     part->positions = malloc((vertices + 1) * sizeof *part->positions);
     part->normals = malloc((vertices + 1) * sizeof *part->normals);
     part->uvs = mesh->uvs != NULL ? malloc((vertices + 1) * sizeof *part->uvs) : NULL;
+    part->colors = mesh->colors != NULL ? malloc((vertices + 1) * sizeof *part->colors) : NULL;
     part->triangles = malloc((triangles + 1) * sizeof *part->triangles);
     part->planes = malloc((triangles + 1) * sizeof *part->planes);
     part->neighbours = malloc((triangles + 1) * sizeof *part->neighbours);
     return part->positions != NULL && part->normals != NULL && part->triangles != NULL &&
            part->planes != NULL && part->neighbours != NULL &&
-           (mesh->uvs == NULL || part->uvs != NULL);
+           (mesh->uvs == NULL || part->uvs != NULL) &&
+           (mesh->colors == NULL || part->colors != NULL);
 }
 
 static bool parts_create(struct scene_parts *parts, const struct obj_mesh *mesh)
@@ -104,7 +110,7 @@ static bool parts_create(struct scene_parts *parts, const struct obj_mesh *mesh)
     return ok;
 }
 
-bool scene_resources_create(struct scene_resources *resources, const struct scene *scene)
+static bool create_pass(struct scene_resources *resources, const struct scene *scene)
 {
     memset(resources, 0, sizeof *resources);
     resources->scene = scene;
@@ -140,13 +146,25 @@ bool scene_resources_create(struct scene_resources *resources, const struct scen
             ok = resources->sphere_uvs != NULL;
         }
     }
+    return ok;
+}
+
+bool scene_resources_create(struct scene_resources *resources, const struct scene *scene)
+{
+    struct scene_resources *last = resources;
+    bool ok = create_pass(last, scene);
+    while (ok && (scene = scene->next) != NULL) {
+        last->next = malloc(sizeof *last->next);
+        last = last->next;
+        ok = last != NULL && create_pass(last, scene);
+    }
     if (!ok) {
         scene_resources_free(resources);
     }
     return ok;
 }
 
-void scene_resources_free(struct scene_resources *resources)
+static void free_pass(struct scene_resources *resources)
 {
     for (size_t i = 0; resources->meshes != NULL && i < resources->scene->mesh_count; i++) {
         for (size_t j = 0; j < resources->meshes[i].count; j++) {
@@ -160,5 +178,16 @@ void scene_resources_free(struct scene_resources *resources)
     free(resources->vertices);
     free(resources->sphere_uvs);
     scene_painting_free(resources);
+}
+
+void scene_resources_free(struct scene_resources *resources)
+{
+    for (struct scene_resources *next = resources->next; next != NULL;) {
+        struct scene_resources *after = next->next;
+        free_pass(next);
+        free(next);
+        next = after;
+    }
+    free_pass(resources);
     memset(resources, 0, sizeof *resources);
 }

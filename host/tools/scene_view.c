@@ -17,10 +17,11 @@ static const struct {
     const char *name;
     const qtri_format *core;
     enum reference_format reference;
+    enum scene_pixels pixels;
 } formats[FORMATS] = {
-    {"RGB888", &qtri_xrgb8888, REFERENCE_RGB888},
-    {"RGB565", &qtri_rgb565, REFERENCE_RGB565},
-    {"GRAY8", &qtri_gray8, REFERENCE_GRAY8},
+    {"RGB888", &qtri_xrgb8888, REFERENCE_RGB888, SCENE_XRGB8888},
+    {"RGB565", &qtri_rgb565, REFERENCE_RGB565, SCENE_RGB565},
+    {"GRAY8", &qtri_gray8, REFERENCE_GRAY8, SCENE_GRAY8},
 };
 
 static const double degree = 3.14159265358979323846 / 180;
@@ -68,17 +69,19 @@ static void turn_lookat(int32_t number[9], const struct scene_view *view)
 static bool turn_cameras(struct scene *scene, const struct scene_view *view)
 {
     bool found = false;
-    for (size_t i = 0; i < scene->op_count; i++) {
-        struct scene_op *op = &scene->ops[i];
-        if (op->kind == SCENE_LOOKAT || op->kind == SCENE_LOOKAT_D3D) {
-            found = true;
-            if (view->azimuth != 0 || view->elevation != 0) {
-                turn_lookat(op->u.number, view);
+    for (; scene != NULL; scene = scene->next) {
+        for (size_t i = 0; i < scene->op_count; i++) {
+            struct scene_op *op = &scene->ops[i];
+            if (op->kind == SCENE_LOOKAT || op->kind == SCENE_LOOKAT_D3D) {
+                found = true;
+                if (view->azimuth != 0 || view->elevation != 0) {
+                    turn_lookat(op->u.number, view);
+                }
+            } else if (op->kind == SCENE_ORBIT) {
+                found = true;
+                op->u.number[4] += view->azimuth * 65536;
+                op->u.number[5] += view->elevation * 65536;
             }
-        } else if (op->kind == SCENE_ORBIT) {
-            found = true;
-            op->u.number[4] += view->azimuth * 65536;
-            op->u.number[5] += view->elevation * 65536;
         }
     }
     return found;
@@ -89,7 +92,6 @@ static void count(const struct scene *scene, const struct scene_view *view,
 {
     const size_t all = (size_t)core->width * (size_t)core->height;
     const size_t rows = (size_t)(view->band_rows > 0 ? view->band_rows : scene->height);
-    enum scene_kind kind;
     figures->width = core->width;
     figures->height = core->height;
     figures->triangles = scene->triangle_count;
@@ -106,9 +108,13 @@ static void count(const struct scene *scene, const struct scene_view *view,
     }
     figures->m0plus = figures->m3 = 0;
     figures->error = 0;
-    if (view->format == 1 && view->band_rows == 0 && scene_kind(scene, &kind)) {
-        const struct scene_cost cost =
-            scene_cost(kind, (double)figures->triangles, (double)figures->pixels, (double)all);
+    struct scene_load load = {.format = formats[view->format].pixels,
+                              .rows = view->band_rows,
+                              .triangles = (double)figures->triangles,
+                              .pixels = (double)figures->pixels,
+                              .screen = (double)all};
+    if (scene->next == NULL && scene_load_pass(&load, scene)) {
+        const struct scene_cost cost = scene_cost(&load);
         figures->m0plus = cost.m0plus;
         figures->m3 = cost.m3;
         figures->error = cost.error;

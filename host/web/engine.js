@@ -28,7 +28,18 @@ async function createEngine() {
             return 0;
         },
     };
-    c = (await WebAssembly.instantiate(bytesOfScript, {wasi_snapshot_preview1: wasi})).instance.exports;
+    /* Triangles in the order for the vertex cache. The library numbers vertices anew besides: that is undone. */
+    const order = (at, count) => {
+        if (hasOrder) {
+            const indices = new Uint32Array(c.memory.buffer, at, count), ordered = indices.slice();
+            const before = [];
+            MeshoptEncoder.reorderMesh(ordered, true, false)[0].forEach((after, vertex) => before[after] = vertex);
+            indices.set(ordered.map((vertex) => before[vertex]));
+        }
+    };
+    const hasOrder = typeof MeshoptEncoder !== 'undefined';
+    await (hasOrder && MeshoptEncoder.ready);
+    c = (await WebAssembly.instantiate(bytesOfScript, {wasi_snapshot_preview1: wasi, env: {page_order: order}})).instance.exports;
     c._initialize();
 
     /* Calls with memory for text that lives no longer than the call. */
@@ -51,7 +62,19 @@ async function createEngine() {
         return text;
     }
 
+    function run(command, words) {
+        const status = withTexts(words, (places) => {
+            const list = c.malloc(4 * (places.length + 1));
+            places.concat(0).forEach((at, i) => view().setUint32(list + 4 * i, at, true));
+            const result = command(places.length, list);
+            c.free(list);
+            return result;
+        });
+        return {ok: status === 0, report: takeWritten(1), message: takeWritten(2).trim()};
+    }
+
     const engine = {
+        hasOrder,
         put(name, bytes) {
             const content = typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytes;
             const at = withTexts([name], ([path]) => c.web_file_create(path, content.length));
@@ -68,16 +91,16 @@ async function createEngine() {
         },
         clear: () => c.web_files_clear(),
 
-        /* `qtri model`, `mesh` or `texture`: {ok, report, message}. */
-        run(words) {
-            const status = withTexts(words, (places) => {
-                const list = c.malloc(4 * (places.length + 1));
-                places.concat(0).forEach((at, i) => view().setUint32(list + 4 * i, at, true));
-                const result = c.web_command(places.length, list);
-                c.free(list);
-                return result;
-            });
-            return {ok: status === 0, report: takeWritten(1), message: takeWritten(2).trim()};
+        /* `qtri model`: {ok, report, message}. */
+        model: (words) => run(c.web_model, words),
+
+        /* The parts of such a header, a list of numbers each: web_show.c. Their meshes and textures become files. */
+        show(words) {
+            const {ok, report} = run(c.web_show, words);
+            if (!ok) {
+                throw new Error('There is not enough memory to draw this.');
+            }
+            return report.trim().split('\n').map((line) => line.split(' ').map(Number));
         },
 
         /* The scene that is drawn from now on. Throws what is wrong with it. */

@@ -56,7 +56,8 @@ function chosen() {
 
 function headerWords(name, plain) {
     const look = chosen(), stem = name.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
-    return ['model', name, '-o', stem + '.h', '--panel', look.width + 'x' + look.height, '--rows', String(look.rows), '--keep-order'].concat(plain ? ['--plain'] : []);
+    return ['model', name, '-o', stem + '.h', '--panel', look.width + 'x' + look.height, '--rows', String(look.rows)]
+        .concat(engine.hasOrder ? [] : ['--keep-order'], plain ? ['--plain'] : []);
 }
 
 function numbersOf(report, pattern) {
@@ -66,74 +67,64 @@ function numbersOf(report, pattern) {
 
 /* `qtri model`, without materials where these are missing. */
 function runModel(name) {
-    let result = engine.run(headerWords(name, false)), left = '';
+    let result = engine.model(headerWords(name, false)), left = '';
     if (!result.ok && /--plain does without|there is no picture/.test(result.message)) {
         left = 'Materials and pictures are left out: ' + result.message.replace(/^qtri model: /, '').replace('; --plain does without', '') + '. Pick these files together.';
-        result = engine.run(headerWords(name, true));
+        result = engine.model(headerWords(name, true));
     }
     if (!result.ok) {
         throw new Error(result.message.replace(/^qtri model: /, ''));
     }
-    return {result, left, plain: left !== ''};
-}
-
-/* One OBJ file a material, with its colour, since a scene has no other materials. */
-function splitParts(text, report, unnamed) {
-    const lines = text.split('\n'), vertices = lines.filter((line) => /^v/.test(line)).join('\n');
-    const colors = [...report.matchAll(/^material \d+, .*colour (\d+) (\d+) (\d+)$/gm)].map((found) => found.slice(1).map((byte) => byte / 255));
-    const parts = [];
-    for (const line of lines) {
-        if (line[0] === 'g' || (line[0] === 'f' && parts.length === 0)) {
-            parts.push({faces: [], color: colors[parts.length] || unnamed});
-        }
-        if (line[0] === 'f') {
-            parts[parts.length - 1].faces.push(line);
-        }
-    }
-    return parts.map((part) => ({text: vertices + '\n' + part.faces.join('\n') + '\n', color: part.color}));
-}
-
-/* Puts what is drawn into files of the engine: the model as its header has it. */
-function showModel(name, plain, headerReport, unnamed) {
-    const mesh = engine.run(['mesh', name, '-o', 'shown.obj', '--compact', '--center', '--fit', '2', '--keep-order'].concat(plain ? ['--plain'] : []));
-    if (!mesh.ok) {
-        throw new Error(mesh.message.replace(/^qtri mesh: /, ''));
-    }
-    const parts = splitParts(new TextDecoder().decode(engine.get('shown.obj')), mesh.report, unnamed);
-    parts.forEach((part, i) => engine.put('shown_' + i + '.obj', part.text));
-    const textures = [...new Set([...mesh.report.matchAll(/^texture: (.*), for `qtri texture`$/gm)].map((found) => found[1]))];
-    const [width, height] = numbersOf(headerReport, /^texture 0: (\d+) x (\d+)/m);
-    const hasTexture = textures.length > 0 && width !== undefined &&
-        engine.run(['texture', textures[0], '-o', 'shown.ppm', '--size', width + 'x' + height]).ok;
-    return {colors: parts.map((part) => part.color), hasTexture, textures: textures.length};
+    return {result, left: [left, result.message].filter((text) => text !== '').join(' '), plain: left !== ''};
 }
 
 /* Throws what is wrong; then nothing is open. */
 function open(name, files) {
     engine.clear();
     files.forEach((content, fileName) => engine.put(fileName, content));
-    const {result, left, plain} = runModel(name);
-    const shown = showModel(name, plain, result.report, files.size > 0 ? [1, 1, 1] : [1, 0.75, 0.4]);
-    opened = {name, files, plain, shown, left, isBuiltIn: files.size === 0, report: result.report, words: headerWords(name, plain).join()};
+    const {result, left, plain} = runModel(name), words = headerWords(name, plain);
+    opened = {name, files, plain, left, parts: engine.show(words), isBuiltIn: files.size === 0, report: result.report, words: words.join()};
 }
 
 /* The report on RAM is that of a display. */
 function reportOfModel() {
     const words = headerWords(opened.name, opened.plain);
     if (words.join() !== opened.words) {
-        opened.report = engine.run(words).report;
+        opened.report = engine.model(words).report;
         opened.words = words.join();
     }
     return opened.report;
 }
 
+/* What a part does to the state of its pass. */
+function stateOf(look, [texture, hasKey, clampU, clampV, twoSided, hasNormals, opacity]) {
+    const wrap = (clamps) => clamps ? 'clamp' : 'repeat', isTextured = look.texture && texture >= 0;
+    return 'cull ' + (look.backs || twoSided ? 'none' : 'back') + '\n' + (look.style || (hasNormals ? '' : 'shade flat')) + '\n' +
+        (opacity < 255 ? 'depthmask off\nblend alpha ' + (opacity / 255).toFixed(6) + '\n' : '') +
+        (isTextured ? 'texture shown_' + texture + '.ppm\ntexformat rgb565\ntexwrap ' + wrap(clampU) + ' ' + wrap(clampV) + '\n' + (hasKey ? 'texkey 255 0 255\n' : '')
+            : look.texture && opened.isBuiltIn ? CHECKER : '');
+}
+
+function meshOf(part, i) {
+    const color = opened.isBuiltIn ? [1, 0.75, 0.4] : part.slice(7, 10).map((byte) => byte / 255), matrix = part.slice(10);
+    const mesh = 'mesh shown_' + i + '.obj color ' + color.map((share) => share.toFixed(6)).join(' ') + '\n';
+    return matrix.every((number, at) => number === (at % 5 === 0 ? 1 : 0)) ? mesh : 'push\nmult ' + matrix.map((number) => number.toFixed(6)).join(' ') + '\n' + mesh + 'pop\n';
+}
+
+/* Parts are drawn as the header has them, a pass for those of one state. */
 function sceneText(look) {
-    const {shown, isBuiltIn} = opened;
-    const texture = !look.texture ? '' : shown.hasTexture ? 'texture shown.ppm\ntexformat rgb565\n' : isBuiltIn ? CHECKER : '';
-    return 'viewport ' + look.width + ' ' + look.height + '\nclear .094118 .125490 .188235\ndepth less\ndepthformat ' + look.depth +
-        '\ncull ' + (look.backs ? 'none' : 'back') + '\nlight .4 .6 .69282032 .2 .8\n' + (look.style ? look.style + '\n' : '') + texture +
-        'mode projection\nperspective 40 ' + (look.width / look.height).toFixed(6) + ' .1 100\nmode modelview\norbit 0 0 0 4.2 ' + degrees + ' 20\n' +
-        shown.colors.map((color, i) => 'mesh shown_' + i + '.obj color ' + color.map((share) => share.toFixed(6)).join(' ') + '\n').join('');
+    const whole = 'viewport ' + look.width + ' ' + look.height + '\nclear .094118 .125490 .188235\ndepthformat ' + look.depth + '\n';
+    const begin = 'depth less\nlight .4 .6 .69282032 .2 .8\n';
+    const camera = 'mode projection\nperspective 40 ' + (look.width / look.height).toFixed(6) + ' .1 100\nmode modelview\norbit 0 0 0 4.2 ' + degrees + ' 20\n';
+    const passes = [];
+    opened.parts.forEach((part, i) => {
+        const state = stateOf(look, part);
+        if (passes.length === 0 || passes[passes.length - 1].state !== state) {
+            passes.push({state, meshes: ''});
+        }
+        passes[passes.length - 1].meshes += meshOf(part, i);
+    });
+    return whole + passes.map(({state, meshes}) => begin + state + camera + meshes).join('pass\n');
 }
 
 /* ---- Pictures ---- */
@@ -198,7 +189,7 @@ function showFigures(look, report) {
     element('flash').textContent = count(flash) + ' bytes';
     element('ram').textContent = count(figures.bandBytes + line + vertices + lists) + ' bytes: ' + count(figures.bandBytes) + ' for colour and depth, ' +
         count(line) + ' to send, ' + count(vertices + lists) + ' for vertices and lists';
-    element('instructions').textContent = figures.m3 === 0 ? 'unknown for these options'
+    element('instructions').textContent = figures.m3 === 0 ? 'unknown for lines that are seen through'
         : millions(figures.m0plus) + ' million on a Cortex-M0+, ' + millions(figures.m3) + ' on an M3, within ' + figures.costError + ' %';
     if (isPlaying()) {
         element('differing').textContent = 'counted when it stands';
@@ -216,9 +207,8 @@ function refresh() {
     drawFrame();
     showFigures(look, reportOfModel());
     element('command').textContent = 'qtri ' + headerWords(opened.name, opened.plain).map((word) => /[^\w.\/-]/.test(word) ? "'" + word + "'" : word).join(' ');
-    element('equality').textContent = opened.isGlb
-        ? 'Of the GLB file itself the command also writes motion and the names of materials.'
-        : 'Byte for byte; --keep-order, since the page lacks the library that orders triangles for the vertex cache. Of pictures it leaves out alpha, and JPEG is decoded by this browser.';
+    element('equality').textContent = 'Byte for byte' + (engine.hasOrder ? '.' : '; --keep-order, since this page was built without the library that orders triangles for the vertex cache.') +
+        (/^motion:/m.test(opened.report) ? ' It holds the motion; the pictures show its beginning.' : '');
     ['core', 'double'].forEach((id, i) => element(id).setAttribute('aria-label', opened.name + ' in ' + ['fixed point', 'double precision'][i] + ', ' + look.width + ' by ' + look.height + ' pixels'));
 }
 
@@ -236,26 +226,23 @@ async function guard(action) {
         }
         if (before !== null) {
             open(before.name, before.files);
-            Object.assign(opened, {isGlb: before.isGlb});
             refresh();
         }
         complain(isCrash ? 'This model is more than the page can take: ' + error.message : error.message);
     }
 }
 
-function openAnd(name, files, isGlb, title) {
+function openAnd(name, files, title) {
     open(name, files);
-    opened.isGlb = isGlb;
     refresh();
-    const several = opened.shown.textures > 1 && opened.shown.hasTexture ? ' It has ' + opened.shown.textures + ' pictures; all are in the header, the first one is drawn.' : '';
-    say(title + ' is shown: ' + element('triangles').textContent + '.' + several + (opened.left ? ' ' + opened.left : ''));
+    say(title + ' is shown: ' + element('triangles').textContent + '.' + (opened.left ? ' ' + opened.left : ''));
 }
 
-const openBuiltIn = () => guard(() => openAnd(element('model').value, new Map(), false, 'The ' + element('model').value));
+const openBuiltIn = () => guard(() => openAnd(element('model').value, new Map(), 'The ' + element('model').value));
 
 const openPicked = (picked) => guard(async () => {
-    const {name, files, isGlb, title} = await readPicked(picked);
-    openAnd(name, files, isGlb, title);
+    const {name, files} = await readPicked(picked);
+    openAnd(name, files, name);
     element('model').querySelector('[value=opened]').hidden = false;
     element('model').value = 'opened';
 });
@@ -305,6 +292,7 @@ function listen() {
         guard(refresh);
     });
     element('model').addEventListener('change', () => element('model').value !== 'opened' && openBuiltIn());
+    element('files').addEventListener('click', () => element('files').value = ''); /* the same file may have changed */
     element('files').addEventListener('change', () => element('files').files.length > 0 && openPicked([...element('files').files]));
     element('download').addEventListener('click', download);
     ['size', 'format', 'rows', 'depth', 'style', 'texture', 'backs', 'bus', 'compare'].forEach((id) => element(id).addEventListener('change', () => guard(() => {

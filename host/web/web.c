@@ -5,8 +5,8 @@
  */
 #include "web.h"
 
+#include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "../reference/reference.h"
 #include "../reference/reference_picture.h"
@@ -19,10 +19,11 @@
 static const struct {
     const qtri_format *core;
     enum reference_format reference;
+    enum scene_pixels pixels;
 } formats[] = {
-    {&qtri_rgb565, REFERENCE_RGB565},
-    {&qtri_xrgb8888, REFERENCE_RGB888},
-    {&qtri_gray8, REFERENCE_GRAY8},
+    {&qtri_rgb565, REFERENCE_RGB565, SCENE_RGB565},
+    {&qtri_xrgb8888, REFERENCE_RGB888, SCENE_XRGB8888},
+    {&qtri_gray8, REFERENCE_GRAY8, SCENE_GRAY8},
 };
 
 static struct scene scene;
@@ -36,11 +37,9 @@ static int complain(const char *what)
     return 1;
 }
 
-int web_command(int argc, char **argv)
+int web_model(int argc, char **argv)
 {
-    const int status = strcmp(argv[0], "model") == 0  ? model_main(argc, argv)
-                       : strcmp(argv[0], "mesh") == 0 ? mesh_main(argc, argv)
-                                                      : texture_main(argc, argv);
+    const int status = model_main(argc, argv);
     (void)fflush(stdout);
     return status;
 }
@@ -59,9 +58,11 @@ int web_scene(const char *path)
 /* Cameras go around what they look at. */
 static void turn(int degrees)
 {
-    for (size_t i = 0; i < scene.op_count; i++) {
-        if (scene.ops[i].kind == SCENE_ORBIT) {
-            scene.ops[i].u.number[4] = degrees * 65536;
+    for (struct scene *pass = &scene; pass != NULL; pass = pass->next) {
+        for (size_t i = 0; i < pass->op_count; i++) {
+            if (pass->ops[i].kind == SCENE_ORBIT) {
+                pass->ops[i].u.number[4] = degrees * 65536;
+            }
         }
     }
 }
@@ -99,33 +100,58 @@ const uint8_t *web_draw(enum web_picture what, int format, int rows, int degrees
     return ok ? picture->rgb : NULL;
 }
 
+/* Covered pixels of a pass: those whose triangle is its. */
+static double pixels_of(const struct scene *pass, const struct picture *picture)
+{
+    const size_t all = (size_t)picture->width * (size_t)picture->height;
+    const uint32_t end = pass->next != NULL ? pass->next->triangles_before : scene.triangle_count;
+    double pixels = 0;
+    for (size_t i = 0; i < all; i++) {
+        pixels += picture->id[i] > pass->triangles_before && picture->id[i] <= end;
+    }
+    return pixels;
+}
+
+/* The passes' sum, unless one is of no kind that is known. */
+static void add_costs(int format, int rows, const struct picture *picture)
+{
+    struct scene_load load = {.format = formats[format].pixels,
+                              .rows = rows > 0 && rows < scene.height ? rows : 0,
+                              .screen = (double)scene.width * scene.height};
+    bool is_known = true;
+    figures.pixels = figures.m0plus = figures.m3 = figures.cost_error = 0;
+    for (const struct scene *pass = &scene; pass != NULL; pass = pass->next) {
+        const uint32_t end =
+            pass->next != NULL ? pass->next->triangles_before : scene.triangle_count;
+        is_known = scene_load_pass(&load, pass) && is_known;
+        load.triangles = end - pass->triangles_before;
+        load.pixels = pixels_of(pass, picture);
+        const struct scene_cost cost = scene_cost(&load);
+        figures.pixels += load.pixels;
+        figures.m0plus += cost.m0plus;
+        figures.m3 += cost.m3;
+        figures.cost_error = fmax(figures.cost_error, cost.error);
+        load.screen = 0; /* is cleared once */
+    }
+    if (!is_known) {
+        figures.m0plus = figures.m3 = 0;
+    }
+}
+
 const struct web_figures *web_count(int format, int rows, int degrees)
 {
     static const size_t depth_bytes[] = {
         [SCENE_LINEAR16] = 2, [SCENE_FLOAT16] = 2, [SCENE_LINEAR24] = 3, [SCENE_LINEAR32] = 4};
-    const size_t all = (size_t)scene.width * (size_t)scene.height;
     const int held = rows < 1 || rows > scene.height ? scene.height : rows;
     struct picture picture = {0};
-    enum scene_kind kind;
     turn(degrees);
     if (!scene_render_resources(&resources, formats[format].core, rows, true, &picture)) {
         return NULL;
     }
     figures.triangles = scene.triangle_count;
-    figures.pixels = 0;
-    for (size_t i = 0; i < all; i++) {
-        figures.pixels += picture.id[i] != 0 ? 1 : 0;
-    }
+    add_costs(format, rows, &picture);
     picture_free(&picture);
     figures.band_bytes = (double)QTRI_BAND_BYTES_DEPTH(
         scene.width, held, formats[format].core->pixels->bytes, depth_bytes[scene.depth_format]);
-    figures.m0plus = figures.m3 = figures.cost_error = 0;
-    if (scene_kind(&scene, &kind)) {
-        const struct scene_cost cost =
-            scene_cost(kind, figures.triangles, figures.pixels, (double)all);
-        figures.m0plus = cost.m0plus;
-        figures.m3 = cost.m3;
-        figures.cost_error = cost.error;
-    }
     return &figures;
 }

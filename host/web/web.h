@@ -12,15 +12,20 @@ enum web_picture { WEB_CORE, WEB_DOUBLE, WEB_DIFFERENCE };
 
 /* Doubles alone: the page reads them as an array, in this order. */
 struct web_figures {
-    double triangles, pixels; /* asked for; covered */
-    double band_bytes;        /* RAM for colour and depth */
-    double m0plus, m3;        /* instructions of RGB565 in one band, scene_cost.h; 0: unknown */
-    double cost_error;        /* of these, percent */
+    double triangles, pixels;        /* asked for; covered */
+    double band_bytes;               /* RAM for colour and depth */
+    double m0plus, m3;               /* instructions, scene_cost.h; 0: unknown */
+    double cost_error;               /* of these, percent */
     double differing, largest_error; /* pixels; of 255: of the last WEB_DIFFERENCE */
 };
 
-/* `qtri model`, `mesh` or `texture`, argv[0], with files of web_files.h; the exit status. */
-int web_command(int argc, char **argv);
+/* `qtri model` with files of web_files.h; the exit status. */
+int web_model(int argc, char **argv);
+
+/* What such a command's header holds, as it stands at first: each part as shown_N.obj, each texture
+   as shown_N.ppm, and a line on standard output for each part, as web_show.c says. 0, or 1: out of
+   memory. */
+int web_show(int argc, char **argv);
 
 /* Reads the scene that is drawn from now on; 0, or 1: then it is empty. */
 int web_scene(const char *path);

@@ -72,7 +72,7 @@ char *web_file_create(const char *name, size_t length)
     return bytes != NULL && store(name, bytes, length) ? bytes : NULL;
 }
 
-const char *web_file_content(const char *name)
+char *web_file_content(const char *name)
 {
     const struct web_file *file = find(name);
     return file != NULL ? file->bytes : NULL;

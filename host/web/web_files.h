@@ -13,7 +13,7 @@
 char *web_file_create(const char *name, size_t length);
 
 /* The content of a file and its length; NULL: there is none. */
-const char *web_file_content(const char *name);
+char *web_file_content(const char *name);
 size_t web_file_length(const char *name);
 
 void web_files_clear(void);

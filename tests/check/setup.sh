@@ -41,9 +41,13 @@ if ! installed $packages $(runtime); then
 fi
 echo "setup: all packages are installed"
 
-# An emulator of the RP2040, of npm: make test-rp2040. Debian's own npm brings hundreds of packages, and is left out.
-rp2040js=1.4.1
-if [ "$what" = all ] && ! grep -qs "\"version\": \"$rp2040js\"" build/npm/node_modules/rp2040js/package.json; then
-    npm install --silent --no-audit --no-fund --prefix build/npm "rp2040js@$rp2040js" ||
-        echo "setup: npm did not install rp2040js $rp2040js: make test-rp2040 will be skipped"
+# Of npm, whose package of Debian brings hundreds more and is left out: package, version, what is skipped without it.
+of_npm()
+{
+    grep -qs "\"version\": \"$2\"" "build/npm/node_modules/$1/package.json" ||
+        npm install --silent --no-audit --no-fund --prefix build/npm "$1@$2" || echo "setup: npm did not install $1 $2: $3"
+}
+if [ "$what" = all ]; then
+    of_npm rp2040js 1.4.1 'make test-rp2040 will be skipped' # an emulator of the RP2040
+    of_npm meshoptimizer 0.18.1 'the page of make web will leave triangles as they are' # as Debian has it
 fi

@@ -8,8 +8,8 @@ gate=web
 need make
 
 chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
-[ -n "$chromium" ] && command -v node >/dev/null && sh tests/check/have_wasm.sh || {
-    echo "check: $gate skipped, it needs chromium, nodejs, clang, lld, wasi-libc and libclang-rt-14-dev-wasm32"
+[ -n "$chromium" ] && command -v node >/dev/null && sh tests/check/have_wasm.sh && pkg-config --exists assimp stb || {
+    echo "check: $gate skipped, it needs chromium, nodejs, clang, lld, wasi-libc, libclang-rt-14-dev-wasm32 and what make setup installs"
     exit 0
 }
 

@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * JPEG by the library stb, in a process of its own.
+ * PNG and JPEG by the library stb, in a process of its own: the page of ../web has it, too, so that
+ * texels are equal. As glTF wants it, a file's own word on its colour space is passed over.
  */
 #include "image.h"
 
 #ifndef QTRI_HAVE_STB
 
-bool image_parse_jpeg(const char *path, const char *bytes, size_t length, struct image *image,
-                      struct text_error *error)
+bool image_parse_stb(const char *path, const char *format, const char *bytes, size_t length,
+                     struct image *image, struct text_error *error)
 {
     (void)bytes;
     (void)length;
     (void)image;
-    text_error_set(error, path, 0, "this qtri was built without libstb and cannot read JPEG");
+    text_error_set(error, path, 0, "this qtri was built without libstb and cannot read %s", format);
     return false;
 }
 
@@ -26,7 +27,7 @@ bool image_parse_jpeg(const char *path, const char *bytes, size_t length, struct
 #include "apart.h"
 
 struct request {
-    const char *path, *bytes;
+    const char *path, *format, *bytes;
     size_t length;
 };
 
@@ -46,7 +47,7 @@ static bool send(FILE *answer, void *context, struct text_error *error)
     }
     unsigned char *rgba = stbi_load_from_memory(bytes, length, &size[0], &size[1], &channels, 4);
     if (rgba == NULL) {
-        text_error_set(error, request->path, 0, "cannot be read as JPEG: %s",
+        text_error_set(error, request->path, 0, "cannot be read as %s: %s", request->format,
                        stbi_failure_reason());
         return false;
     }
@@ -69,10 +70,10 @@ static bool receive(FILE *answer, struct image *image)
     return image->rgba != NULL && fread(image->rgba, 4, count, answer) == count;
 }
 
-bool image_parse_jpeg(const char *path, const char *bytes, size_t length, struct image *image,
-                      struct text_error *error)
+bool image_parse_stb(const char *path, const char *format, const char *bytes, size_t length,
+                     struct image *image, struct text_error *error)
 {
-    struct request request = {path, bytes, length};
+    struct request request = {path, format, bytes, length};
     FILE *answer = apart_run(path, send, &request, error);
     if (answer == NULL) {
         return false;
