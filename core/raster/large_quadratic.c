@@ -71,8 +71,7 @@ static bool is_near(const qtri_large_job *job)
     return true;
 }
 
-/* Weights in Q30, of the pixel of vertex 0 and their steps to the right and down; false: of a
-   triangle so thin that they step by more than 1/2 a pixel. */
+/* Weights in Q30, at vertex 0's pixel the last; false: they step by more than 1/2 a pixel. */
 static bool set_weights(int32_t weight_q30[2][3], const qtri_large_weights *w)
 {
     const int32_t down = w->fraction - 30;
@@ -105,11 +104,10 @@ static bool set_bend(int32_t *out, int32_t a, int32_t x, int32_t b, int32_t y, i
 }
 
 /*
- * The polynomial in b1 and b2, then, by b1 = c1 + x1 X + y1 Y and b2 = c2 + x2 X + y2 Y, in pixels
- * to the right of vertex 0's and below. |f| < 2^29, |e| <= |d| < 2^29: |a| < 2^30 and |b| < 2^29
- * for r <= 1/3. Steps are below 2^30: a weight's share of F changes by the range of f times 1 + 4 r
- * at most, by half of which a pixel steps, and is_near() leaves r <= .16 where that range is 2^29.
- * False: F bends so much that its products have more than 32 bits.
+ * In pixels from vertex 0's, with b1 = c1 + x1 X + y1 Y and b2 = c2 + x2 X + y2 Y. |f| < 2^29, |e|
+ * <= |d| < 2^29: |a| < 2^30 and |b| < 2^29 for r <= 1/3. Steps are below 2^30: a weight's share of
+ * F changes by the range of f times 1 + 4 r at most, by half of which a pixel steps, and is_near()
+ * leaves r <= .16 where that range is 2^29. False: products of second order leave 32 bits.
  */
 static bool set_polynomial(qtri_large_attribute *a, const qtri_large_job *job,
                            int32_t weight_q30[2][3], const int32_t middle[3])
@@ -185,7 +183,6 @@ bool qtri_large_set_quadratics(qtri_large_job *job)
     job->is_bent = job->first_color != 0;
     job->is_curved = true;
     job->may_be_level = false;
-    job->is_level = false;
     job->is_quadratic = true;
     return true;
 }
@@ -196,9 +193,11 @@ static inline uint32_t times(int32_t a, int32_t n, int32_t more)
 }
 
 /* F at a pixel, and its slope along the n pixels from there. Products and sums wrap, F does not. */
-static inline int32_t value_at(const qtri_large_quadratic *f, int32_t right, int32_t down,
-                               int32_t more, int32_t n, uint32_t *slope)
+static inline int32_t value_at(const qtri_large_job *job, const qtri_large_attribute *a,
+                               int32_t right, int32_t down, int32_t n, uint32_t *slope)
 {
+    const qtri_large_quadratic *f = &a->along.quadratic;
+    const int32_t more = job->quadratic_more;
     const uint32_t step = (uint32_t)f->right + times(f->right_down, down, more);
     const uint32_t row = (uint32_t)f->down + times(f->down_down, down, more);
     const uint32_t along = step + times(f->right_right, right, more);
@@ -213,8 +212,7 @@ static inline void set_chords(qtri_large_job *job, int32_t right, int32_t down, 
     for (int i = job->first_color; i < job->count; i++) {
         const qtri_large_attribute *a = &job->a[i];
         uint32_t slope;
-        const int32_t value =
-            value_at(&a->along.quadratic, right, down, job->quadratic_more, n, &slope);
+        const int32_t value = value_at(job, a, right, down, n, &slope);
         at[i] = (uint32_t)(value >> QTRI_LARGE_COLOR_UP) + a->start;
         step[i] = (uint32_t)((int32_t)slope >> QTRI_LARGE_COLOR_UP);
         qtri_large_clamp_chord(a, &at[i], &step[i], n);
@@ -235,12 +233,11 @@ int32_t qtri_large_quadratic_piece(qtri_large_job *job)
     const int32_t right = x - (t->corner_x[0] >> 8), down = t->y - (t->corner_y[0] >> 8);
     if (job->first_color != 0) {
         const qtri_large_attribute *u = &job->a[0], *v = &job->a[1];
-        const int32_t more = job->quadratic_more;
         uint32_t step;
-        piece->u = shifted(u, value_at(&u->along.quadratic, right, down, more, 1, &step));
+        piece->u = shifted(u, value_at(job, u, right, down, 1, &step));
         piece->u_step = shifted(u, (int32_t)step);
         piece->u_bend = u->along.quadratic.bend;
-        piece->v = shifted(v, value_at(&v->along.quadratic, right, down, more, 1, &step));
+        piece->v = shifted(v, value_at(job, v, right, down, 1, &step));
         piece->v_step = shifted(v, (int32_t)step);
         piece->v_bend = v->along.quadratic.bend;
     }
