@@ -43,11 +43,11 @@ static uint32_t bound_of(const qtri_large_job *job)
 }
 
 /* How large r^2 range may be for attribute i: F is off by less than 3/2 of the bound of colours,
-   .09 to .38 of a step, of packed ones, whose steps are rounded, by 3/4; of coordinates by 2^-6 of
+   .09 to .38 of a step, of packed ones, whose steps are rounded, by 3/4; of coordinates by 2^-5 of
    a texel. */
 static uint64_t limit_of(const qtri_large_job *job, int i)
 {
-    return i < job->first_color ? (uint64_t)5 << job->axis[i].shift >> 6
+    return i < job->first_color ? (uint64_t)1 << job->axis[i].shift >> 3
            : job->rounds        ? 3 * bound_of(job)
                                 : 6 * bound_of(job);
 }
