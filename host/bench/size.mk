@@ -97,6 +97,6 @@ endif
 .PHONY: budgets
 budgets: ## Write host/bench/budgets.tsv anew: the figures of bench and size that `make check` holds on to
 	@$(MAKE) -s bench size BENCH_SCENES=
-	@sh host/bench/budgets.sh $(BUILD) >$(BENCH_DIR)/budgets.tsv
+	@sh host/bench/budgets.sh budgets $(BUILD) >$(BENCH_DIR)/budgets.tsv
 	@mv $(BENCH_DIR)/budgets.tsv host/bench/budgets.tsv
 	@echo "budgets: host/bench/budgets.tsv has $$(grep -vc '^#' host/bench/budgets.tsv) lines"
