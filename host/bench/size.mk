@@ -7,7 +7,7 @@ SIZE_APPS     := textured flat bands default
 SIZE_VARIANTS := $(foreach core,$(filter cortex-m0plus cortex-m3 cortex-m4,$(BENCH_PRESENT)),$(core)-Os $(core)-O2)
 SIZE_ABSENT   := $(filter cortex-m0plus cortex-m3 cortex-m4,$(BENCH_ABSENT))
 SIZE_LIBRARY  := $(wildcard core/*/*.c)
-SIZE_SOURCES  := host/bench/size_board.c port/boards/common/memory.c
+SIZE_SOURCES  := host/bench/size_board.c host/bench/bench_print.c port/boards/common/memory.c
 SIZE_FLAGS    := -std=c99 -ffreestanding -ffunction-sections -fdata-sections -Icore/include -fstack-usage -fcallgraph-info=su
 
 # Applications once more, with the library in one file (`make dist`): a row `flat-single` for `flat`, at -Os.
