@@ -43,6 +43,13 @@ typedef struct real_function {
     q16 smooth_from; /* smallest argument whose neighbourhood verify_interpolate may take */
 } real_function;
 
+/* The `ulp` of one: NAME_ulp, which makes ULP of `raw`. */
+#define ULP(name, value)                                                                           \
+    static long double name##_ulp(long double raw)                                                 \
+    {                                                                                              \
+        return value;                                                                              \
+    }
+
 /* The members of a verify_reference whose data is a real_function. */
 verify_exact real_function_exact(const void *data, const q16 *argument);
 verify_value real_function_fast(const void *data, const q16 *argument);
