@@ -83,7 +83,7 @@ static void light_single(const struct replay *replay, const struct scene_op *op,
 
         for (int k = 0; k < 3; k++) {
             n[k] = (own ? (double)in->normal[k] : face[k]) * (turned ? -1.0 : 1.0);
-            color[k] = fmax(0.0, fmin(1.0, (double)colored->color[k] / 65536.0));
+            color[k] = ref_unit_from_q16(colored->color[k]);
         }
         if (scene->by_pixel)
             ref_light_by_pixel(light, n, p[i], color, triangle->vertex[i].attribute);
@@ -108,21 +108,8 @@ static void draw_single(struct replay *replay, const struct scene_op *op)
         const struct scene_vertex *in = &op->u.triangle.vertex[i];
         const struct scene_vertex *colored =
             scene->flat ? &op->u.triangle.vertex[scene->provoking] : in;
-        struct ref_vertex *out = &triangle.vertex[i];
-        double p[4];
-
-        for (int k = 0; k < 4; k++)
-            p[k] = (double)in->position[k] / 65536.0;
-        ref_matrix_transform(&to_clip, p, p);
-        out->x = p[0];
-        out->y = p[1];
-        out->z = p[2];
-        out->w = p[3];
-        for (int c = 0; c < 3; c++)
-            out->attribute[c] = 255.0 * fmax(0.0, fmin(1.0, (double)colored->color[c] / 65536.0));
-        out->attribute[REF_U] = (double)in->uv[0] / 65536.0;
-        out->attribute[REF_ALPHA] = ref_vertex_alpha(scene, op, (size_t)i);
-        out->attribute[REF_V] = (double)in->uv[1] / 65536.0;
+        triangle.vertex[i] = ref_vertex_of(&to_clip, in, colored->color);
+        triangle.vertex[i].attribute[REF_ALPHA] = ref_vertex_alpha(scene, op, (size_t)i);
     }
     struct ref_lighting light =
         ref_lighting_of(scene, &replay->projection.matrix[replay->projection.top],
