@@ -3,28 +3,7 @@
 
 #include "bench_paint.h"
 
-/*
- * Meshes are compact: 16-bit positions, 8-bit normals, 16-bit texture coordinates but for the
- * wall's, which reach 4. S8w: S8 of a white material. S12, S12b, S12c and S12d: a torus of 96, 216,
- * 384 and 864 triangles, lit, S13a, S13b, S13 and S13d textured as well. S14: 64 cubes, a draw call
- * each; SE: a draw call of one triangle that faces away. S4w and S5w: with the wide mesh, Q16.16
- * positions. S4k, S5k and S7k: as S4, S5 and S7 with the project's own mesh of like size, 5760
- * triangles; what else ends in k is the row of that name with that mesh. S4b, S4wb, S5b, S6b and
- * S7b: S4, S4w, S5, S6 and S7 in 15 bands of 16 rows, all of a frame's work but the clear. ST: the
- * mesh of S4 as loose triangles. L1: S4 with a point light and Blinn-Phong highlights; L2 and L3:
- * and one and three directional lights; L1f: S5 so, L1b: L1 in bands. LP, LPf and LPk: S1, the quad
- * of S3 and S4k in the light of L1 by pixel, LPd: LP without highlights. S4e and S4be: S4 and S4b
- * with the edge pass, S4es by sums; S4br: S4be with the overlap kept. S4h: S4 of 2 x 2 samples,
- * with the clear; S4x, S6x and S11x: S4, S6 and S11 with four samples a pixel, likewise; B4x and
- * F4x: B4 and F4 so; S4f: S4 and FXAA. S4a and S4m: only the addition of S4 to a sum, and the
- * storing of its mean. K1, K5: a polyline of 64 points, 1 and 5 pixels wide, with smooth edges; KP:
- * 256 such points of 6 pixels. KW: S7 with smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7
- * without hidden lines. P1 to P10: bench_paint.h. B1, B2, B4, B7: S1, S2, S4, S6 at half alpha, B3:
- * S2 added; F2, F4, F6: S2, S4, S6 in fog, D1, D2, D3, D6: S1, S2, S3, S6 of depths float16, F5: K5
- * in fog. B5 and B6: S2, and a quad turned sideways, with alpha of their vertices. S7s, S7g, S7l:
- * S7 on RGB565 in the byte order of displays, on GRAY8, and with "less or equal"; KSs, KSl and KPg
- * likewise; S1l, S2l, S3l, S4kl, S6kl and S4kg: by the generic pipeline.
- */
+/* README.md says what each scene is. */
 #define COMPACT(mesh)        &bench_mesh_##mesh##_compact
 #define QUAD(quad_, colors_) .work = BENCH_QUAD, .quad = (quad_), .colors = (colors_)
 #define MESH(mesh_, turn_)   .work = BENCH_MESH, .mesh = (mesh_), .turn = (turn_)
