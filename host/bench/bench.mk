@@ -6,7 +6,7 @@ BENCH_CORES := cortex-m0plus cortex-m3 cortex-m4 cortex-m7 rv32imc
 
 BENCH_MATH   := $(wildcard core/bits/*.c core/math/*.c)
 BENCH_CORE   := $(BENCH_MATH) $(wildcard core/geometry/*.c)
-BENCH_INPUTS := $(wildcard core/*/*.[ch] core/*/*.inc core/include/qtri/*.h host/bench/bench_math*.[ch] host/bench/bench_print.[ch] host/bench/*.inc) host/bench/bench.mk
+BENCH_INPUTS := $(wildcard core/*/*.[ch] core/*/*.inc core/include/qtri/*.h host/bench/bench_math*.[ch] host/bench/*.inc) host/bench/bench.mk
 BENCH_FLAGS  := -std=c99 -O2 -ffreestanding -ffunction-sections -fdata-sections -Icore/include -idirafter port/boards/common/libc
 BENCH_LINK   := -nostdlib -Wl,--gc-sections
 
@@ -48,7 +48,7 @@ $(BENCH_DIR)/$1/bench_math: $(BENCH_INPUTS) $(wildcard port/boards/$2/* port/boa
 	@mkdir -p $$(@D)
 	$(call bench_cc,$1) $(BENCH_FLAGS) -fno-tree-loop-distribute-patterns -c -o $$(@D)/memory.o port/boards/common/memory.c
 	$(call bench_cc,$1) $(BENCH_FLAGS) $(BENCH_LINK) -T port/boards/$2/$2.ld -o $$@ $(BENCH_CORE) \
-	    $(wildcard host/bench/bench_math*.c host/bench/bench_print.c port/boards/$2/*.[cS]) $$(@D)/memory.o -lgcc
+	    $(wildcard host/bench/bench_math*.c port/boards/$2/*.[cS]) $$(@D)/memory.o -lgcc
 
 $(BENCH_DIR)/$1/math.txt: $(BENCH_DIR)/$1/bench_math
 	@timeout 300 $(call bench_emulator,$1) -display none -monitor none -serial stdio -kernel $$< </dev/null >$$@.part

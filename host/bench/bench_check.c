@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #define _POSIX_C_SOURCE 200809L /* open_memstream */
 
-#include "bench_check.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -140,19 +140,9 @@ static void add_light(const struct ref_lighting *lighting, const double n[3], do
     }
 }
 
-void ref_illuminate(const struct ref_lighting *lighting, const double normal[3],
-                    const double position[3], const double color[3], double out[3])
-{
-    double at[4] = {position[0], position[1], position[2], 1.0};
-    double n[3];
-
-    ref_light_normal(lighting, normal, n);
-    ref_matrix_transform(&lighting->to_eye, at, at);
-    ref_illuminate_eye(lighting, n, at, color, out);
-}
-
-void ref_illuminate_eye(const struct ref_lighting *lighting, const double n[3], const double at[3],
-                        const double color[3], double out[3])
+/* Of a unit normal and a place in eye space. */
+static void illuminate(const struct ref_lighting *lighting, const double n[3], const double at[3],
+                       const double color[3], double out[3])
 {
     const struct scene *scene = lighting->scene;
     const struct scene_reflection *reflection = &scene->reflection;
@@ -171,6 +161,17 @@ void ref_illuminate_eye(const struct ref_lighting *lighting, const double n[3], 
         out[c] = 255.0 * clamp01(emission[c] + reflects * ambient[c] + color[c] * diffuse[c] +
                                  highlight[c] * specular[c]);
     }
+}
+
+void ref_illuminate(const struct ref_lighting *lighting, const double normal[3],
+                    const double position[3], const double color[3], double out[3])
+{
+    double at[4] = {position[0], position[1], position[2], 1.0};
+    double n[3];
+
+    ref_light_normal(lighting, normal, n);
+    ref_matrix_transform(&lighting->to_eye, at, at);
+    illuminate(lighting, n, at, color, out);
 }
 
 void ref_light_by_pixel(const struct ref_lighting *lighting, const double normal[3],
@@ -195,5 +196,5 @@ void ref_pixel_color(const struct ref_lighting *lighting, const double *attribut
         color[i] = attribute[i] / 255.0;
     }
     ref_normalise3(n);
-    ref_illuminate_eye(lighting, n, &attribute[REF_PLACE], color, out);
+    illuminate(lighting, n, &attribute[REF_PLACE], color, out);
 }

@@ -74,7 +74,7 @@ static verify_exact shifted(int128 x)
 }
 
 /* The root of an integer is never halfway between two. */
-verify_exact verify_root(uint64_t x)
+static verify_exact root(uint64_t x)
 {
     uint64_t r = (uint64_t)sqrt((double)x);
     while ((int128)r * r > (int128)x) {
@@ -150,7 +150,7 @@ EXACT(ceil, whole(floor_of((int64_t)a[0] + 65535)))
 EXACT(round, whole(floor_of((int64_t)a[0] + 32768))) /* halves up */
 EXACT(fract, whole(a[0] - floor_of(a[0])))
 EXACT(recip, quotient((int128)1 << 32, a[0]))
-EXACT(sqrt, a[0] <= 0 ? whole(0) : verify_root((uint64_t)a[0] << 16))
+EXACT(sqrt, a[0] <= 0 ? whole(0) : root((uint64_t)a[0] << 16))
 EXACT(rsqrt, inverse_root(a[0]))
 EXACT(add, whole((int64_t)a[0] + a[1]))
 EXACT(sub, whole((int64_t)a[0] - a[1]))
@@ -158,6 +158,6 @@ EXACT(mul, shifted((int128)a[0] * a[1]))
 EXACT(mul_floor, shifted_down((int128)a[0] * a[1]))
 EXACT(div, quotient((int128)a[0] * 65536, a[1]))
 EXACT(mod, whole(remainder_of(a[0], a[1])))
-EXACT(hypot, verify_root((uint64_t)((int64_t)a[0] * a[0]) + (uint64_t)((int64_t)a[1] * a[1])))
+EXACT(hypot, root((uint64_t)((int64_t)a[0] * a[0]) + (uint64_t)((int64_t)a[1] * a[1])))
 EXACT(muldiv, quotient((int128)a[0] * a[1], a[2]))
 EXACT(lerp, shifted((int128)a[0] * 65536 + ((int128)a[1] - a[0]) * a[2]))

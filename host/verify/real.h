@@ -23,8 +23,7 @@ verify_exact real_whole(int64_t value);
 
 void real_set(mpfr_t x, q16 raw);
 
-/* x pi / 180, or x 180 / pi. */
-void real_to_radians(mpfr_t x);
+/* x 180 / pi. */
 void real_to_degrees(mpfr_t x);
 
 /* A value in ULP from libm, trusted to 2^-48 of itself or of the scale, whichever is larger. */
