@@ -16,7 +16,6 @@
 #include <time.h>
 
 #include "../../port/boards/board.h"
-#include "bench_check.h"
 #include "bench_program.h"
 
 /* ---- Time ---- */

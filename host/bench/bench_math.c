@@ -82,6 +82,8 @@ static uint32_t count_instructions(const bench_case *function, const q16 *x)
     return board_instructions(start, board_ticks());
 }
 
+/* Not bench_print.c: what runs between two counts moves the phase of the ticks, and with it last
+ * digits. */
 static void write_decimal(uint32_t value, uint32_t least_digits)
 {
     char text[12];

@@ -3,28 +3,7 @@
 
 #include "bench_paint.h"
 
-/*
- * Meshes are compact: 16-bit positions, 8-bit normals, 16-bit texture coordinates but for the
- * wall's, which reach 4. S8w: S8 of a white material. S12, S12b, S12c and S12d: a torus of 96, 216,
- * 384 and 864 triangles, lit, S13a, S13b, S13 and S13d textured as well. S14: 64 cubes, a draw call
- * each; SE: a draw call of one triangle that faces away. S4w and S5w: with the wide mesh, Q16.16
- * positions. S4k, S5k and S7k: as S4, S5 and S7 with the project's own mesh of like size, 5760
- * triangles; what else ends in k is the row of that name with that mesh. S4b, S4wb, S5b, S6b and
- * S7b: S4, S4w, S5, S6 and S7 in 15 bands of 16 rows, all of a frame's work but the clear. ST: the
- * mesh of S4 as loose triangles. L1: S4 with a point light and Blinn-Phong highlights; L2 and L3:
- * and one and three directional lights; L1f: S5 so, L1b: L1 in bands. LP, LPf and LPk: S1, the quad
- * of S3 and S4k in the light of L1 by pixel, LPd: LP without highlights. S4e and S4be: S4 and S4b
- * with the edge pass, S4es by sums; S4br: S4be with the overlap kept. S4h: S4 of 2 x 2 samples,
- * with the clear; S4x, S6x and S11x: S4, S6 and S11 with four samples a pixel, likewise; B4x and
- * F4x: B4 and F4 so; S4f: S4 and FXAA. S4a and S4m: only the addition of S4 to a sum, and the
- * storing of its mean. K1, K5: a polyline of 64 points, 1 and 5 pixels wide, with smooth edges; KP:
- * 256 such points of 6 pixels. KW: S7 with smooth edges; KS: S7 of &qtri_smooth_wireframe; KH: S7
- * without hidden lines. P1 to P10: bench_paint.h. B1, B2, B4, B7: S1, S2, S4, S6 at half alpha, B3:
- * S2 added; F2, F4, F6: S2, S4, S6 in fog, D1, D2, D3, D6: S1, S2, S3, S6 of depths float16, F5: K5
- * in fog. B5 and B6: S2, and a quad turned sideways, with alpha of their vertices. S7s, S7g, S7l:
- * S7 on RGB565 in the byte order of displays, on GRAY8, and with "less or equal"; KSs, KSl and KPg
- * likewise; S1l, S2l, S3l, S4kl, S6kl and S4kg: by the generic pipeline.
- */
+/* README.md says what each scene is. */
 #define COMPACT(mesh)        &bench_mesh_##mesh##_compact
 #define QUAD(quad_, colors_) .work = BENCH_QUAD, .quad = (quad_), .colors = (colors_)
 #define MESH(mesh_, turn_)   .work = BENCH_MESH, .mesh = (mesh_), .turn = (turn_)
@@ -42,15 +21,13 @@ static const qtri_rgb white[4] = {
 static const qtri_rgb orange[4] = {{255, 128, 64}, {255, 128, 64}, {255, 128, 64}, {255, 128, 64}};
 static const qtri_rgb rainbow[4] = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 0}};
 
+/* clang-format off */
 const bench_scene bench_scenes[] = {
     {.name = "S0", .work = BENCH_CLEAR},
     {.name = "S1", QUAD(&bench_screen, orange), FLAT},
     {.name = "S2", QUAD(&bench_screen, rainbow)},
     {.name = "S3", QUAD(&bench_floor, white), .textured = true},
-    {.name = "S3a",
-     QUAD(&bench_floor, white),
-     .textured = true,
-     .interpolation = QTRI_SCREEN_LINEAR},
+    {.name = "S3a", QUAD(&bench_floor, white), .textured = true, .interpolation = QTRI_SCREEN_LINEAR},
     {.name = "S4", MESH(COMPACT(spot), Q16(150))},
     {.name = "S5", MESH(COMPACT(teapot), Q16(30)), FLAT},
     {.name = "S6", MESH(COMPACT(spot_uv), Q16(150)), .textured = true},
@@ -70,11 +47,7 @@ const bench_scene bench_scenes[] = {
     {.name = "S13d", MESH(&bench_mesh_torus864_compact, Q16(25)), .textured = true},
     {.name = "S14", MESH(&bench_cube, 0), FLAT, .calls = 64},
     {.name = "SE", MESH(&bench_turned_away, 0)},
-    {.name = "ST",
-     .work = BENCH_CORNERS,
-     .mesh = &bench_mesh_spot,
-     .turn = Q16(150),
-     .colors = bench_colors_spot},
+    {.name = "ST", .work = BENCH_CORNERS, .mesh = &bench_mesh_spot, .turn = Q16(150), .colors = bench_colors_spot},
     {.name = "S4k", MESH(COMPACT(knot), Q16(30))},
     {.name = "S5k", MESH(COMPACT(knot), Q16(30)), FLAT},
     {.name = "S7k", MESH(COMPACT(knot), Q16(30)), .wireframe = true},
@@ -100,10 +73,7 @@ const bench_scene bench_scenes[] = {
     {.name = "S4x", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_SAMPLES},
     {.name = "S6x", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .smooth = BENCH_SAMPLES},
     {.name = "S11x", QUAD(&bench_turned, white), .textured = true, .smooth = BENCH_SAMPLES},
-    {.name = "B4x",
-     MESH(COMPACT(spot), Q16(150)),
-     .blend = &qtri_blend_alpha,
-     .smooth = BENCH_SAMPLES},
+    {.name = "B4x", MESH(COMPACT(spot), Q16(150)), .blend = &qtri_blend_alpha, .smooth = BENCH_SAMPLES},
     {.name = "F4x", MESH(COMPACT(spot), Q16(150)), .fog = true, .smooth = BENCH_SAMPLES},
     {.name = "S4f", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_FXAA},
     {.name = "S4a", MESH(COMPACT(spot), Q16(150)), .smooth = BENCH_ADD},
@@ -131,10 +101,7 @@ const bench_scene bench_scenes[] = {
     {.name = "D1", QUAD(&bench_screen, orange), FLAT, .depth = &qtri_depth_float16},
     {.name = "D2", QUAD(&bench_screen, rainbow), .depth = &qtri_depth_float16},
     {.name = "D3", QUAD(&bench_floor, white), .textured = true, .depth = &qtri_depth_float16},
-    {.name = "D6",
-     MESH(COMPACT(spot_uv), Q16(150)),
-     .textured = true,
-     .depth = &qtri_depth_float16},
+    {.name = "D6", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .depth = &qtri_depth_float16},
     {.name = "F5", .work = BENCH_STROKE, .width = Q16(5), .fog = true},
     {.name = "S3m", QUAD(&bench_floor, white), .textured = true, .filter = &qtri_mipmapped},
     {.name = "S6m", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .filter = &qtri_mipmapped},
@@ -144,11 +111,7 @@ const bench_scene bench_scenes[] = {
     {.name = "S6k", MESH(COMPACT(knot_uv), Q16(30)), .textured = true},
     {.name = "S9k", MESH(COMPACT(knot), Q16(30)), .colors = bench_colors_knot},
     {.name = "S10k", MESH(COMPACT(knot), Q16(30)), .wireframe = true, .without_depth = true},
-    {.name = "STk",
-     .work = BENCH_CORNERS,
-     .mesh = &bench_mesh_knot,
-     .turn = Q16(30),
-     .colors = bench_colors_knot},
+    {.name = "STk", .work = BENCH_CORNERS, .mesh = &bench_mesh_knot, .turn = Q16(30), .colors = bench_colors_knot},
     {.name = "S4wk", MESH(&bench_mesh_knot, Q16(30))},
     {.name = "S5wk", MESH(&bench_mesh_knot, Q16(30)), FLAT},
     {.name = "S4wbk", MESH(&bench_mesh_knot, Q16(30)), BANDS},
@@ -165,10 +128,7 @@ const bench_scene bench_scenes[] = {
     {.name = "S4esk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_SUMS},
     {.name = "S4hk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_HALVE},
     {.name = "S4xk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_SAMPLES},
-    {.name = "B4xk",
-     MESH(COMPACT(knot), Q16(30)),
-     .blend = &qtri_blend_alpha,
-     .smooth = BENCH_SAMPLES},
+    {.name = "B4xk", MESH(COMPACT(knot), Q16(30)), .blend = &qtri_blend_alpha, .smooth = BENCH_SAMPLES},
     {.name = "F4xk", MESH(COMPACT(knot), Q16(30)), .fog = true, .smooth = BENCH_SAMPLES},
     {.name = "S6xk", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .smooth = BENCH_SAMPLES},
     {.name = "S4fk", MESH(COMPACT(knot), Q16(30)), .smooth = BENCH_FXAA},
@@ -181,29 +141,15 @@ const bench_scene bench_scenes[] = {
     {.name = "B4k", MESH(COMPACT(knot), Q16(30)), .blend = &qtri_blend_alpha},
     {.name = "F4k", MESH(COMPACT(knot), Q16(30)), .fog = true},
     {.name = "B7k", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .blend = &qtri_blend_alpha},
-    {.name = "D6k",
-     MESH(COMPACT(knot_uv), Q16(30)),
-     .textured = true,
-     .depth = &qtri_depth_float16},
+    {.name = "D6k", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .depth = &qtri_depth_float16},
     {.name = "F6k", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .fog = true},
     {.name = "S6mk", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .filter = &qtri_mipmapped},
     /* Next door. */
-    {.name = "S7s",
-     MESH(COMPACT(spot), Q16(150)),
-     .wireframe = true,
-     .format = &qtri_rgb565_swapped},
+    {.name = "S7s", MESH(COMPACT(spot), Q16(150)), .wireframe = true, .format = &qtri_rgb565_swapped},
     {.name = "S7g", MESH(COMPACT(spot), Q16(150)), .wireframe = true, .format = &qtri_gray8},
     {.name = "S7l", MESH(COMPACT(spot), Q16(150)), .wireframe = true, .compare = QTRI_LESS_EQUAL},
-    {.name = "KSs",
-     MESH(COMPACT(spot), Q16(150)),
-     .wireframe = true,
-     .thin = true,
-     .format = &qtri_rgb565_swapped},
-    {.name = "KSl",
-     MESH(COMPACT(spot), Q16(150)),
-     .wireframe = true,
-     .thin = true,
-     .compare = QTRI_LESS_EQUAL},
+    {.name = "KSs", MESH(COMPACT(spot), Q16(150)), .wireframe = true, .thin = true, .format = &qtri_rgb565_swapped},
+    {.name = "KSl", MESH(COMPACT(spot), Q16(150)), .wireframe = true, .thin = true, .compare = QTRI_LESS_EQUAL},
     {.name = "KPg", .work = BENCH_STROKE, .width = Q16(6), .points = true, .format = &qtri_gray8},
     /* By the generic pipeline. */
     {.name = "S1l", QUAD(&bench_screen, orange), FLAT, .compare = QTRI_LESS_EQUAL},
@@ -221,12 +167,10 @@ const bench_scene bench_scenes[] = {
     PAINT("P7", bench_paint_circle),
     PAINT("P8", bench_paint_smooth),
     PAINT("P9", bench_paint_polygon),
-    {.name = "P10",
-     .work = BENCH_PAINT,
-     .paint = bench_paint_text,
-     .characters = BENCH_PAINT_CHARACTERS},
+    {.name = "P10", .work = BENCH_PAINT, .paint = bench_paint_text, .characters = BENCH_PAINT_CHARACTERS},
     {.name = NULL},
 };
+/* clang-format on */
 
 /* The mean of four texels, without what makes it right in linear light. */
 static uint16_t mean_of(const uint16_t *row, uint32_t side)

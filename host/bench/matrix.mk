@@ -64,6 +64,6 @@ matrix-lines: $(SCENE_DIR)/matrix-host.txt $(MATRIX_PRESENT:%=$(SCENE_DIR)/%/mat
 
 matrix-budgets: ## Write host/bench/matrix-budgets.tsv anew: what `make check-matrix` compares with
 	@$(MAKE) -s bench-matrix MATRIX_CASES= MATRIX_PRODUCT=named
-	@sh host/bench/matrix_budgets.sh $(BUILD) >$(BENCH_DIR)/matrix-budgets.tsv
+	@sh host/bench/budgets.sh matrix-budgets $(BUILD) >$(BENCH_DIR)/matrix-budgets.tsv
 	@mv $(BENCH_DIR)/matrix-budgets.tsv host/bench/matrix-budgets.tsv
 	@echo "matrix-budgets: host/bench/matrix-budgets.tsv has $$(grep -vc '^#' host/bench/matrix-budgets.tsv) lines"

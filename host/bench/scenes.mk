@@ -12,6 +12,9 @@ SCENE_CORES   := $(if $(filter command,$(origin BENCH_CORES)),$(BENCH_CORES),$(B
 SCENE_PRESENT := $(call bench_present,$(SCENE_CORES))
 SCENE_ABSENT  := $(filter-out $(SCENE_PRESENT),$(SCENE_CORES))
 
+# What `make size` measures: cores and how the library is compiled for them.
+SIZE_VARIANTS := $(foreach core,$(filter cortex-m0plus cortex-m3 cortex-m4,$(BENCH_PRESENT)),$(core)-Os $(core)-O2)
+
 # The M4 is an M4F: with a hard-float ABI, though nothing here computes in floating point.
 BENCH_FPU_cortex-m4 := -mfpu=fpv4-sp-d16 -mfloat-abi=hard
 
@@ -23,7 +26,7 @@ SCENE_SOURCES := $(addprefix host/bench/,bench_scenes.c bench_smooth.c bench_pai
 SCENE_FLAGS   := -std=c99 -g -fstack-usage -fcallgraph-info=su -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
 
 # The compiler and the flags of one object of a core. $1: core, $2: source.
-scene_compile = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(if $(filter core/%,$2),$(bench_optimize),-O2) $(SCENE_FLAGS)
+scene_compile = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(if $(filter core/% host/bench/app_%,$2),$(bench_optimize),-O2) $(SCENE_FLAGS)
 scene_link    = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(BENCH_LINK)
 
 # The meshes, as C for all and as OBJ for the reference. Written anew when the models come or go.
@@ -66,7 +69,7 @@ endef
 scene_board   = $(notdir $(call bench_board,$1))
 scene_objects = $(addsuffix .o,$(basename $(addprefix $(SCENE_DIR)/$1/,$2 port/boards/common/memory.c \
                 $(wildcard port/boards/$(scene_board)/*.[cS]))))
-$(foreach core,$(sort $(SCENE_CORES) $(PROFILE_CORE)),$(eval $(call scene_rules,$(core),$(call \
+$(foreach core,$(sort $(SCENE_CORES) $(PROFILE_CORE) $(SIZE_VARIANTS:%-O2=%)),$(eval $(call scene_rules,$(core),$(call \
     scene_board,$(core)),$(call scene_objects,$(core),$(SCENE_SOURCES)))))
 
 SCENE_HOST         := $(BENCH_DIR)/bench_host

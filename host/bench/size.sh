@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Gathers the sizes of applications: size.sh FOLDER TABLE.tsv "APPLICATION..." CORE-OPTIMIZATION...   (called by `make size`)
-# FOLDER/CORE-OPTIMIZATION/APPLICATION.map tells what was linked, .txt how much stack it used, app_APPLICATION.su how
-# much of that was the application's own functions'.
+# Gathers the sizes of applications: size.sh FOLDER OBJECTS TABLE.tsv "APPLICATION..." CORE-OPTIMIZATION...   (called by
+# `make size`)
+# FOLDER/CORE-OPTIMIZATION/APPLICATION.map tells what was linked, .txt how much stack it used, app_APPLICATION.su below
+# OBJECTS how much of that was the application's own functions'.
 # APPLICATION-single is APPLICATION with the library in one file; its files are in
 # FOLDER/CORE-OPTIMIZATION-single/. Then the table has
 #
@@ -13,8 +14,8 @@
 # start-up code, are not counted. stack is the deepest below the application's own frame. ram_application is its
 # static memory, which it hands to the library: band, vertices, lists, view.
 set -eu
-folder=$1 table=$2 applications=$3
-shift 3
+folder=$1 objects=$2 table=$3 applications=$4
+shift 4
 [ $# -gt 0 ] || exit 0
 
 printf 'application\tcore\toptimize\tcode\trodata\tstatic_ram\tstack\tcode_core\tram_application\n' >"$table"
@@ -49,7 +50,7 @@ for application in $applications; do
             }
             function add(   bytes, own, helper) {
                 bytes = hexadecimal(size)
-                own = file ~ /\/core\/[a-z]+\/[^\/]*\.o$/ || file ~ /\/single\/qtri\.o$/
+                own = file ~ /\/core\/[a-z]+\/[^\/]*\.o$/ || file ~ /\/size\/[^\/]*\/qtri\.o$/
                 helper = file ~ /libgcc\.a/ || file ~ /boards\/common\/memory\.o$/
                 if (file ~ ("/app_" base "\\.o$") && section ~ /^\.(data|bss)/) ram_application += bytes
                 if (!own && !helper) return
@@ -60,7 +61,7 @@ for application in $applications; do
             END {
                 if (nothing || code == 0) { print "size: " application " " core ": drew nothing" >"/dev/stderr"; exit 1 }
                 printf "%s\t%s\t%s\t%d\t%d\t%d\t%d\t%d\t%d\n", application, core, optimize, code, rodata, static_ram, stack, code_core, ram_application
-            }' "$files/host/bench/app_$base.su" "$files/$base.txt" "$files/$base.map" >>"$table"
+            }' "$objects/${variant%-O2}/host/bench/app_$base.su" "$files/$base.txt" "$files/$base.map" >>"$table"
     done
 done
 

@@ -9,6 +9,7 @@
 #include "../../port/boards/board.h"
 #include "app.h"
 #include "bench_core.h"
+#include "bench_print.h"
 
 #define PAINT       0xA5A5A5A5u
 #define STACK_BYTES 6144 /* below the caller; the linker script gives the stack 8 KB */
@@ -24,16 +25,8 @@ void display_write(const qtri_surface *band)
 
 static void write_line(const char *name, uint32_t value)
 {
-    char text[12];
-    char *p = &text[sizeof text - 1];
-    *p = '\0';
-    do {
-        *--p = (char)('0' + value % 10);
-        value /= 10;
-    } while (value != 0);
     board_write(name);
-    board_write(" ");
-    board_write(p);
+    bench_write_decimal(value);
     board_write("\n");
 }
 

@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Where code and stack of an application go: size_functions.sh FOLDER APPLICATION   (called by `make size-functions`)
-# FOLDER is the one of a core and an optimization. Prints the bytes of every file and of the largest functions linked, and
+# Where code and stack of an application go: size_functions.sh FOLDER OBJECTS APPLICATION   (called by `make size-functions`)
+# FOLDER has the programs of a core and an optimization, OBJECTS what they are linked of. Prints the bytes of every file and of the largest functions linked, and
 # the calls that go deepest, by the compiler's call graph. What an indirect call leads to is taken to be every static
 # function that nobody calls by name; the compiler's own functions are taken to need no stack.
 set -eu
-folder=$1 application=$2
+folder=$1 objects=$2 application=$3
 
 echo "Bytes of code   file"
 awk '
@@ -35,7 +35,7 @@ sort -rn "$folder/$application.functions" | awk 'NR <= 40 && $1 > 0 { printf "%1
 
 echo
 echo "Bytes of stack, total   calls, deepest first"
-find "$folder/core" "$folder/host/bench/app_$application.ci" -name '*.ci' -exec cat {} + | awk -F '"' -v linked_list="$folder/$application.functions" '
+find "$objects/core" "$objects/host/bench/app_$application.ci" -name '*.ci' -exec cat {} + | awk -F '"' -v linked_list="$folder/$application.functions" '
     BEGIN { while ((getline line < linked_list) > 0) { split(line, part, " "); linked[part[3]] } }
     function plain(title) { sub(/.*:/, "", title); return title }
     /^node:/ {

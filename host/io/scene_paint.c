@@ -53,20 +53,13 @@ bool scene_statement_edges(struct scene_parser *parser, const int32_t *value)
     return true;
 }
 
-bool scene_statement_imagekey_off(struct scene_parser *parser, const int32_t *value)
-{
-    (void)value;
-    parser->brush.paint.has_key = 0;
-    return true;
-}
-
 bool scene_statement_imagekey(struct scene_parser *parser, const int32_t *value)
 {
     struct scene_paint *paint = &parser->brush.paint;
     for (int i = 0; i < 3; i++) {
         paint->key[i] = (uint8_t)value[i];
     }
-    paint->has_key = 1;
+    paint->has_key = parser->statement->into != 0;
     return true;
 }
 

@@ -28,12 +28,15 @@
 
 struct scene_statement;
 
+/* Where texels, or their alpha, are from. */
+enum scene_source { SCENE_OF_NOTHING, SCENE_OF_CHECKERS, SCENE_OF_FILE };
+
 /*
  * The last `texture` statement. Its texels are made when the scene has been read, so that a file
  * with many such statements costs no more than its length.
  */
 struct scene_texture_request {
-    enum { SCENE_TEXTURE_OFF, SCENE_TEXTURE_CHECKERS, SCENE_TEXTURE_FILE } kind;
+    enum scene_source kind;
     int line;
     const struct scene_statement *statement;
     int width, height, cells;
@@ -43,7 +46,7 @@ struct scene_texture_request {
 
 /* The last `texalpha` statement, kept for the same reason. */
 struct scene_alpha_request {
-    enum { SCENE_ALPHA_OFF, SCENE_ALPHA_CHECKERS, SCENE_ALPHA_FILE } kind;
+    enum scene_source kind;
     int line;
     uint8_t alpha[2];
     char *path;
@@ -157,10 +160,10 @@ scene_handler scene_store, scene_store_flags, scene_store_in_parser;
 scene_handler scene_statement_viewport, scene_statement_depth, scene_statement_depthmask,
     scene_statement_depthbias, scene_statement_shade, scene_statement_texwrap,
     scene_statement_texfilter, scene_statement_texformat, scene_statement_texkey,
-    scene_statement_texkey_off, scene_statement_alphatest, scene_statement_alphatest_off,
-    scene_statement_polygon, scene_statement_blend, scene_statement_vertexalpha,
-    scene_statement_fog, scene_statement_one_light, scene_statement_light, scene_statement_ambient,
-    scene_statement_material, scene_statement_linesmooth, scene_statement_pointsize;
+    scene_statement_alphatest, scene_statement_polygon, scene_statement_blend,
+    scene_statement_vertexalpha, scene_statement_fog, scene_statement_one_light,
+    scene_statement_light, scene_statement_ambient, scene_statement_material,
+    scene_statement_linesmooth, scene_statement_pointsize;
 
 /* scene_geometry.c */
 scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_push,
@@ -171,14 +174,11 @@ scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_pus
     scene_statement_polyline, scene_statement_vertex, scene_statement_point;
 
 /* scene_texture.c */
-scene_handler scene_statement_texture_off, scene_statement_texture_file,
-    scene_statement_texture_checkers, scene_statement_texalpha_off, scene_statement_texalpha_file,
-    scene_statement_texalpha_checkers;
+scene_handler scene_statement_texture, scene_statement_texalpha;
 
 /* scene_paint.c */
 scene_handler scene_statement_ink, scene_statement_edges, scene_statement_font,
-    scene_statement_imagekey, scene_statement_imagekey_off, scene_statement_paint,
-    scene_statement_text, scene_statement_image;
+    scene_statement_imagekey, scene_statement_paint, scene_statement_text, scene_statement_image;
 
 /* White. */
 void scene_brush_defaults(struct scene_brush *brush);

@@ -115,36 +115,21 @@ bool scene_statement_texformat(struct scene_parser *parser, const int32_t *value
     return true;
 }
 
-bool scene_statement_texkey_off(struct scene_parser *parser, const int32_t *value)
-{
-    (void)value;
-    parser->scene->texture_keyed = false;
-    parser->texkey_line = 0;
-    return true;
-}
-
+/* `into`: whether there is one, here and below. */
 bool scene_statement_texkey(struct scene_parser *parser, const int32_t *value)
 {
-    parser->scene->texture_keyed = true;
-    parser->texkey_line = parser->line;
+    parser->scene->texture_keyed = parser->statement->into != 0;
+    parser->texkey_line = parser->scene->texture_keyed ? parser->line : 0;
     for (int i = 0; i < 3; i++) {
         parser->scene->texture_key[i] = (uint8_t)value[i];
     }
     return true;
 }
 
-bool scene_statement_alphatest_off(struct scene_parser *parser, const int32_t *value)
-{
-    (void)value;
-    parser->scene->least_alpha = 0;
-    parser->alphatest_line = 0;
-    return true;
-}
-
 bool scene_statement_alphatest(struct scene_parser *parser, const int32_t *value)
 {
-    parser->scene->least_alpha = value[0];
-    parser->alphatest_line = parser->line;
+    parser->scene->least_alpha = value[0]; /* of `off` 0 */
+    parser->alphatest_line = parser->statement->into != 0 ? parser->line : 0;
     return true;
 }
 

@@ -12,38 +12,17 @@
 
 /* ---- Statements ---- */
 
-static bool request_texture(struct scene_parser *parser, struct scene_texture_request request)
-{
-    request.line = parser->line;
-    request.statement = parser->statement;
-    free(parser->texture.path);
-    parser->texture = request;
-    return true;
-}
-
-bool scene_statement_texture_off(struct scene_parser *parser, const int32_t *value)
-{
-    (void)value;
-    return request_texture(parser, (struct scene_texture_request){.kind = SCENE_TEXTURE_OFF});
-}
-
-bool scene_statement_texture_file(struct scene_parser *parser, const int32_t *value)
-{
-    (void)value;
-    char *path = scene_path(parser, 0, NULL);
-    return path != NULL && request_texture(parser, (struct scene_texture_request){
-                                                       .kind = SCENE_TEXTURE_FILE, .path = path});
-}
-
 static bool is_power_of_two(int n)
 {
     return (n & (n - 1)) == 0;
 }
 
-bool scene_statement_texture_checkers(struct scene_parser *parser, const int32_t *value)
+/* W H CELLS r g b r g b */
+static bool read_checkers(struct scene_parser *parser, const int32_t *value,
+                          struct scene_texture_request *request)
 {
-    struct scene_texture_request request = {
-        .kind = SCENE_TEXTURE_CHECKERS, .width = value[0], .height = value[1]};
+    request->width = value[0];
+    request->height = value[1];
     for (int i = 0; i < 2; i++) {
         if (!is_power_of_two(value[i])) {
             return scene_fail_argument(parser, i, "is not a power of two");
@@ -53,40 +32,41 @@ bool scene_statement_texture_checkers(struct scene_parser *parser, const int32_t
     if (!scene_integer(parser, 2, 1, value[0] < value[1] ? value[0] : value[1], &cells)) {
         return false;
     }
-    request.cells = cells;
+    request->cells = cells;
     for (int i = 0; i < 6; i++) {
-        request.rgb[i / 3][i % 3] = (uint8_t)value[3 + i];
+        request->rgb[i / 3][i % 3] = (uint8_t)value[3 + i];
     }
-    return request_texture(parser, request);
-}
-
-static bool request_alpha(struct scene_parser *parser, struct scene_alpha_request request)
-{
-    request.line = parser->line;
-    free(parser->texalpha.path);
-    parser->texalpha = request;
     return true;
 }
 
-bool scene_statement_texalpha_off(struct scene_parser *parser, const int32_t *value)
+/* `into` is the kind, here and below. */
+bool scene_statement_texture(struct scene_parser *parser, const int32_t *value)
 {
-    (void)value;
-    return request_alpha(parser, (struct scene_alpha_request){.kind = SCENE_ALPHA_OFF});
+    struct scene_texture_request request = {.kind = (enum scene_source)parser->statement->into,
+                                            .line = parser->line,
+                                            .statement = parser->statement};
+    if (request.kind == SCENE_OF_CHECKERS && !read_checkers(parser, value, &request)) {
+        return false;
+    }
+    if (request.kind == SCENE_OF_FILE && (request.path = scene_path(parser, 0, NULL)) == NULL) {
+        return false;
+    }
+    free(parser->texture.path);
+    parser->texture = request;
+    return true;
 }
 
-bool scene_statement_texalpha_file(struct scene_parser *parser, const int32_t *value)
+bool scene_statement_texalpha(struct scene_parser *parser, const int32_t *value)
 {
-    (void)value;
-    char *path = scene_path(parser, 0, NULL);
-    return path != NULL && request_alpha(parser, (struct scene_alpha_request){
-                                                     .kind = SCENE_ALPHA_FILE, .path = path});
-}
-
-bool scene_statement_texalpha_checkers(struct scene_parser *parser, const int32_t *value)
-{
-    return request_alpha(
-        parser, (struct scene_alpha_request){.kind = SCENE_ALPHA_CHECKERS,
-                                             .alpha = {(uint8_t)value[0], (uint8_t)value[1]}});
+    struct scene_alpha_request request = {.kind = (enum scene_source)parser->statement->into,
+                                          .line = parser->line,
+                                          .alpha = {(uint8_t)value[0], (uint8_t)value[1]}};
+    if (request.kind == SCENE_OF_FILE && (request.path = scene_path(parser, 0, NULL)) == NULL) {
+        return false;
+    }
+    free(parser->texalpha.path);
+    parser->texalpha = request;
+    return true;
 }
 
 /* ---- Colours ---- */
@@ -145,13 +125,12 @@ static bool read_texture(struct scene_parser *parser)
 
 static bool make_texels(struct scene_parser *parser)
 {
-    if (parser->texture.kind == SCENE_TEXTURE_OFF) {
+    if (parser->texture.kind == SCENE_OF_NOTHING) {
         return true;
     }
     parser->line = parser->texture.line; /* where the message belongs */
     parser->statement = parser->texture.statement;
-    return parser->texture.kind == SCENE_TEXTURE_FILE ? read_texture(parser)
-                                                      : make_checkers(parser);
+    return parser->texture.kind == SCENE_OF_FILE ? read_texture(parser) : make_checkers(parser);
 }
 
 /* ---- Alpha ---- */
@@ -192,7 +171,7 @@ static bool make_alpha_checkers(struct scene_parser *parser)
 {
     const struct scene_texture_request *request = &parser->texture;
     uint8_t *alpha = parser->scene->texture.alpha;
-    if (request->kind != SCENE_TEXTURE_CHECKERS) {
+    if (request->kind != SCENE_OF_CHECKERS) {
         return fail(parser, parser->texalpha.line, "texalpha",
                     "the texture is no checkerboard: give a file");
     }
@@ -212,7 +191,7 @@ static bool make_alpha(struct scene_parser *parser)
     struct scene_texture *texture = &parser->scene->texture;
     const struct scene_alpha_request *request = &parser->texalpha;
     if (!scene_texel_has_alpha(scene->texel_format) || texture->width == 0) {
-        if (request->kind != SCENE_ALPHA_OFF) {
+        if (request->kind != SCENE_OF_NOTHING) {
             return fail(parser, request->line, "texalpha", needs);
         }
         return parser->alphatest_line == 0 ||
@@ -228,8 +207,8 @@ static bool make_alpha(struct scene_parser *parser)
         return fail(parser, parser->texformat_line, "texformat", "out of memory");
     }
     memset(texture->alpha, 255, count);
-    return request->kind == SCENE_ALPHA_OFF ||
-           (request->kind == SCENE_ALPHA_FILE ? read_alpha(parser) : make_alpha_checkers(parser));
+    return request->kind == SCENE_OF_NOTHING ||
+           (request->kind == SCENE_OF_FILE ? read_alpha(parser) : make_alpha_checkers(parser));
 }
 
 /* ---- Levels ---- */

@@ -17,6 +17,26 @@ void chip_reject(chip *it, const char *format, ...)
     va_end(arguments);
 }
 
+void chip_allow(chip *it, bool allowed)
+{
+    if (!allowed) {
+        chip_reject(it, "command 0x%02X: parameter 0x%02X", it->command, it->parameters[0]);
+    }
+}
+
+void chip_allow_range(chip *it, int first, int last, int most)
+{
+    if (first > last || last > most) {
+        chip_reject(it, "command 0x%02X: range %d..%d", it->command, first, last);
+    }
+}
+
+void chip_open_window(chip *it, const int x[2], const int y[2], int at_x, int at_y)
+{
+    const chip_window window = {x[0], x[1], y[0], y[1], at_x, at_y, true, false};
+    it->window = window;
+}
+
 static void forget(chip *it)
 {
     chip_window empty = {0, 0, 0, 0, 0, 0, false, false};
@@ -30,7 +50,7 @@ void chip_init(chip *it, const chip_model *model)
     it->model = model;
     it->error[0] = '\0';
     it->now_ms = it->ready_ms = 0;
-    it->in_reset = it->started = false;
+    it->in_reset = it->started = it->busy_pin = false;
     forget(it);
     model->reset(it);
 }

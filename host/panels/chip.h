@@ -82,6 +82,15 @@ uint32_t chip_pixel(const chip *it, int x, int y);
 /* For the models: a complaint, kept if it is the first. */
 void chip_reject(chip *it, const char *format, ...);
 
+/* A complaint about the command's parameter, unless it is allowed. */
+void chip_allow(chip *it, bool allowed);
+
+/* A complaint unless first..last lies in 0..most and is in order. */
+void chip_allow_range(chip *it, int first, int last, int most);
+
+/* Data go to these columns and rows, from (at_x, at_y) on. */
+void chip_open_window(chip *it, const int x[2], const int y[2], int at_x, int at_y);
+
 /* The window's next address; complains about what lies behind the last. vertical: down first. */
 void chip_advance(chip *it, bool vertical);
 

@@ -11,6 +11,11 @@ typedef struct lcd_glass {
     bool columns_from_right, blue_first, normally_black, rows_from_bottom;
 } lcd_glass;
 
+/* A channel of 0..max as one of 0..255, and the colour that a glass shows of three such. */
+uint32_t lcd_widened(uint32_t value, uint32_t max);
+uint32_t lcd_glass_shows(const lcd_glass *glass, uint32_t first, uint32_t green, uint32_t last,
+                         bool swapped, bool inverted);
+
 /* SSD1306 (Solomon Systech, rev 1.1) on a glass of 128 x rows, 64 or 32, SEG127 left, last COM on
  * top. */
 typedef struct ssd1306 {

@@ -63,15 +63,10 @@ static const chip_command st7796_commands[] = {
 
 enum { ROWS_REVERSED = 0x80, COLUMNS_REVERSED = 0x40, EXCHANGED = 0x20, BLUE_FIRST = 0x08 };
 
-static lcd *self(chip *it)
-{
-    return (lcd *)(void *)it;
-}
-
 /* Registers as after power on; 5 ms pass before commands, 120 ms before the chip may be woken. */
 static void reset(chip *it)
 {
-    lcd *s = self(it);
+    lcd *s = (void *)it;
     s->address_mode = 0;
     s->pixel_format = 0x66;
     s->columns[0] = s->pages[0] = 0;
@@ -86,7 +81,7 @@ static void reset(chip *it)
 /* The window is looked at when writing starts, in the directions of the address mode. */
 static void begin_write(chip *it)
 {
-    lcd *s = self(it);
+    lcd *s = (void *)it;
     bool exchanged = (s->address_mode & EXCHANGED) != 0;
     int last_column = exchanged ? s->height - 1 : s->width - 1;
     int last_page = exchanged ? s->width - 1 : s->height - 1;
@@ -102,26 +97,22 @@ static void begin_write(chip *it)
         chip_reject(it, "data in pixel format 0x%02X, only %d bits are simulated", s->pixel_format,
                     s->bytes == 3 ? 18 : 16);
     }
-    chip_window window = {s->columns[0], s->columns[1], s->pages[0], s->pages[1],
-                          s->columns[0], s->pages[0],   true,        false};
-    it->window = window;
+    chip_open_window(it, s->columns, s->pages, s->columns[0], s->pages[0]);
     s->have = 0;
 }
 
 static void set_range(chip *it, int range[2])
 {
+    const lcd *s = (const void *)it;
     const uint8_t *p = it->parameters;
-    int longest = self(it)->width > self(it)->height ? self(it)->width : self(it)->height;
     range[0] = p[0] << 8 | p[1];
     range[1] = p[2] << 8 | p[3];
-    if (range[0] > range[1] || range[1] >= longest) {
-        chip_reject(it, "command 0x%02X: range %d..%d", it->command, range[0], range[1]);
-    }
+    chip_allow_range(it, range[0], range[1], (s->width > s->height ? s->width : s->height) - 1);
 }
 
 static void execute(chip *it)
 {
-    lcd *s = self(it);
+    lcd *s = (void *)it;
     if (s->have != 0) {
         chip_reject(it, "command 0x%02X in the middle of a pixel", it->command);
     }
@@ -192,7 +183,7 @@ static void execute(chip *it)
 
 static void store(chip *it, uint8_t byte)
 {
-    lcd *s = self(it);
+    lcd *s = (void *)it;
     s->part = s->part << 8 | byte;
     if (++s->have < s->bytes) {
         return;
@@ -207,14 +198,22 @@ static void store(chip *it, uint8_t byte)
     chip_advance(it, false);
 }
 
-static uint32_t widened(uint32_t value, uint32_t max)
+uint32_t lcd_widened(uint32_t value, uint32_t max)
 {
     return (value * 255 + max / 2) / max;
 }
 
+uint32_t lcd_glass_shows(const lcd_glass *glass, uint32_t first, uint32_t green, uint32_t last,
+                         bool swapped, bool inverted)
+{
+    const uint32_t seen =
+        swapped ? last << 16 | green << 8 | first : first << 16 | green << 8 | last;
+    return inverted != glass->normally_black ? ~seen & 0xFFFFFF : seen;
+}
+
 static uint32_t pixel(const chip *it, int x, int y)
 {
-    const lcd *s = (const lcd *)(const void *)it;
+    const lcd *s = (const void *)it;
     const lcd_glass *g = &s->glass;
     if (!s->on || !s->awake) {
         return 0;
@@ -222,12 +221,11 @@ static uint32_t pixel(const chip *it, int x, int y)
     int across = g->columns_from_right ? g->width - 1 - x : x;
     int down = g->rows_from_bottom ? g->height - 1 - y : y;
     uint32_t c = s->memory[g->first_row + down][g->first_column + across];
-    uint32_t first = s->bytes == 3 ? widened(c >> 18, 63) : widened(c >> 11, 31);
-    uint32_t green = widened(s->bytes == 3 ? c >> 10 & 63 : c >> 5 & 63, 63);
-    uint32_t last = s->bytes == 3 ? widened(c >> 2 & 63, 63) : widened(c & 31, 31);
-    bool swapped = ((s->address_mode & BLUE_FIRST) != 0) != g->blue_first;
-    uint32_t seen = swapped ? last << 16 | green << 8 | first : first << 16 | green << 8 | last;
-    return s->inverted != g->normally_black ? ~seen & 0xFFFFFF : seen;
+    uint32_t first = s->bytes == 3 ? lcd_widened(c >> 18, 63) : lcd_widened(c >> 11, 31);
+    uint32_t green = lcd_widened(s->bytes == 3 ? c >> 10 & 63 : c >> 5 & 63, 63);
+    uint32_t last = s->bytes == 3 ? lcd_widened(c >> 2 & 63, 63) : lcd_widened(c & 31, 31);
+    const bool swapped = ((s->address_mode & BLUE_FIRST) != 0) != g->blue_first;
+    return lcd_glass_shows(g, first, green, last, swapped, s->inverted);
 }
 
 static void init(lcd *s, const chip_model *model, const lcd_glass *glass, int width, int height)
@@ -237,7 +235,6 @@ static void init(lcd *s, const chip_model *model, const lcd_glass *glass, int wi
     s->height = height;
     s->bytes = 2;
     s->locked = false;
-    s->chip.busy_pin = false;
     memset(s->memory, 0x5A, sizeof s->memory);
     chip_init(&s->chip, model);
 }

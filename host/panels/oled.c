@@ -8,13 +8,6 @@ void oled_reset(chip *it, oled_drive *drive)
     it->ready_ms = it->now_ms + 100;
 }
 
-void oled_allow(chip *it, bool allowed)
-{
-    if (!allowed) {
-        chip_reject(it, "command 0x%02X: parameter 0x%02X", it->command, it->parameters[0]);
-    }
-}
-
 /* Commands whose last bit is what they set; false: none of them. */
 static bool set_switch(oled_drive *drive, uint8_t command)
 {
@@ -48,19 +41,21 @@ bool oled_execute(chip *it, oled_drive *drive)
     } else if (command >= 0xC0 && command <= 0xC8) {
         drive->rows_reversed = command == 0xC8;
     } else if (command == 0xD3) {
-        oled_allow(it, p <= 63);
+        chip_allow(it, p <= 63);
         drive->offset = p;
     } else if (command == 0xD9) {
-        oled_allow(it, (p & 15) != 0 && p >> 4 != 0);
+        chip_allow(it, (p & 15) != 0 && p >> 4 != 0);
     } else {
         return false;
     }
     return true;
 }
 
-int oled_row(const oled_drive *drive, int rows, int y)
+uint32_t oled_pixel(const oled_drive *drive, int rows, int y, const uint8_t *segment, int pitch)
 {
-    int com = rows - 1 - y;
-    int line = drive->rows_reversed ? drive->multiplex - com : com;
-    return (line + drive->start_line + drive->offset) & 63;
+    const int com = rows - 1 - y;
+    const int line = drive->rows_reversed ? drive->multiplex - com : com;
+    const int row = (line + drive->start_line + drive->offset) & 63;
+    const bool lit = (segment[(row >> 3) * pitch] >> (row & 7) & 1) != 0;
+    return drive->all_on || lit != drive->inverse ? 0xFFFFFF : 0;
 }

@@ -16,10 +16,8 @@ void oled_reset(chip *it, oled_drive *drive);
 /* Carries out a command; false: it is none of these. */
 bool oled_execute(chip *it, oled_drive *drive);
 
-/* A complaint about the command's parameter, unless it is allowed. */
-void oled_allow(chip *it, bool allowed);
-
-/* The row of the memory that row y of the glass shows, of so many, the last COM on top. */
-int oled_row(const oled_drive *drive, int rows, int y);
+/* What row y of the glass shows, of so many, the last COM on top. segment: the first page of its
+   column of the memory, whose pages are `pitch` bytes. */
+uint32_t oled_pixel(const oled_drive *drive, int rows, int y, const uint8_t *segment, int pitch);
 
 #endif

@@ -8,14 +8,9 @@ static const chip_command commands[] = {{0x00, 0xFF, 0}};
 
 enum { EXTENDED = 0x01, DOWN_FIRST = 0x02, POWER_DOWN = 0x04 };
 
-static pcd8544 *self(chip *it)
-{
-    return (pcd8544 *)(void *)it;
-}
-
 static void reset(chip *it)
 {
-    pcd8544 *s = self(it);
+    pcd8544 *s = (void *)it;
     memset(s->memory, 0x5A, sizeof s->memory);
     s->function = POWER_DOWN;
     s->display = s->vop = s->bias = 0;
@@ -26,7 +21,7 @@ static void reset(chip *it)
 
 static void execute_extended(chip *it)
 {
-    pcd8544 *s = self(it);
+    pcd8544 *s = (void *)it;
     const int command = it->command;
     if (command >= 0x80) {
         s->vop = command & 0x7F;
@@ -39,7 +34,7 @@ static void execute_extended(chip *it)
 
 static void execute(chip *it)
 {
-    pcd8544 *s = self(it);
+    pcd8544 *s = (void *)it;
     chip_window *w = &it->window;
     const int command = it->command;
     if ((command & 0xF8) == 0x20) {
@@ -63,7 +58,7 @@ static void execute(chip *it)
 /* The counters wrap: nothing is past the end. */
 static void store(chip *it, uint8_t byte)
 {
-    pcd8544 *s = self(it);
+    pcd8544 *s = (void *)it;
     s->memory[it->window.y][it->window.x] = byte;
     chip_advance(it, (s->function & DOWN_FIRST) != 0);
     it->window.full = false;
@@ -72,7 +67,7 @@ static void store(chip *it, uint8_t byte)
 /* Between 5.5 and 7.5 V, 3.06 and .06 a step, the glass of 48 rows has contrast. */
 static uint32_t pixel(const chip *it, int x, int y)
 {
-    const pcd8544 *s = (const pcd8544 *)(const void *)it;
+    const pcd8544 *s = (const void *)it;
     if ((s->function & POWER_DOWN) != 0 || s->bias != 3 || s->vop < 41 || s->vop > 74) {
         return 0;
     }
@@ -84,6 +79,5 @@ static uint32_t pixel(const chip *it, int x, int y)
 void pcd8544_init(pcd8544 *s)
 {
     static const chip_model model = CHIP_MODEL("PCD8544", commands, false);
-    s->chip.busy_pin = false;
     chip_init(&s->chip, &model);
 }

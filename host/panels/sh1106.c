@@ -12,14 +12,9 @@ static const chip_command commands[] = {
     {0xD9, 0xD9, 1}, {0xDA, 0xDA, 1}, {0xDB, 0xDB, 1}, {0xE3, 0xE3, 0},
 };
 
-static sh1106 *self(chip *it)
-{
-    return (sh1106 *)(void *)it;
-}
-
 static void reset(chip *it)
 {
-    sh1106 *s = self(it);
+    sh1106 *s = (void *)it;
     memset(s->memory, 0xA5, sizeof s->memory); /* whatever it holds */
     s->column = s->page = 0;
     oled_reset(it, &s->drive);
@@ -29,17 +24,17 @@ static void reset(chip *it)
 /* Data go to the column and page that are set; the page ends where the memory does. */
 static void move(chip *it)
 {
-    sh1106 *s = self(it);
+    sh1106 *s = (void *)it;
     if (s->column >= 132) {
         chip_reject(it, "column %d", s->column);
     }
-    chip_window window = {0, 131, s->page, s->page, s->column, s->page, true, false};
-    it->window = window;
+    const int columns[2] = {0, 131}, pages[2] = {s->page, s->page};
+    chip_open_window(it, columns, pages, s->column, s->page);
 }
 
 static void execute(chip *it)
 {
-    sh1106 *s = self(it);
+    sh1106 *s = (void *)it;
     const uint8_t *p = it->parameters;
     int command = it->command;
     if (oled_execute(it, &s->drive)) {
@@ -51,15 +46,15 @@ static void execute(chip *it)
     case 0xDB:
         break;
     case 0xA8:
-        oled_allow(it, p[0] <= 63);
+        chip_allow(it, p[0] <= 63);
         s->drive.multiplex = p[0];
         break;
     case 0xAD:
-        oled_allow(it, (p[0] & ~1) == 0x8A);
+        chip_allow(it, (p[0] & ~1) == 0x8A);
         s->drive.pump = (p[0] & 1) != 0;
         break;
     case 0xDA:
-        oled_allow(it, (p[0] & ~0x10) == 0x02);
+        chip_allow(it, (p[0] & ~0x10) == 0x02);
         s->drive.pins = p[0];
         break;
     default:
@@ -79,7 +74,7 @@ static void execute(chip *it)
 
 static void store(chip *it, uint8_t byte)
 {
-    sh1106 *s = self(it);
+    sh1106 *s = (void *)it;
     int x = it->window.x;
     s->memory[it->window.y][s->drive.columns_reversed ? 131 - x : x] = byte; /* by segment */
     chip_advance(it, false);
@@ -87,21 +82,15 @@ static void store(chip *it, uint8_t byte)
 
 static uint32_t pixel(const chip *it, int x, int y)
 {
-    const sh1106 *s = (const sh1106 *)(const void *)it;
+    const sh1106 *s = (const void *)it;
     if (!s->drive.on || !s->drive.pump || s->drive.pins != 0x12 || s->drive.multiplex != 63) {
         return 0;
     }
-    if (s->drive.all_on) {
-        return 0xFFFFFF;
-    }
-    int row = oled_row(&s->drive, 64, y);
-    bool lit = (s->memory[row >> 3][129 - x] >> (row & 7) & 1) != 0;
-    return lit != s->drive.inverse ? 0xFFFFFF : 0;
+    return oled_pixel(&s->drive, 64, y, &s->memory[0][129 - x], 132);
 }
 
 void sh1106_init(sh1106 *s)
 {
     static const chip_model model = CHIP_MODEL("SH1106", commands, false);
-    s->chip.busy_pin = false;
     chip_init(&s->chip, &model);
 }

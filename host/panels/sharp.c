@@ -11,14 +11,9 @@ enum { WRITES = 0x80, VCOM = 0x40, CLEARS = 0x20 };
 /* A byte while SCS is low is not seen, and ends what was under way. */
 static const chip_command commands[] = {{0x00, 0xFF, CHIP_STREAM}};
 
-static sharp_lcd *self(chip *it)
-{
-    return (sharp_lcd *)(void *)it;
-}
-
 static void reset(chip *it)
 {
-    sharp_lcd *s = self(it);
+    sharp_lcd *s = (void *)it;
     memset(s->memory, 0x5A, sizeof s->memory);
     s->state = MODE;
     s->dirty = false;
@@ -27,7 +22,7 @@ static void reset(chip *it)
 
 static void execute(chip *it)
 {
-    sharp_lcd *s = self(it);
+    sharp_lcd *s = (void *)it;
     if (s->dirty) {
         chip_reject(it, "line %d ends without clocks after it", s->line);
     } else if (s->state == ADDRESS || s->state == PIXELS) {
@@ -39,7 +34,7 @@ static void execute(chip *it)
 
 static void set_mode(chip *it, uint8_t byte)
 {
-    sharp_lcd *s = self(it);
+    sharp_lcd *s = (void *)it;
     const int vcom = (byte & VCOM) != 0;
     s->vcom_changes += vcom != s->vcom;
     s->vcom = vcom;
@@ -56,7 +51,7 @@ static void set_mode(chip *it, uint8_t byte)
 /* Bit 0 comes first, in bit 7. */
 static void set_line(chip *it, uint8_t byte)
 {
-    sharp_lcd *s = self(it);
+    sharp_lcd *s = (void *)it;
     s->line = 0;
     for (int i = 0; i < 8; i++) {
         s->line |= (byte >> (7 - i) & 1) << i;
@@ -71,7 +66,7 @@ static void set_line(chip *it, uint8_t byte)
 
 static void store(chip *it, uint8_t byte)
 {
-    sharp_lcd *s = self(it);
+    sharp_lcd *s = (void *)it;
     switch (s->state) {
     case MODE:
         set_mode(it, byte);
@@ -102,7 +97,7 @@ static void store(chip *it, uint8_t byte)
 
 static uint32_t pixel(const chip *it, int x, int y)
 {
-    const sharp_lcd *s = (const sharp_lcd *)(const void *)it;
+    const sharp_lcd *s = (const void *)it;
     return (s->memory[y][x / 8] >> (7 - x % 8) & 1) != 0 ? 0xFFFFFF : 0;
 }
 
@@ -112,6 +107,5 @@ void sharp_init(sharp_lcd *s, int width, int height)
     s->width = width;
     s->height = height;
     s->line = 0;
-    s->chip.busy_pin = false;
     chip_init(&s->chip, &model);
 }

@@ -45,14 +45,9 @@ static const gray_kind ssd1327_kind = {63,   127,  1,    128, 128, 0,    0x57, 1
 static const gray_kind ssd1322_kind = {119,  127,  2, 256,  64, 56,    0x37, 2,    4,   1,
                                        0x10, 0x20, 0, 0x11, 0,  false, 0xA6, 0xA4, true};
 
-static ssd0323 *self(chip *it)
-{
-    return (ssd0323 *)(void *)it;
-}
-
 static void reset(chip *it)
 {
-    ssd0323 *s = self(it);
+    ssd0323 *s = (void *)it;
     memset(s->memory, 0x5A, sizeof s->memory);
     s->remap = s->offset = s->start_line = s->second = 0;
     s->multiplex = s->kind->last_row;
@@ -62,33 +57,18 @@ static void reset(chip *it)
     it->window.y1 = s->kind->last_row;
 }
 
-static void allow(chip *it, bool allowed)
-{
-    if (!allowed) {
-        chip_reject(it, "command 0x%02X: parameter 0x%02X", it->command, it->parameters[0]);
-    }
-}
-
-static void range(chip *it, int most)
-{
-    if (it->parameters[0] > it->parameters[1] || it->parameters[1] > most) {
-        chip_reject(it, "command 0x%02X: range %d..%d", it->command, it->parameters[0],
-                    it->parameters[1]);
-    }
-}
-
 /* The window's ends; where a command begins the data they are not taken before. */
 static void set_window(chip *it)
 {
-    const gray_kind *kind = self(it)->kind;
+    const gray_kind *kind = ((const ssd0323 *)(const void *)it)->kind;
     chip_window *w = &it->window;
     const uint8_t *p = it->parameters;
     if (it->command == 0x15) {
-        range(it, kind->last_column);
+        chip_allow_range(it, p[0], p[1], kind->last_column);
         w->x = w->x0 = p[0] * kind->column_bytes;
         w->x1 = (p[1] + 1) * kind->column_bytes - 1;
     } else if (it->command == 0x75) {
-        range(it, kind->last_row);
+        chip_allow_range(it, p[0], p[1], kind->last_row);
         w->y = w->y0 = p[0];
         w->y1 = p[1];
     }
@@ -98,15 +78,15 @@ static void set_window(chip *it)
 
 static void set_remap(chip *it)
 {
-    ssd0323 *s = self(it);
-    allow(it, (it->parameters[0] & ~s->kind->remap_bits) == 0);
+    ssd0323 *s = (void *)it;
+    chip_allow(it, (it->parameters[0] & ~s->kind->remap_bits) == 0);
     s->remap = it->parameters[0];
     s->second = s->kind->second != 0 ? it->parameters[1] : 0;
 }
 
 static void execute(chip *it)
 {
-    ssd0323 *s = self(it);
+    ssd0323 *s = (void *)it;
     const uint8_t *p = it->parameters;
     switch (it->command) {
     case 0x15:
@@ -115,17 +95,17 @@ static void execute(chip *it)
         set_window(it);
         break;
     case 0x81:
-        allow(it, p[0] <= 127 || s->kind != &ssd0323_kind);
+        chip_allow(it, p[0] <= 127 || s->kind != &ssd0323_kind);
         break;
     case 0xA0:
         set_remap(it);
         break;
     case 0xA1:
-        allow(it, p[0] <= s->kind->last_row);
+        chip_allow(it, p[0] <= s->kind->last_row);
         s->start_line = p[0];
         break;
     case 0xA2:
-        allow(it, p[0] <= s->kind->last_row);
+        chip_allow(it, p[0] <= s->kind->last_row);
         s->offset = p[0];
         break;
     case 0xA4:
@@ -136,11 +116,11 @@ static void execute(chip *it)
         break;
     case 0xA8: /* of the SSD1322 a partial display */
     case 0xCA:
-        allow(it, p[0] >= 15 && p[0] <= s->kind->last_row);
+        chip_allow(it, p[0] >= 15 && p[0] <= s->kind->last_row);
         s->multiplex = p[0];
         break;
     case 0xAD:
-        allow(it, (p[0] & ~1) == 2);
+        chip_allow(it, (p[0] & ~1) == 2);
         break;
     case 0xAE:
     case 0xAF:
@@ -153,7 +133,7 @@ static void execute(chip *it)
 
 static void store(chip *it, uint8_t byte)
 {
-    ssd0323 *s = self(it);
+    ssd0323 *s = (void *)it;
     s->memory[it->window.y][it->window.x] = byte;
     chip_advance(it, (s->remap & s->kind->down_bit) != 0);
 }
@@ -164,7 +144,7 @@ static void store(chip *it, uint8_t byte)
  */
 static uint32_t pixel(const chip *it, int x, int y)
 {
-    const ssd0323 *s = (const ssd0323 *)(const void *)it;
+    const ssd0323 *s = (const void *)it;
     const gray_kind *kind = s->kind;
     if (!s->on || (s->remap & kind->split_bit) != kind->is_split || s->second != kind->second ||
         s->multiplex != kind->height - 1 || s->mode == kind->off) {
@@ -193,7 +173,6 @@ static void init(ssd0323 *s, const gray_kind *kind, const chip_model *model)
 {
     s->kind = kind;
     s->first_row = 0;
-    s->chip.busy_pin = false;
     chip_init(&s->chip, model);
 }
 

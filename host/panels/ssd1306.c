@@ -13,14 +13,9 @@ static const chip_command commands[] = {
     {0xD9, 0xD9, 1}, {0xDA, 0xDA, 1}, {0xDB, 0xDB, 1}, {0xE3, 0xE3, 0},
 };
 
-static ssd1306 *self(chip *it)
-{
-    return (ssd1306 *)(void *)it;
-}
-
 static void reset(chip *it)
 {
-    ssd1306 *s = self(it);
+    ssd1306 *s = (void *)it;
     memset(s->memory, 0xA5, sizeof s->memory); /* whatever it holds */
     s->mode = 2;
     oled_reset(it, &s->drive);
@@ -28,17 +23,9 @@ static void reset(chip *it)
     it->window.y1 = 7;
 }
 
-static void range(chip *it, int most)
-{
-    if (it->parameters[0] > it->parameters[1] || it->parameters[1] > most) {
-        chip_reject(it, "command 0x%02X: range %d..%d", it->command, it->parameters[0],
-                    it->parameters[1]);
-    }
-}
-
 static void execute(chip *it)
 {
-    ssd1306 *s = self(it);
+    ssd1306 *s = (void *)it;
     chip_window *w = &it->window;
     const uint8_t *p = it->parameters;
     if (oled_execute(it, &s->drive)) {
@@ -46,18 +33,18 @@ static void execute(chip *it)
     }
     switch (it->command) {
     case 0x20:
-        oled_allow(it, p[0] <= 2);
+        chip_allow(it, p[0] <= 2);
         s->mode = p[0];
         break;
     case 0x21:
-        range(it, 127);
+        chip_allow_range(it, p[0], p[1], 127);
         w->x = w->x0 = p[0];
         w->x1 = p[1];
         w->full = false;
         w->set = s->mode != 2;
         break;
     case 0x22:
-        range(it, 7);
+        chip_allow_range(it, p[0], p[1], 7);
         w->y = w->y0 = p[0];
         w->y1 = p[1];
         w->full = false;
@@ -67,22 +54,22 @@ static void execute(chip *it)
         chip_reject(it, "scrolling is not simulated");
         break;
     case 0x8D:
-        oled_allow(it, (p[0] & ~4) == 0x10);
+        chip_allow(it, (p[0] & ~4) == 0x10);
         if (!s->has_pump) {
             chip_reject(it, "there is no charge pump");
         }
         s->drive.pump = (p[0] & 4) != 0;
         break;
     case 0xA8:
-        oled_allow(it, p[0] >= 15 && p[0] <= 63);
+        chip_allow(it, p[0] >= 15 && p[0] <= 63);
         s->drive.multiplex = p[0];
         break;
     case 0xDA:
-        oled_allow(it, (p[0] & ~0x30) == 0x02);
+        chip_allow(it, (p[0] & ~0x30) == 0x02);
         s->drive.pins = p[0];
         break;
     case 0xDB:
-        oled_allow(it, s->has_pump ? p[0] == 0x00 || p[0] == 0x20 || p[0] == 0x30
+        chip_allow(it, s->has_pump ? p[0] == 0x00 || p[0] == 0x20 || p[0] == 0x30
                                    : p[0] == 0x00 || p[0] == 0x34 || p[0] == 0x3C);
         break;
     default:
@@ -92,7 +79,7 @@ static void execute(chip *it)
 
 static void store(chip *it, uint8_t byte)
 {
-    ssd1306 *s = self(it);
+    ssd1306 *s = (void *)it;
     int x = it->window.x;
     s->memory[it->window.y][s->drive.columns_reversed ? 127 - x : x] = byte; /* by segment */
     chip_advance(it, s->mode == 1);
@@ -100,26 +87,19 @@ static void store(chip *it, uint8_t byte)
 
 static uint32_t pixel(const chip *it, int x, int y)
 {
-    const ssd1306 *s = (const ssd1306 *)(const void *)it;
+    const ssd1306 *s = (const void *)it;
     int wired = s->rows == 32 ? 0x02 : 0x12; /* the glass's rows alternate between COM halves */
     if (!s->drive.on || s->drive.pump != s->has_pump || s->drive.pins != wired ||
         s->drive.multiplex != s->rows - 1) {
         return 0;
     }
-    if (s->drive.all_on) {
-        return 0xFFFFFF;
-    }
-    int row = oled_row(&s->drive, s->rows, y);
-    int segment = 127 - s->first_column - x;
-    bool lit = (s->memory[row >> 3][segment] >> (row & 7) & 1) != 0;
-    return lit != s->drive.inverse ? 0xFFFFFF : 0;
+    return oled_pixel(&s->drive, s->rows, y, &s->memory[0][127 - s->first_column - x], 128);
 }
 
 static void init(ssd1306 *s, const chip_model *model, int rows)
 {
     s->rows = rows;
     s->first_column = 0;
-    s->chip.busy_pin = false;
     chip_init(&s->chip, model);
 }
 

@@ -20,14 +20,9 @@ enum {
     COLORS_16_BITS = 0x40
 };
 
-static ssd1351 *self(chip *it)
-{
-    return (ssd1351 *)(void *)it;
-}
-
 static void reset(chip *it)
 {
-    ssd1351 *s = self(it);
+    ssd1351 *s = (void *)it;
     memset(s->memory, 0x5A, sizeof s->memory);
     s->remap = 0x40;
     s->unlocked = 0x12;
@@ -39,36 +34,19 @@ static void reset(chip *it)
     it->ready_ms = it->now_ms + 100;
 }
 
-static void set_range(chip *it, int range[2])
-{
-    range[0] = it->parameters[0];
-    range[1] = it->parameters[1];
-    if (range[0] > range[1] || range[1] > 127) {
-        chip_reject(it, "command 0x%02X: range %d..%d", it->command, range[0], range[1]);
-    }
-}
-
 static void begin_write(chip *it)
 {
-    ssd1351 *s = self(it);
+    ssd1351 *s = (void *)it;
     if ((s->remap & 0xC0) != COLORS_16_BITS) {
         chip_reject(it, "data in address mode 0x%02X, only 16 bits are simulated", s->remap);
     }
-    const chip_window window = {s->ranges[0][0],
-                                s->ranges[0][1],
-                                s->ranges[1][0],
-                                s->ranges[1][1],
-                                s->ranges[0][0],
-                                s->ranges[1][0],
-                                true,
-                                false};
-    it->window = window;
+    chip_open_window(it, s->ranges[0], s->ranges[1], s->ranges[0][0], s->ranges[1][0]);
     s->half = false;
 }
 
 static void execute(chip *it)
 {
-    ssd1351 *s = self(it);
+    ssd1351 *s = (void *)it;
     const uint8_t command = it->command, p = it->parameters[0];
     const bool is_second = (command >= 0xB1 && command <= 0xB4) || command == 0xBB ||
                            command == 0xBE || command == 0xC1 || command == 0xA2;
@@ -81,7 +59,9 @@ static void execute(chip *it)
     switch (command) {
     case 0x15:
     case 0x75:
-        set_range(it, s->ranges[command == 0x75]);
+        s->ranges[command == 0x75][0] = p;
+        s->ranges[command == 0x75][1] = it->parameters[1];
+        chip_allow_range(it, p, it->parameters[1], 127);
         break;
     case 0x5C:
         begin_write(it);
@@ -120,7 +100,7 @@ static void execute(chip *it)
 /* By segment and COM: the address mode of the time of writing counts. */
 static void store(chip *it, uint8_t byte)
 {
-    ssd1351 *s = self(it);
+    ssd1351 *s = (void *)it;
     if (!s->half) {
         s->high = byte;
         s->half = true;
@@ -136,25 +116,21 @@ static void store(chip *it, uint8_t byte)
 /* The glass of modules wants colours swapped: blue is the first segment of a pixel. */
 static uint32_t pixel(const chip *it, int x, int y)
 {
-    const ssd1351 *s = (const ssd1351 *)(const void *)it;
+    const ssd1351 *s = (const void *)it;
     if (!s->on || (s->remap & COMS_SPLIT) == 0) {
         return 0;
     }
     const lcd_glass *g = &s->glass;
     const int row = ((s->remap & COMS_REVERSED) != 0) != g->rows_from_bottom ? y : 127 - y;
     const uint32_t c = s->memory[row][g->columns_from_right ? 127 - x : x];
-    const uint32_t first = ((c >> 11) * 255 + 15) / 31, last = ((c & 31) * 255 + 15) / 31;
-    const uint32_t green = ((c >> 5 & 63) * 255 + 31) / 63;
-    const bool swapped = ((s->remap & COLORS_SWAPPED) != 0) == g->blue_first;
-    const uint32_t seen =
-        swapped ? first << 16 | green << 8 | last : last << 16 | green << 8 | first;
-    return s->inverse != g->normally_black ? ~seen & 0xFFFFFF : seen;
+    const bool swapped = ((s->remap & COLORS_SWAPPED) != 0) != g->blue_first;
+    return lcd_glass_shows(g, lcd_widened(c >> 11, 31), lcd_widened(c >> 5 & 63, 63),
+                           lcd_widened(c & 31, 31), swapped, s->inverse);
 }
 
 void ssd1351_init(ssd1351 *s, const lcd_glass *glass)
 {
     static const chip_model model = CHIP_MODEL("SSD1351", commands, true);
     s->glass = *glass;
-    s->chip.busy_pin = false;
     chip_init(&s->chip, &model);
 }

@@ -17,14 +17,9 @@ static const chip_command commands[] = {
 enum { X_UP = 1, Y_UP = 2, Y_FIRST = 4 };
 enum { RESET_MS = 10, REFRESH_MS = 2000, PARTIAL_MS = 400 };
 
-static ssd1680 *self(chip *it)
-{
-    return (ssd1680 *)(void *)it;
-}
-
 static void reset(chip *it)
 {
-    ssd1680 *s = self(it);
+    ssd1680 *s = (void *)it;
     s->gates = s->last_y + 1;
     s->entry = X_UP | Y_UP;
     s->x[0] = s->y[0] = 0;
@@ -44,7 +39,7 @@ static bool between(int value, int a, int b)
 
 static void begin_write(chip *it)
 {
-    ssd1680 *s = self(it);
+    ssd1680 *s = (void *)it;
     bool x_up = (s->entry & X_UP) != 0;
     bool y_up = (s->entry & Y_UP) != 0;
     if (s->x[0] > s->last_x || s->x[1] > s->last_x ||
@@ -60,9 +55,7 @@ static void begin_write(chip *it)
         chip_reject(it, "address counters %d, %d are not set in the window", s->counter_x,
                     s->counter_y);
     }
-    chip_window window = {s->x[0],      s->x[1],      s->y[0], s->y[1],
-                          s->counter_x, s->counter_y, true,    false};
-    it->window = window;
+    chip_open_window(it, s->x, s->y, s->counter_x, s->counter_y);
     s->counters_set = false;
 }
 
@@ -72,7 +65,7 @@ static void begin_write(chip *it)
  */
 static void show_changes(chip *it)
 {
-    ssd1680 *s = self(it);
+    ssd1680 *s = (void *)it;
     if ((s->options[0] & 0xF0) != 0) {
         chip_reject(it, "a partial refresh without the second memory");
     }
@@ -95,7 +88,7 @@ static void show_changes(chip *it)
  */
 static void activate(chip *it)
 {
-    ssd1680 *s = self(it);
+    ssd1680 *s = (void *)it;
     if (s->update == 0xFF) {
         show_changes(it);
         return;
@@ -113,7 +106,7 @@ static void activate(chip *it)
 
 static void execute(chip *it)
 {
-    ssd1680 *s = self(it);
+    ssd1680 *s = (void *)it;
     const uint8_t *p = it->parameters;
     switch (it->command) {
     case 0x01:
@@ -173,14 +166,14 @@ static void execute(chip *it)
 
 static void store(chip *it, uint8_t byte)
 {
-    ssd1680 *s = self(it);
+    ssd1680 *s = (void *)it;
     (s->to_second ? s->second : s->memory)[it->window.y][it->window.x] = byte;
     chip_advance(it, (s->entry & Y_FIRST) != 0);
 }
 
 static uint32_t pixel(const chip *it, int x, int y)
 {
-    const ssd1680 *s = (const ssd1680 *)(const void *)it;
+    const ssd1680 *s = (const void *)it;
     if (s->gates != s->height || s->options[1] != s->sources) {
         return 0x808080; /* not driven as the glass is wired */
     }
@@ -196,8 +189,8 @@ static void init(ssd1680 *s, const chip_model *model, int width, int height)
     s->refreshes = s->partial_refreshes = s->first_column = s->first_row = 0;
     s->width = width;
     s->height = height;
-    s->chip.busy_pin = true;
     chip_init(&s->chip, model);
+    s->chip.busy_pin = true;
 }
 
 void ssd1680_init(ssd1680 *s)

@@ -14,14 +14,9 @@ static const chip_command commands[] = {
 
 enum { RESET_MS = 10, POWER_MS = 40, REFRESH_MS = 2000 };
 
-static uc8151 *self(chip *it)
-{
-    return (uc8151 *)(void *)it;
-}
-
 static void reset(chip *it)
 {
-    uc8151 *s = self(it);
+    uc8151 *s = (void *)it;
     s->panel = 0x0F;
     s->interval = 0xD7;
     s->resolution[0] = s->resolution[1] = 0;
@@ -32,7 +27,7 @@ static void reset(chip *it)
 /* Columns in eights: the first one's low bits are 0, the last one's 1. */
 static void set_window(chip *it)
 {
-    uc8151 *s = self(it);
+    uc8151 *s = (void *)it;
     const uint8_t *p = it->parameters;
     s->range[0][0] = p[0];
     s->range[0][1] = p[1];
@@ -46,12 +41,12 @@ static void set_window(chip *it)
 
 static void begin_write(chip *it)
 {
-    uc8151 *s = self(it);
-    const chip_window all = {0, 15, 0, 295, 0, 0, true, false};
-    const chip_window part = {
-        s->range[0][0] / 8, s->range[0][1] / 8, s->range[1][0], s->range[1][1],
-        s->range[0][0] / 8, s->range[1][0],     true,           false};
-    it->window = s->partial ? part : all;
+    uc8151 *s = (void *)it;
+    const int all[2][2] = {{0, 15}, {0, 295}};
+    const int part[2][2] = {{s->range[0][0] / 8, s->range[0][1] / 8},
+                            {s->range[1][0], s->range[1][1]}};
+    const int(*range)[2] = s->partial ? part : all;
+    chip_open_window(it, range[0], range[1], range[0][0], range[1][0]);
     if (it->command == 0x10) {
         chip_reject(it, "old pictures are not simulated");
     }
@@ -59,7 +54,7 @@ static void begin_write(chip *it)
 
 static void show(chip *it)
 {
-    uc8151 *s = self(it);
+    uc8151 *s = (void *)it;
     if (!s->powered) {
         chip_reject(it, "a refresh without power");
     }
@@ -73,7 +68,7 @@ static void show(chip *it)
 
 static void execute(chip *it)
 {
-    uc8151 *s = self(it);
+    uc8151 *s = (void *)it;
     const uint8_t *p = it->parameters;
     switch (it->command) {
     case 0x00:
@@ -112,14 +107,15 @@ static void execute(chip *it)
 
 static void store(chip *it, uint8_t byte)
 {
-    self(it)->memory[it->window.y][it->window.x] = byte;
+    uc8151 *s = (void *)it;
+    s->memory[it->window.y][it->window.x] = byte;
     chip_advance(it, false);
 }
 
 /* Scans up, shifts right, booster on, black and white, waveforms of its own; 1 is white. */
 static uint32_t pixel(const chip *it, int x, int y)
 {
-    const uc8151 *s = (const uc8151 *)(const void *)it;
+    const uc8151 *s = (const void *)it;
     if (s->panel != 0x9F || s->resolution[0] != 128 || s->resolution[1] != 296) {
         return 0x808080; /* not driven as the glass is wired */
     }
@@ -133,6 +129,6 @@ void uc8151_init(uc8151 *s)
     memset(s->memory, 0xC3, sizeof s->memory);
     memset(s->shown, 0xC3, sizeof s->shown);
     s->refreshes = 0;
-    s->chip.busy_pin = true;
     chip_init(&s->chip, &model);
+    s->chip.busy_pin = true;
 }

@@ -4,12 +4,6 @@
 
 #include <math.h>
 
-static void from_q16(const int32_t *in, int count, double *out)
-{
-    for (int i = 0; i < count; i++)
-        out[i] = (double)in[i] / 65536.0;
-}
-
 static double clamp01(double x)
 {
     return fmax(0.0, fmin(1.0, x));
@@ -50,7 +44,7 @@ double ref_intensity(const struct ref_lighting *lighting, const double normal[3]
     const struct scene_light *light = &lighting->scene->light;
     double n[3], towards[3];
 
-    from_q16(light->towards, 3, towards);
+    ref_from_q16(light->towards, 3, towards);
     if (ref_dot3(towards, towards) == 0.0)
         return 1.0;
     ref_normalise3(towards);
@@ -87,7 +81,7 @@ static double cone(const struct scene_lamp *lamp, const double l[3])
 
     if (lamp->kind != SCENE_SPOT)
         return 1.0;
-    from_q16(lamp->direction, 3, axis);
+    ref_from_q16(lamp->direction, 3, axis);
     ref_normalise3(axis);
     double cosine = -ref_dot3(axis, l);
     const double turn = acos(-1.0) / 180.0 / 65536.0;
@@ -105,9 +99,9 @@ static void add_lamp(const struct ref_lighting *lighting, const struct scene_lam
 {
     double l[3], color[3], fade[3], fading = 1.0;
 
-    from_q16(lamp->position, 3, l);
-    from_q16(lamp->color, 3, color);
-    from_q16(lamp->fade, 3, fade);
+    ref_from_q16(lamp->position, 3, l);
+    ref_from_q16(lamp->color, 3, color);
+    ref_from_q16(lamp->fade, 3, fade);
     if (lamp->kind != SCENE_DIRECTIONAL) {
         for (int i = 0; i < 3; i++)
             l[i] -= at[i];
@@ -134,7 +128,7 @@ static void add_light(const struct ref_lighting *lighting, const double n[3], do
     const struct scene_light *light = &lighting->scene->light;
     double l[3];
 
-    from_q16(light->towards, 3, l);
+    ref_from_q16(light->towards, 3, l);
     if (ref_dot3(l, l) == 0.0)
         return;
     ref_normalise3(l);
@@ -146,29 +140,19 @@ static void add_light(const struct ref_lighting *lighting, const double n[3], do
     }
 }
 
-void ref_illuminate(const struct ref_lighting *lighting, const double normal[3],
-                    const double position[3], const double color[3], double out[3])
-{
-    double at[4] = {position[0], position[1], position[2], 1.0};
-    double n[3];
-
-    ref_light_normal(lighting, normal, n);
-    ref_matrix_transform(&lighting->to_eye, at, at);
-    ref_illuminate_eye(lighting, n, at, color, out);
-}
-
-void ref_illuminate_eye(const struct ref_lighting *lighting, const double n[3], const double at[3],
-                        const double color[3], double out[3])
+/* Of a unit normal and a place in eye space. */
+static void illuminate(const struct ref_lighting *lighting, const double n[3], const double at[3],
+                       const double color[3], double out[3])
 {
     const struct scene *scene = lighting->scene;
     const struct scene_reflection *reflection = &scene->reflection;
     double ambient[3], own[3], emission[3], highlight[3];
     double diffuse[3] = {0, 0, 0}, specular[3] = {0, 0, 0};
 
-    from_q16(scene->ambient, 3, ambient);
-    from_q16(reflection->ambient, 3, own);
-    from_q16(reflection->emission, 3, emission);
-    from_q16(reflection->specular, 3, highlight);
+    ref_from_q16(scene->ambient, 3, ambient);
+    ref_from_q16(reflection->ambient, 3, own);
+    ref_from_q16(reflection->emission, 3, emission);
+    ref_from_q16(reflection->specular, 3, highlight);
     add_light(lighting, n, ambient, diffuse, specular);
     for (int i = 0; i < scene->lamp_count; i++)
         add_lamp(lighting, &scene->lamps[i], n, at, diffuse, specular);
@@ -177,6 +161,17 @@ void ref_illuminate_eye(const struct ref_lighting *lighting, const double n[3], 
         out[c] = 255.0 * clamp01(emission[c] + reflects * ambient[c] + color[c] * diffuse[c] +
                                  highlight[c] * specular[c]);
     }
+}
+
+void ref_illuminate(const struct ref_lighting *lighting, const double normal[3],
+                    const double position[3], const double color[3], double out[3])
+{
+    double at[4] = {position[0], position[1], position[2], 1.0};
+    double n[3];
+
+    ref_light_normal(lighting, normal, n);
+    ref_matrix_transform(&lighting->to_eye, at, at);
+    illuminate(lighting, n, at, color, out);
 }
 
 void ref_light_by_pixel(const struct ref_lighting *lighting, const double normal[3],
@@ -201,5 +196,5 @@ void ref_pixel_color(const struct ref_lighting *lighting, const double *attribut
         color[i] = attribute[i] / 255.0;
     }
     ref_normalise3(n);
-    ref_illuminate_eye(lighting, n, &attribute[REF_PLACE], color, out);
+    illuminate(lighting, n, &attribute[REF_PLACE], color, out);
 }

@@ -36,10 +36,6 @@ double ref_intensity(const struct ref_lighting *lighting, const double normal[3]
 void ref_illuminate(const struct ref_lighting *lighting, const double normal[3],
                     const double position[3], const double color[3], double out[3]);
 
-/* The same of a unit normal and a place in eye space. */
-void ref_illuminate_eye(const struct ref_lighting *lighting, const double n[3], const double at[3],
-                        const double color[3], double out[3]);
-
 /* Light by pixel: the attributes of a vertex that it asks for, and what a pixel with such shows. */
 void ref_light_by_pixel(const struct ref_lighting *lighting, const double normal[3],
                         const double position[3], const double color[3], double *attribute);

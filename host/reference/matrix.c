@@ -7,6 +7,17 @@
 /* M_PI is POSIX, not C99. */
 static const double PI = 3.14159265358979323846;
 
+void ref_from_q16(const int32_t *in, int count, double *out)
+{
+    for (int i = 0; i < count; i++)
+        out[i] = (double)in[i] / 65536.0;
+}
+
+double ref_unit_from_q16(int32_t v)
+{
+    return fmax(0.0, fmin(1.0, (double)v / 65536.0));
+}
+
 double ref_dot3(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

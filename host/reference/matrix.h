@@ -55,6 +55,10 @@ void ref_matrix_normal(const struct ref_matrix *matrix, double out[3][3]);
 /* Exact at multiples of 90 degrees, sine equal to cosine at 45. */
 void ref_sincos_degrees(double degrees, double *sine, double *cosine);
 
+/* Numbers in Q16.16; and one that is held to 0..1. */
+void ref_from_q16(const int32_t *in, int count, double *out);
+double ref_unit_from_q16(int32_t v);
+
 double ref_dot3(const double a[3], const double b[3]);
 void ref_cross3(const double a[3], const double b[3], double out[3]);
 /* A zero vector stays zero. */

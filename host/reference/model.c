@@ -33,21 +33,15 @@ void ref_model_free(struct ref_model *model)
 
 /* ---- Meshes that are read ---- */
 
-static void from_q16(const int32_t *in, int count, double *out)
-{
-    for (int i = 0; i < count; i++)
-        out[i] = (double)in[i] / 65536.0;
-}
-
 static bool create_read(struct ref_model *model, const struct obj_mesh *mesh)
 {
     if (!allocate(model, mesh->vertex_count, mesh->triangle_count, mesh->uvs != NULL))
         return false;
     for (size_t i = 0; i < mesh->vertex_count; i++) {
-        from_q16(mesh->positions[i], 3, model->positions[i]);
-        from_q16(mesh->normals[i], 3, model->normals[i]);
+        ref_from_q16(mesh->positions[i], 3, model->positions[i]);
+        ref_from_q16(mesh->normals[i], 3, model->normals[i]);
         if (mesh->uvs)
-            from_q16(mesh->uvs[i], 2, model->uvs[i]);
+            ref_from_q16(mesh->uvs[i], 2, model->uvs[i]);
     }
     model->colors = (const uint8_t(*)[3])mesh->colors;
     if (mesh->triangle_count > 0)

@@ -48,6 +48,24 @@ struct ref_matrix ref_matrix_quaternion(const double q[4])
     return r;
 }
 
+static void set_rows(struct ref_matrix *matrix, const double axis[3][3])
+{
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            matrix->m[i][k] = axis[i][k];
+}
+
+/* What turns these directions to x, y and z, and moves the point to the origin. */
+static struct ref_matrix camera_of(const double axis[3][3], const double point[3])
+{
+    struct ref_matrix r = ref_matrix_identity();
+
+    set_rows(&r, axis);
+    for (int i = 0; i < 3; i++)
+        r.m[i][3] = -ref_dot3(axis[i], point);
+    return r;
+}
+
 struct ref_matrix ref_matrix_orbit(const double center[3], double distance, double azimuth,
                                    double elevation)
 {
@@ -59,13 +77,9 @@ struct ref_matrix ref_matrix_orbit(const double center[3], double distance, doub
     const double axis[3][3] = {{cos_a, 0.0, -sin_a},
                                {-sin_a * sin_e, cos_e, -cos_a * sin_e},
                                {sin_a * cos_e, sin_e, cos_a * cos_e}};
-    struct ref_matrix r = ref_matrix_identity();
+    struct ref_matrix r = camera_of(axis, center);
 
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++)
-            r.m[i][k] = axis[i][k];
-        r.m[i][3] = -ref_dot3(axis[i], center) - (i == 2 ? distance : 0.0);
-    }
+    r.m[2][3] -= distance;
     return r;
 }
 
@@ -76,8 +90,8 @@ struct ref_matrix ref_matrix_look_at_d3d(const double eye[3], const double cente
                                          const double up[3])
 {
     static const double other[2][3] = {{0, 1, 0}, {0, 0, 1}};
-    double z[3], x[3], y[3];
-    struct ref_matrix r = ref_matrix_identity();
+    double axis[3][3];
+    double *x = axis[0], *y = axis[1], *z = axis[2];
 
     for (int i = 0; i < 3; i++)
         z[i] = center[i] - eye[i];
@@ -89,13 +103,7 @@ struct ref_matrix ref_matrix_look_at_d3d(const double eye[3], const double cente
     ref_normalise3(z);
     ref_normalise3(x);
     ref_cross3(z, x, y);
-    const double *axis[3] = {x, y, z};
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++)
-            r.m[i][k] = axis[i][k];
-        r.m[i][3] = -ref_dot3(axis[i], eye);
-    }
-    return r;
+    return camera_of((const double(*)[3])axis, eye);
 }
 
 /* z of 0..w becomes 2 z - w. */
@@ -156,13 +164,6 @@ struct ref_matrix ref_matrix_ortho_d3d(const double bounds[6])
 
 /* ---- Directions ---- */
 
-static void set_rows(struct ref_matrix *matrix, double axis[3][3])
-{
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            matrix->m[i][k] = axis[i][k];
-}
-
 struct ref_matrix ref_matrix_orthonormalized(const struct ref_matrix *matrix)
 {
     struct ref_matrix r = *matrix;
@@ -183,7 +184,7 @@ struct ref_matrix ref_matrix_orthonormalized(const struct ref_matrix *matrix)
         return r;
     for (int k = 0; k < 3; k++)
         axis[2][k] = side < 0.0 ? -across[k] : across[k];
-    set_rows(&r, axis);
+    set_rows(&r, (const double(*)[3])axis);
     return r;
 }
 

@@ -3,6 +3,7 @@
 
 #include "blend.h"
 #include "clip.h"
+#include "mesh.h"
 #include "snap.h"
 #include "stroke_cover.h"
 
@@ -21,23 +22,6 @@ struct strokes {
     struct ends *ends;
     size_t count;
 };
-
-static struct ref_vertex vertex_of(const struct ref_matrix *to_clip, const struct scene_vertex *in)
-{
-    struct ref_vertex out = {0};
-    double p[4];
-
-    for (int k = 0; k < 4; k++)
-        p[k] = (double)in->position[k] / 65536.0;
-    ref_matrix_transform(to_clip, p, p);
-    out.x = p[0];
-    out.y = p[1];
-    out.z = p[2];
-    out.w = p[3];
-    for (int c = 0; c < 3; c++)
-        out.attribute[c] = 255.0 * fmax(0.0, fmin(1.0, (double)in->color[c] / 65536.0));
-    return out;
-}
 
 /* Window coordinates in pixels, snapped if the target is. */
 static void window_of(const struct ref_target *target, const struct ref_vertex *v, double out[2])
@@ -65,8 +49,7 @@ static double radius_in_space(const struct ref_target *target, const struct scen
     ref_normalise3(up);
     for (int i = 0; i < 2; i++) {
         struct ref_vertex moved = {0};
-        for (int k = 0; k < 4; k++)
-            p[k] = (double)v->position[k] / 65536.0;
+        ref_from_q16(v->position, 4, p);
         for (int k = 0; k < 3 && i == 1; k++)
             p[k] += up[k] * width / 2.0 * p[3];
         ref_matrix_transform(to_clip, p, p);
@@ -117,8 +100,9 @@ static void add_parts(struct strokes *all, const struct ref_target *target,
     if (stroke->is_point && cap == REF_CAP_BUTT)
         cap = REF_CAP_SQUARE;
     for (size_t i = 0; i < parts; i++) {
-        struct ref_vertex a = vertex_of(to_clip, &in[i]);
-        struct ref_vertex b = vertex_of(to_clip, &in[(i + 1) % stroke->count]);
+        struct ref_vertex a = ref_vertex_of(to_clip, &in[i], in[i].color);
+        const struct scene_vertex *next = &in[(i + 1) % stroke->count];
+        struct ref_vertex b = ref_vertex_of(to_clip, next, next->color);
         struct ref_stroke_part *part = add_part(all, target, &a, &b);
         if (part == NULL)
             continue;

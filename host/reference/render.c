@@ -36,11 +36,6 @@ static void multiply_current(struct replay *replay, struct ref_matrix right)
     *top = ref_matrix_multiply(top, &right);
 }
 
-static void replace_current(struct replay *replay, struct ref_matrix matrix)
-{
-    replay->current->matrix[replay->current->top] = matrix;
-}
-
 /* The parser guarantees that the stacks neither overflow nor underflow. */
 static void push(struct stack *stack)
 {
@@ -83,7 +78,7 @@ static void light_single(const struct replay *replay, const struct scene_op *op,
 
         for (int k = 0; k < 3; k++) {
             n[k] = (own ? (double)in->normal[k] : face[k]) * (turned ? -1.0 : 1.0);
-            color[k] = fmax(0.0, fmin(1.0, (double)colored->color[k] / 65536.0));
+            color[k] = ref_unit_from_q16(colored->color[k]);
         }
         if (scene->by_pixel)
             ref_light_by_pixel(light, n, p[i], color, triangle->vertex[i].attribute);
@@ -108,21 +103,8 @@ static void draw_single(struct replay *replay, const struct scene_op *op)
         const struct scene_vertex *in = &op->u.triangle.vertex[i];
         const struct scene_vertex *colored =
             scene->flat ? &op->u.triangle.vertex[scene->provoking] : in;
-        struct ref_vertex *out = &triangle.vertex[i];
-        double p[4];
-
-        for (int k = 0; k < 4; k++)
-            p[k] = (double)in->position[k] / 65536.0;
-        ref_matrix_transform(&to_clip, p, p);
-        out->x = p[0];
-        out->y = p[1];
-        out->z = p[2];
-        out->w = p[3];
-        for (int c = 0; c < 3; c++)
-            out->attribute[c] = 255.0 * fmax(0.0, fmin(1.0, (double)colored->color[c] / 65536.0));
-        out->attribute[REF_U] = (double)in->uv[0] / 65536.0;
-        out->attribute[REF_ALPHA] = ref_vertex_alpha(scene, op, (size_t)i);
-        out->attribute[REF_V] = (double)in->uv[1] / 65536.0;
+        triangle.vertex[i] = ref_vertex_of(&to_clip, in, colored->color);
+        triangle.vertex[i].attribute[REF_ALPHA] = ref_vertex_alpha(scene, op, (size_t)i);
     }
     struct ref_lighting light =
         ref_lighting_of(scene, &replay->projection.matrix[replay->projection.top],
@@ -150,15 +132,61 @@ static void set_window(struct replay *replay, const int32_t n[5])
         (struct ref_window){n[0], n[4] != 0 ? height - n[1] - n[3] : n[1], n[2], n[3]};
 }
 
+/* What a statement multiplies the current matrix with; the identity for those that do not. */
+static struct ref_matrix matrix_of(const struct replay *replay, const struct scene_op *op)
+{
+    const int32_t *number = op->u.number;
+    double n[16];
+
+    if (op->kind == SCENE_KEYS)
+        return ref_matrix_keys(&replay->target.scene->keys[op->u.track.first], op->u.track.count,
+                               op->u.track.time);
+    ref_from_q16(number, 16, n);
+    switch (op->kind) {
+    case SCENE_MULT:
+        return ref_matrix_load(number);
+    case SCENE_LOOKAT:
+        return ref_matrix_look_at(&n[0], &n[3], &n[6]);
+    case SCENE_PERSPECTIVE:
+        return ref_matrix_perspective(n[0], n[1], n[2], n[3]);
+    case SCENE_FRUSTUM:
+        return ref_matrix_frustum(n);
+    case SCENE_ORTHO:
+        return ref_matrix_ortho(n);
+    case SCENE_TRANSLATE:
+        return ref_matrix_translate(n);
+    case SCENE_ROTATE:
+        return ref_matrix_rotate(n[0], &n[1]);
+    case SCENE_SCALE:
+        return ref_matrix_scale(n);
+    case SCENE_ROTATE_ABOUT:
+        return ref_matrix_rotate_about(n[0], &n[1], &n[4]);
+    case SCENE_ROTATE_TRIANGLE:
+        return ref_matrix_rotate_triangle(n[0], &n[1]);
+    case SCENE_QUATERNION:
+        return ref_matrix_quaternion(n);
+    case SCENE_ORBIT:
+        return ref_matrix_orbit(&n[0], n[3], n[4], n[5]);
+    case SCENE_LOOKAT_D3D:
+        return ref_matrix_look_at_d3d(&n[0], &n[3], &n[6]);
+    case SCENE_PERSPECTIVE_D3D:
+        return ref_matrix_perspective_d3d(n[0], n[1], n[2], n[3]);
+    case SCENE_FRUSTUM_D3D:
+        return ref_matrix_frustum_d3d(n);
+    case SCENE_ORTHO_D3D:
+        return ref_matrix_ortho_d3d(n);
+    case SCENE_BILLBOARD:
+        return ref_matrix_billboard(&replay->camera, number[0] != 0);
+    case SCENE_AT_JOINT:
+        return replay->joint[number[0]];
+    default:
+        return ref_matrix_identity();
+    }
+}
+
 static bool replay_op(struct replay *replay, const struct scene_op *op)
 {
-    double n[16];
     struct ref_matrix *top = &replay->current->matrix[replay->current->top];
-
-    for (int i = 0; i < 16; i++) /* meaningless, and unused, for geometry */
-        n[i] = op->kind < SCENE_TRIANGLE && op->kind != SCENE_KEYS
-                   ? (double)op->u.number[i] / 65536.0
-                   : 0.0;
 
     ref_target_bias(&replay->target, op->depth_bias);
     replay->target.depth_slope = op->depth_slope / 65536.0;
@@ -170,58 +198,10 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
         replay->current = &replay->modelview;
         break;
     case SCENE_IDENTITY:
-        replace_current(replay, ref_matrix_identity());
+        *top = ref_matrix_identity();
         break;
     case SCENE_LOAD:
-        replace_current(replay, ref_matrix_load(op->u.number));
-        break;
-    case SCENE_MULT:
-        multiply_current(replay, ref_matrix_load(op->u.number));
-        break;
-    case SCENE_LOOKAT:
-        multiply_current(replay, ref_matrix_look_at(&n[0], &n[3], &n[6]));
-        break;
-    case SCENE_PERSPECTIVE:
-        multiply_current(replay, ref_matrix_perspective(n[0], n[1], n[2], n[3]));
-        break;
-    case SCENE_FRUSTUM:
-        multiply_current(replay, ref_matrix_frustum(n));
-        break;
-    case SCENE_ORTHO:
-        multiply_current(replay, ref_matrix_ortho(n));
-        break;
-    case SCENE_TRANSLATE:
-        multiply_current(replay, ref_matrix_translate(n));
-        break;
-    case SCENE_ROTATE:
-        multiply_current(replay, ref_matrix_rotate(n[0], &n[1]));
-        break;
-    case SCENE_SCALE:
-        multiply_current(replay, ref_matrix_scale(n));
-        break;
-    case SCENE_ROTATE_ABOUT:
-        multiply_current(replay, ref_matrix_rotate_about(n[0], &n[1], &n[4]));
-        break;
-    case SCENE_ROTATE_TRIANGLE:
-        multiply_current(replay, ref_matrix_rotate_triangle(n[0], &n[1]));
-        break;
-    case SCENE_QUATERNION:
-        multiply_current(replay, ref_matrix_quaternion(n));
-        break;
-    case SCENE_ORBIT:
-        multiply_current(replay, ref_matrix_orbit(&n[0], n[3], n[4], n[5]));
-        break;
-    case SCENE_LOOKAT_D3D:
-        multiply_current(replay, ref_matrix_look_at_d3d(&n[0], &n[3], &n[6]));
-        break;
-    case SCENE_PERSPECTIVE_D3D:
-        multiply_current(replay, ref_matrix_perspective_d3d(n[0], n[1], n[2], n[3]));
-        break;
-    case SCENE_FRUSTUM_D3D:
-        multiply_current(replay, ref_matrix_frustum_d3d(n));
-        break;
-    case SCENE_ORTHO_D3D:
-        multiply_current(replay, ref_matrix_ortho_d3d(n));
+        *top = ref_matrix_load(op->u.number);
         break;
     case SCENE_ORTHONORMALIZE:
         *top = ref_matrix_orthonormalized(top);
@@ -229,18 +209,8 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
     case SCENE_CAMERA:
         replay->camera = *top;
         break;
-    case SCENE_BILLBOARD:
-        multiply_current(replay, ref_matrix_billboard(&replay->camera, op->u.number[0] != 0));
-        break;
-    case SCENE_KEYS:
-        multiply_current(replay, ref_matrix_keys(&replay->target.scene->keys[op->u.track.first],
-                                                 op->u.track.count, op->u.track.time));
-        break;
     case SCENE_JOINT:
         add_joint(replay, op->u.number[0]);
-        break;
-    case SCENE_AT_JOINT:
-        multiply_current(replay, replay->joint[op->u.number[0]]);
         break;
     case SCENE_WINDOW:
         set_window(replay, op->u.number);
@@ -266,6 +236,9 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
         return ref_draw_stroke(&replay->target, op,
                                &replay->projection.matrix[replay->projection.top],
                                &replay->modelview.matrix[replay->modelview.top]);
+    default:
+        multiply_current(replay, matrix_of(replay, op));
+        break;
     }
     return true;
 }

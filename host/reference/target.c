@@ -2,6 +2,7 @@
 #include "target.h"
 #include "blend.h"
 #include "light.h"
+#include "matrix.h"
 #include "texture.h"
 
 #include <math.h>
@@ -10,11 +11,6 @@
 static double clamp(double v, double low, double high)
 {
     return v < low ? low : v > high ? high : v;
-}
-
-static double unit_from_q16(int32_t v)
-{
-    return clamp((double)v / 65536.0, 0.0, 1.0);
 }
 
 static bool allocate(struct reference_image *image, int width, int height)
@@ -76,13 +72,13 @@ bool ref_target_open(struct ref_target *target, const struct scene *scene, int s
     target->decision = REF_DRAWN;
 
     size_t pixels = (size_t)scene->width * (size_t)scene->height;
-    double clear_depth = unit_from_q16(scene->clear_depth);
+    double clear_depth = ref_unit_from_q16(scene->clear_depth);
     for (size_t i = 0; i < pixels; i++) {
         image->depth[i] = clear_depth;
         image->other_depth[i] = clear_depth;
         image->rounding[i] = 1;
         for (size_t c = 0; c < 3; c++) {
-            double value = 255.0 * unit_from_q16(scene->clear[c]);
+            double value = 255.0 * ref_unit_from_q16(scene->clear[c]);
             image->color[3 * i + c] = value;
             image->color_min[3 * i + c] = value;
             image->color_max[3 * i + c] = value;
@@ -103,8 +99,8 @@ void ref_target_mixed(struct ref_target *target, size_t i, double kept, double e
 void ref_target_bias(struct ref_target *target, int32_t bias)
 {
     const double by = bias / 65536.0;
-    target->depth_near = clamp(unit_from_q16(target->scene->depth_near) + by, 0.0, 1.0);
-    target->depth_far = clamp(unit_from_q16(target->scene->depth_far) + by, 0.0, 1.0);
+    target->depth_near = clamp(ref_unit_from_q16(target->scene->depth_near) + by, 0.0, 1.0);
+    target->depth_far = clamp(ref_unit_from_q16(target->scene->depth_far) + by, 0.0, 1.0);
 }
 
 double ref_target_shift(const struct ref_target *target, double right, double down, double nearest,

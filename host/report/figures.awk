@@ -7,7 +7,8 @@ BEGIN { OFS = "\t" }
 FILENAME != file { file = FILENAME; files++ }
 
 files == 1 && !/^#/ { split($0, part, "\t"); source[part[1], part[2]] = $0; next }
-files == 2 && !/^#/ { split($0, part, "\t"); budget[part[1], part[2]] = part[3]; next }
+files == 2 && /^what\t/ { split($0, core, "\t"); next }
+files == 2 && !/^#/ { count = split($0, part, "\t"); for (i = 2; i <= count; i++) if (part[i] != "-") budget[part[1], core[i]] = part[i]; next }
 files == 3 && /^name\t/ { split($0, peer_title, "\t"); next }
 files == 3 && !/^#/ { count = split($0, part, "\t"); for (i = 3; i <= count; i++) peer[part[1], peer_title[i]] = part[i]; next }
 files == 4 && NF == 7 { for (i = 2; i <= 7; i++) demo[$1, i - 1] = $i; next }

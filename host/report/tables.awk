@@ -31,7 +31,7 @@ part == "math" {
 
 # The cost matrix: a row a combination, a column a geometry and core; matrix-budgets.tsv.
 part == "matrix" {
-    if ($1 == "case") { next }
+    if ($1 == "what") { next }
     geometry = $1
     sub(/.*\//, "", geometry)
     name = substr($1, 1, length($1) - length(geometry) - 1)
@@ -44,8 +44,9 @@ part == "matrix" {
 }
 
 # Others: peers.tsv, after budgets.tsv.
-part == "peers" && NF == 3 { budget[$1, $2] = $3 }
-part == "peers" && NF > 3 {
+part == "peers" && $1 == "what" { for (i = 2; i <= NF; i++) core_of[i] = $i; next }
+part == "peers" && NR == FNR { for (i = 2; i <= NF; i++) budget[$1, core_of[i]] = $i; next }
+part == "peers" {
     peers++
     for (i = 1; i <= NF; i++) peer[peers, i] = $i
     width = NF

@@ -18,12 +18,24 @@ enum { STATUS_SAME = 0, STATUS_DIFFERENT = 1, STATUS_USAGE = 2 };
 struct options {
     const char *path[2];
     const char *difference_path;
-    int max_color;
-    uint64_t max_pixels;
-    double max_depth;
-    uint64_t max_coverage;
+    double max_color, max_pixels, max_coverage, max_depth;
     bool help;
 };
+
+#define AT(member) offsetof(struct options, member)
+
+static const struct {
+    const char *name;
+    size_t at;
+    bool is_whole;
+} limits[] = {
+    {"--max-color", AT(max_color), true},
+    {"--max-pixels", AT(max_pixels), true},
+    {"--max-coverage", AT(max_coverage), true},
+    {"--max-depth", AT(max_depth), false},
+};
+
+enum { LIMITS = sizeof limits / sizeof limits[0] };
 
 static void print_usage(FILE *file)
 {
@@ -60,50 +72,30 @@ static bool parse_number(const char *option, const char *text, double *out)
     return false;
 }
 
-static bool parse_count(const char *option, const char *text, uint64_t *out)
+/* The value of a limit, or the path behind -o. */
+static bool parse_value(const char *option, int limit, const char *text, struct options *out)
 {
-    double number;
-
-    if (!parse_number(option, text, &number))
+    if (limit == LIMITS) {
+        out->difference_path = text;
+        return true;
+    }
+    double *number = (double *)(void *)((char *)out + limits[limit].at);
+    if (!parse_number(option, text, number))
         return false;
-    *out = (uint64_t)number;
-    if ((double)*out == number)
+    if (!limits[limit].is_whole || *number == floor(*number))
         return true;
     fprintf(stderr, "qtri compare: %s: not a whole number: %s\n", option, text);
     return false;
 }
 
-/* An option that takes a value. */
-static bool parse_option(const char *option, const char *value, struct options *out)
+/* The limit of this name; LIMITS: none. */
+static int find_limit(const char *name)
 {
-    uint64_t count;
+    int i = 0;
 
-    if (strcmp(option, "-o") == 0) {
-        out->difference_path = value;
-        return true;
-    }
-    if (strcmp(option, "--max-depth") == 0)
-        return parse_number(option, value, &out->max_depth);
-    if (!parse_count(option, value, &count))
-        return false;
-    if (strcmp(option, "--max-color") == 0)
-        out->max_color = count > 255 ? 255 : (int)count;
-    else if (strcmp(option, "--max-pixels") == 0)
-        out->max_pixels = count;
-    else
-        out->max_coverage = count;
-    return true;
-}
-
-static bool takes_value(const char *option)
-{
-    static const char *const options[] = {"-o", "--max-depth", "--max-color", "--max-pixels",
-                                          "--max-coverage"};
-
-    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++)
-        if (strcmp(option, options[i]) == 0)
-            return true;
-    return false;
+    while (i < LIMITS && strcmp(name, limits[i].name) != 0)
+        i++;
+    return i;
 }
 
 static bool parse_options(int argc, char **argv, struct options *out)
@@ -123,13 +115,13 @@ static bool parse_options(int argc, char **argv, struct options *out)
         } else if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
             out->help = true;
             return true;
-        } else if (!takes_value(word)) {
+        } else if (find_limit(word) == LIMITS && strcmp(word, "-o") != 0) {
             fprintf(stderr, "qtri compare: unknown option: %s\n", word);
             return false;
         } else if (i + 1 == argc) {
             fprintf(stderr, "qtri compare: %s needs a value\n", word);
             return false;
-        } else if (!parse_option(word, argv[++i], out)) {
+        } else if (!parse_value(word, find_limit(word), argv[++i], out)) {
             return false;
         }
     }
@@ -222,8 +214,10 @@ static void print_comparison(FILE *out, const struct comparison *c)
 
 static bool within_limits(const struct comparison *c, const struct options *options)
 {
-    return compare_pixels_above(c, options->max_color) <= options->max_pixels &&
-           c->coverage_mismatches <= options->max_coverage &&
+    const int color = (int)fmin(options->max_color, 255);
+
+    return (double)compare_pixels_above(c, color) <= options->max_pixels &&
+           (double)c->coverage_mismatches <= options->max_coverage &&
            c->max_depth_error <= options->max_depth;
 }
 

@@ -131,13 +131,6 @@ static bool run_file(struct demo *demo, const char *folder, const char *file)
     return ok;
 }
 
-static bool ends_with(const char *text, const char *ending)
-{
-    size_t length = strlen(text);
-    size_t tail = strlen(ending);
-    return length > tail && strcmp(text + length - tail, ending) == 0;
-}
-
 typedef char file_name[256];
 
 static int compare_names(const void *a, const void *b)
@@ -154,7 +147,7 @@ static long list_names(const char *folder, const char *ending, file_name **names
     const struct dirent *entry = NULL;
     *names = NULL;
     while (ok && (entry = readdir(entries)) != NULL) {
-        if (!ends_with(entry->d_name, ending)) {
+        if (!file_name_ends_in(entry->d_name, ending)) {
             continue;
         }
         file_name *larger = array_grow(*names, count, &capacity, sizeof **names);
@@ -207,12 +200,12 @@ static bool run_generated(struct demo *demo)
 {
     struct text_error error;
     bool ok = true;
-    for (int i = 0; demo_generated_scenes[i] != NULL; i++) {
-        const char *name = demo_generated_scenes[i];
+    for (size_t i = 0; demo_generated_scene(i) != NULL; i++) {
+        const char *name = demo_generated_scene(i);
         if (!is_wanted(demo, name)) {
             continue;
         }
-        if (!demo_write_generated_scene(demo->out, name, &error)) {
+        if (!demo_write_generated_scene(demo->out, i, &error)) {
             fprintf(stderr, "qtri demo: %s\n", error.message);
             return false;
         }

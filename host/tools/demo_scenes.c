@@ -72,11 +72,13 @@ static const struct generated scenes[] = {
      "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
     {"11-torus-smooth-lines.scene", "A torus as lines with smooth edges.", "torus",
      "polygon smooth\n", "rotate -50  1 0 0\n"},
-    {"11-torus-wide-lines.scene", "A torus as wide lines.", "torus",
-     "linewidth 2.5\npolygon wide\n", "rotate -50  1 0 0\n"},
+    {"11-knot-edges.scene", "A knot with its outlines smoothed by the edge pass.", "knot",
+     "antialias edges\n", "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
     {"11-torus-hidden-lines.scene",
      "A torus as lines, of which those behind its surface are hidden.", "torus",
      "cull none\npolygon hidden .004\n", "rotate -50  1 0 0\n"},
+    {"11-torus-wide-lines.scene", "A torus as wide lines.", "torus",
+     "linewidth 2.5\npolygon wide\n", "rotate -50  1 0 0\n"},
     {"12-morph.scene", "A flag between two shapes.", NULL, flag,
      "rotate -25  0 1 0\nmorph .3 wave-0.obj wave-1.obj color 1 1 1\n"},
     {"12-frames.scene", "Flags at moments between four shapes, and beyond them.", NULL, flag,
@@ -88,27 +90,12 @@ static const struct generated scenes[] = {
      "frames 8 wave-0.obj wave-1.obj wave-2.obj wave-3.obj color .6 .8 1\npop\n"},
     {"12-targets.scene", "A flag with weighted differences of other shapes.", NULL, flag,
      "rotate -25  0 1 0\ntargets wave-0.obj 1.5 wave-1.obj -.5 wave-2.obj color .9 1 .8\n"},
-    {"11-knot-edges.scene", "A knot with its outlines smoothed by the edge pass.", "knot",
-     "antialias edges\n", "rotate -35  1 0 0\nrotate 20  0 1 0\n"},
 };
 
-const char *const demo_generated_scenes[] = {"07-knot-textured.scene",
-                                             "07-knot-flat.scene",
-                                             "07-knot-stretched.scene",
-                                             "07-torus-wireframe.scene",
-                                             "11-light-point.scene",
-                                             "11-light-spots-flat.scene",
-                                             "11-light-stretched.scene",
-                                             "11-light-two-sided.scene",
-                                             "11-sphere-map.scene",
-                                             "11-torus-smooth-lines.scene",
-                                             "11-knot-edges.scene",
-                                             "11-torus-hidden-lines.scene",
-                                             "11-torus-wide-lines.scene",
-                                             "12-morph.scene",
-                                             "12-frames.scene",
-                                             "12-targets.scene",
-                                             NULL};
+const char *demo_generated_scene(size_t i)
+{
+    return i < sizeof scenes / sizeof scenes[0] ? scenes[i].name : NULL;
+}
 
 /* Opens folder/name for writing. */
 static FILE *create(const char *folder, const char *name, struct text_error *error)
@@ -144,27 +131,20 @@ static bool write_mesh(const char *folder, const char *mesh, struct text_error *
     return finish(file, name, error);
 }
 
-bool demo_write_generated_scene(const char *folder, const char *name, struct text_error *error)
+bool demo_write_generated_scene(const char *folder, size_t i, struct text_error *error)
 {
-    for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++) {
-        const struct generated *scene = &scenes[i];
-        if (strcmp(scene->name, name) != 0) {
-            continue;
-        }
-        const bool has_meshes = scene->mesh != NULL ? write_mesh(folder, scene->mesh, error)
-                                                    : demo_write_waves(folder, error);
-        FILE *file = has_meshes ? create(folder, name, error) : NULL;
-        if (file == NULL) {
-            return false;
-        }
-        fprintf(file, "# %s\n%s%s%s%s", scene->shows, stage, scene->state, camera, scene->pose);
-        if (scene->mesh != NULL) {
-            fprintf(file, "mesh %s.obj color 1 .75 .4\n", scene->mesh);
-        }
-        return finish(file, name, error);
+    const struct generated *scene = &scenes[i];
+    const bool has_meshes = scene->mesh != NULL ? write_mesh(folder, scene->mesh, error)
+                                                : demo_write_waves(folder, error);
+    FILE *file = has_meshes ? create(folder, scene->name, error) : NULL;
+    if (file == NULL) {
+        return false;
     }
-    text_error_set(error, name, 0, "is not a generated scene");
-    return false;
+    fprintf(file, "# %s\n%s%s%s%s", scene->shows, stage, scene->state, camera, scene->pose);
+    if (scene->mesh != NULL) {
+        fprintf(file, "mesh %s.obj color 1 .75 .4\n", scene->mesh);
+    }
+    return finish(file, scene->name, error);
 }
 
 /* Centre and half the largest side of the bounding box. */

@@ -10,11 +10,11 @@
 
 #include "../io/text_error.h"
 
-/* File names of the generated scenes, NULL at the end. */
-extern const char *const demo_generated_scenes[];
+/* The file name of generated scene `i`; NULL behind the last. */
+const char *demo_generated_scene(size_t i);
 
-/* Writes a generated scene and the mesh it shows into `folder`. */
-bool demo_write_generated_scene(const char *folder, const char *name, struct text_error *error);
+/* Writes it and the mesh it shows into `folder`. */
+bool demo_write_generated_scene(const char *folder, size_t i, struct text_error *error);
 
 /*
  * Writes a scene into `folder` that shows models/file: centred on its bounding box, scaled to fit,

@@ -7,49 +7,30 @@
 #include <stdio.h>
 
 #include "../io/file.h"
+#include "mesh_generate.h"
 
 enum { COLUMNS = 24, ROWS = 12, FRAMES = 4 };
 
-static void write(struct file_output *out, const char *text)
-{
-    size_t length = 0;
-    while (text[length] != '\0') {
-        length++;
-    }
-    file_output_write(out, text, length);
-}
-
 /* A point of the flag, which is held at its left side, u = 0, and its normal. */
-static void write_vertex(struct file_output *out, double u, double v, double phase)
+static void write_vertex(FILE *out, double u, double v, double phase)
 {
-    char line[200];
     const double turn = 2.0 * M_PI * (1.25 * u - phase);
     const double x = 2.0 * u - 1.0;
     const double z = .35 * u * sin(turn);
     const double slope = (.35 * sin(turn) + .35 * u * 2.5 * M_PI * cos(turn)) / 2.0; /* dz / dx */
     const double length = sqrt(1.0 + slope * slope);
-    (void)snprintf(line, sizeof line, "v %.6f %.6f %.6f\nvn %.6f 0 %.6f\nvt %.6f %.6f\n", x,
-                   1.2 * v - .6, z, -slope / length, 1.0 / length, u, v);
-    write(out, line);
+    fprintf(out, "v %.6f %.6f %.6f\nvn %.6f 0 %.6f\nvt %.6f %.6f\n", x, 1.2 * v - .6, z,
+            -slope / length, 1.0 / length, u, v);
 }
 
-static void write_wave(struct file_output *out, double phase)
+static void write_wave(FILE *out, double phase)
 {
     for (int row = 0; row <= ROWS; row++) {
         for (int column = 0; column <= COLUMNS; column++) {
             write_vertex(out, (double)column / COLUMNS, (double)row / ROWS, phase);
         }
     }
-    for (int row = 0; row < ROWS; row++) {
-        for (int column = 0; column < COLUMNS; column++) {
-            char line[120];
-            const int a = row * (COLUMNS + 1) + column + 1;
-            const int b = a + COLUMNS + 1;
-            (void)snprintf(line, sizeof line, "f %d/%d/%d %d/%d/%d %d/%d/%d %d/%d/%d\n", a, a, a,
-                           a + 1, a + 1, a + 1, b + 1, b + 1, b + 1, b, b, b);
-            write(out, line);
-        }
-    }
+    mesh_write_quads(out, ROWS, COLUMNS);
 }
 
 bool demo_write_waves(const char *folder, struct text_error *error)
@@ -61,7 +42,7 @@ bool demo_write_waves(const char *folder, struct text_error *error)
         (void)snprintf(path, sizeof path, "%s/wave-%d.obj", folder, i);
         ok = file_output_open(&out, path, error);
         if (ok) {
-            write_wave(&out, (double)i / FRAMES);
+            write_wave(out.stream, (double)i / FRAMES);
             ok = file_output_commit(&out, error);
         }
     }

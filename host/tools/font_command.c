@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,48 +30,32 @@ struct options {
     struct truetype_wanted wanted;
 };
 
-/* Formats into the file. */
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-static void
-put(struct file_output *output, const char *format, ...)
+static void put_rows(FILE *out, const struct options *options, const struct bdf_font *bdf)
 {
-    char text[512];
-    va_list arguments;
-    va_start(arguments, format);
-    int length = vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    file_output_write(output, text, length > 0 ? (size_t)length : 0);
-}
-
-static void put_rows(struct file_output *output, const struct options *options,
-                     const struct bdf_font *bdf)
-{
-    put(output, "static const uint8_t %s_rows[] = {", options->name);
+    fprintf(out, "static const uint8_t %s_rows[] = {", options->name);
     for (size_t i = 0; i < bdf->row_bytes; i++) {
-        put(output, "%s0x%02X,", i % 16 == 0 ? "\n    " : " ", bdf->rows[i]);
+        fprintf(out, "%s0x%02X,", i % 16 == 0 ? "\n    " : " ", bdf->rows[i]);
     }
-    put(output, "%s};\n\n", bdf->row_bytes == 0 ? "0" : "\n");
+    fprintf(out, "%s};\n\n", bdf->row_bytes == 0 ? "0" : "\n");
 }
 
-static void put_glyphs(struct file_output *output, const struct options *options,
-                       const struct font_build *build, const struct bdf_font *bdf)
+static void put_glyphs(FILE *out, const struct options *options, const struct font_build *build,
+                       const struct bdf_font *bdf)
 {
-    put(output, "static const qtri_glyph %s_glyphs[] = {\n", options->name);
+    fprintf(out, "static const qtri_glyph %s_glyphs[] = {\n", options->name);
     for (size_t i = 0; i < build->glyph_count; i++) {
         const qtri_glyph *g = &build->glyphs[i];
-        put(output, "    {%u, %u, %u, %d, %d, %u}, /* U+%04X */\n", (unsigned)g->first,
-            (unsigned)g->width, (unsigned)g->height, g->left, g->top, (unsigned)g->advance,
-            (unsigned)bdf->glyphs[i].character);
+        fprintf(out, "    {%u, %u, %u, %d, %d, %u}, /* U+%04X */\n", (unsigned)g->first,
+                (unsigned)g->width, (unsigned)g->height, g->left, g->top, (unsigned)g->advance,
+                (unsigned)bdf->glyphs[i].character);
     }
-    put(output, "};\n\nstatic const qtri_glyph_range %s_ranges[] = {\n", options->name);
+    fprintf(out, "};\n\nstatic const qtri_glyph_range %s_ranges[] = {\n", options->name);
     for (size_t i = 0; i < build->font.range_count; i++) {
         const qtri_glyph_range *r = &build->ranges[i];
-        put(output, "    {0x%04X, %u, %u},\n", (unsigned)r->first, (unsigned)r->count,
-            (unsigned)r->glyph);
+        fprintf(out, "    {0x%04X, %u, %u},\n", (unsigned)r->first, (unsigned)r->count,
+                (unsigned)r->glyph);
     }
-    put(output, "};\n\n");
+    fprintf(out, "};\n\n");
 }
 
 static bool is_source(const struct options *options)
@@ -89,25 +72,26 @@ static bool write_font(const struct options *options, const struct bdf_font *bdf
     if (!file_output_open(&output, options->out, error)) {
         return false;
     }
-    put(&output, "/* Made of %.200s by `qtri font`. */\n", slash != NULL ? slash + 1 : options->in);
+    FILE *out = output.stream;
+    fprintf(out, "/* Made of %.200s by `qtri font`. */\n", slash != NULL ? slash + 1 : options->in);
     if (is_source(options)) {
-        put(&output, "#include \"qtri/paint.h\"\n\n/* clang-format off */\n");
+        fprintf(out, "#include \"qtri/paint.h\"\n\n/* clang-format off */\n");
     } else {
-        put(&output,
-            "#ifndef QTRI_FONT_OF_%s\n#define QTRI_FONT_OF_%s\n\n#include <qtri/paint.h>\n\n"
-            "/* clang-format off */\n",
-            options->name, options->name);
+        fprintf(out,
+                "#ifndef QTRI_FONT_OF_%s\n#define QTRI_FONT_OF_%s\n\n#include <qtri/paint.h>\n\n"
+                "/* clang-format off */\n",
+                options->name, options->name);
     }
-    put_rows(&output, options, bdf);
-    put_glyphs(&output, options, build, bdf);
-    put(&output,
-        "%sconst qtri_font %s = {\n    %s_rows, %s_glyphs, %s_ranges, %u, %u, %u, %u,\n};\n"
-        "/* clang-format on */\n",
-        is_source(options) ? "" : "static ", options->name, options->name, options->name,
-        options->name, (unsigned)build->font.range_count, (unsigned)build->font.missing,
-        (unsigned)build->font.ascent, (unsigned)build->font.descent);
+    put_rows(out, options, bdf);
+    put_glyphs(out, options, build, bdf);
+    fprintf(out,
+            "%sconst qtri_font %s = {\n    %s_rows, %s_glyphs, %s_ranges, %u, %u, %u, %u,\n};\n"
+            "/* clang-format on */\n",
+            is_source(options) ? "" : "static ", options->name, options->name, options->name,
+            options->name, (unsigned)build->font.range_count, (unsigned)build->font.missing,
+            (unsigned)build->font.ascent, (unsigned)build->font.descent);
     if (!is_source(options)) {
-        put(&output, "\n#endif\n");
+        fprintf(out, "\n#endif\n");
     }
     return file_output_commit(&output, error);
 }
@@ -115,15 +99,6 @@ static bool write_font(const struct options *options, const struct bdf_font *bdf
 /* ---- Arguments ---- */
 
 #define AT(member) offsetof(struct options, member)
-
-static bool set_size(void *options, const char *value, struct option_words *more)
-{
-    long size = 0;
-    (void)more;
-    const bool ok = option_whole(value, 4, 127, &size);
-    ((struct options *)options)->wanted.size = (int)size;
-    return ok;
-}
 
 /* Two numbers, decimal or after 0x hexadecimal. */
 static bool set_range(void *options, const char *value, struct option_words *more)
@@ -141,63 +116,62 @@ static bool set_range(void *options, const char *value, struct option_words *mor
     return *end == '\0' && first <= last && last <= 0x10FFFF && first > 0;
 }
 
-static const struct option options_of_font[] = {{"-o", OPTION_TEXT, AT(out), NULL},
-                                                {"--size", OPTION_SET, 0, set_size},
-                                                {"--range", OPTION_SET, 0, set_range},
-                                                {"--name", OPTION_NAME, AT(name), NULL}};
+static const struct option all[] = {
+    {"-o", OPTION_TEXT, AT(out), {NULL}},
+    {"--size", OPTION_WHOLE, AT(wanted.size), {.range = {4, 127}}},
+    {"--range", OPTION_SET, 0, {.set = set_range}},
+    {"--name", OPTION_NAME, AT(name), {NULL}},
+};
 
-static const struct option_list list = {"font", "font", offsetof(struct options, in),
-                                        options_of_font,
-                                        sizeof options_of_font / sizeof options_of_font[0]};
-
-static bool parse(int argc, char **argv, struct options *options)
+static bool check(const struct option_command *command, void *given)
 {
-    if (!options_parse(&list, options, argc, argv)) {
-        return false;
-    }
-    if (options->in == NULL || options->out == NULL) {
-        return options_complain(&list, "a font and -o are needed", "");
-    }
+    struct options *options = given;
     options->is_scalable = file_name_ends_in(options->in, ".ttf") ||
                            file_name_ends_in(options->in, ".otf") ||
                            file_name_ends_in(options->in, ".ttc");
     if (!options->is_scalable && (options->wanted.size > 0 || options->wanted.last > 0)) {
         return options_complain(
-            &list, "--size and --range want a font named .ttf, .otf or .ttc: ", options->in);
+            command, "--size and --range want a font named .ttf, .otf or .ttc: ", options->in);
     }
     options->wanted.size = options->wanted.size > 0 ? options->wanted.size : 16;
-    return options_default_name(&list, options->in, options->out, options->name);
+    return options_default_name(command, options->in, options->out, options->name);
 }
+
+static bool run(void *given, struct text_error *error)
+{
+    const struct options *options = given;
+    struct bdf_font bdf;
+    struct font_build build;
+    if (!(options->is_scalable ? truetype_read(options->in, &options->wanted, &bdf, error)
+                               : bdf_read(options->in, &bdf, error))) {
+        return false;
+    }
+    bool ok = font_build_create(&build, &bdf);
+    if (!ok) {
+        text_error_set(error, options->in, 0, "out of memory");
+    } else {
+        ok = write_font(options, &bdf, &build, error);
+        font_build_free(&build);
+    }
+    bdf_free(&bdf);
+    return ok;
+}
+
+static const struct option_command command = {
+    .name = "font",
+    .input = "font",
+    .needs = "a font and -o are needed",
+    .input_at = AT(in),
+    .output_at = AT(out),
+    .options = all,
+    .count = sizeof all / sizeof all[0],
+    .usage = usage,
+    .check = check,
+    .run = run,
+};
 
 int font_main(int argc, char **argv)
 {
     struct options options = {0};
-    struct bdf_font bdf;
-    struct font_build build;
-    struct text_error error;
-    if (options_ask_help(argc, argv)) {
-        fputs(usage, stdout);
-        return 0;
-    }
-    if (!parse(argc, argv, &options)) {
-        fputs("Try `qtri font --help`.\n", stderr);
-        return 2;
-    }
-    if (!(options.is_scalable ? truetype_read(options.in, &options.wanted, &bdf, &error)
-                              : bdf_read(options.in, &bdf, &error))) {
-        fprintf(stderr, "qtri font: %s\n", error.message);
-        return 1;
-    }
-    bool ok = font_build_create(&build, &bdf);
-    if (!ok) {
-        text_error_set(&error, options.in, 0, "out of memory");
-    } else {
-        ok = write_font(&options, &bdf, &build, &error);
-        font_build_free(&build);
-    }
-    bdf_free(&bdf);
-    if (!ok) {
-        fprintf(stderr, "qtri font: %s\n", error.message);
-    }
-    return ok ? 0 : 1;
+    return options_run(&command, &options, argc, argv);
 }

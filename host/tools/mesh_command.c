@@ -93,42 +93,39 @@ static void report_materials(const char *input, const struct asset *asset, FILE 
     }
 }
 
-static int run(struct mesh_options *options)
+static bool write_output(const struct mesh_options *options, const struct asset *asset,
+                         bool only_text, struct text_error *error)
 {
-    struct text_error error;
+    if (only_text) {
+        return write_generated(options, error);
+    }
+    return options->is_obj ? write_obj(options, asset, error) : write_c(options, asset, error);
+}
+
+static bool run(void *given, struct text_error *error)
+{
+    struct mesh_options *options = given;
     struct asset asset;
-    bool only_text = options->is_generated && options->is_obj && !options->is_changed;
-    bool ok = true;
-    if (!only_text || options->preview != NULL) {
-        ok = make(options, &asset, &error);
-        if (ok) {
-            ok = mesh_check_budget(options, &asset, &error) &&
-                 mesh_write_preview(options, &asset, &error) &&
-                 (only_text ? write_generated(options, &error)
-                            : (options->is_obj ? write_obj(options, &asset, &error)
-                                               : write_c(options, &asset, &error)));
-            if (ok && !only_text) {
-                FILE *out = mesh_is_piped(options) ? stderr : stdout;
-                mesh_report(options, &asset, out);
-                report_materials(options->input, &asset, out);
-            }
-            asset_free(&asset);
-        }
-    } else {
-        ok = write_generated(options, &error);
+    const bool only_text = options->is_generated && options->is_obj && !options->is_changed;
+    if (only_text && options->preview == NULL) {
+        return write_generated(options, error);
     }
-    if (!ok) {
-        fprintf(stderr, "qtri mesh: %s\n", error.message);
+    if (!make(options, &asset, error)) {
+        return false;
     }
-    return ok ? 0 : 1;
+    const bool ok = mesh_check_budget(options, &asset, error) &&
+                    mesh_write_preview(options, &asset, error) &&
+                    write_output(options, &asset, only_text, error);
+    if (ok && !only_text) {
+        FILE *out = mesh_is_piped(options) ? stderr : stdout;
+        mesh_report(options, &asset, out);
+        report_materials(options->input, &asset, out);
+    }
+    asset_free(&asset);
+    return ok;
 }
 
 int mesh_main(int argc, char **argv)
 {
-    struct mesh_options options;
-    if (options_ask_help(argc, argv)) {
-        mesh_options_help(false, stdout);
-        return 0;
-    }
-    return mesh_options_parse(argc, argv, false, &options) ? run(&options) : 2;
+    return mesh_options_run(argc, argv, false, run);
 }

@@ -68,6 +68,18 @@ static void frame_at(const struct tube *tube, double t, double center[3], double
     cross(up, tangent, side);
 }
 
+void mesh_write_quads(FILE *out, int rows, int columns)
+{
+    for (int row = 0; row < rows; row++) {
+        for (int column = 0; column < columns; column++) {
+            const int a = row * (columns + 1) + column + 1;
+            const int b = a + columns + 1;
+            fprintf(out, "f %d/%d/%d %d/%d/%d %d/%d/%d %d/%d/%d\n", a, a, a, a + 1, a + 1, a + 1,
+                    b + 1, b + 1, b + 1, b, b, b);
+        }
+    }
+}
+
 static void write_tube(const struct tube *tube, FILE *out)
 {
     for (int ring = 0; ring <= tube->rings; ring++) {
@@ -89,15 +101,7 @@ static void write_tube(const struct tube *tube, FILE *out)
                     (double)i / tube->sides * tube->repeats_around);
         }
     }
-    int stride = tube->sides + 1;
-    for (int ring = 0; ring < tube->rings; ring++) {
-        for (int i = 0; i < tube->sides; i++) {
-            int a = ring * stride + i + 1;
-            int b = a + stride;
-            fprintf(out, "f %d/%d/%d %d/%d/%d %d/%d/%d %d/%d/%d\n", a, a, a, a + 1, a + 1, a + 1,
-                    b + 1, b + 1, b + 1, b, b, b);
-        }
-    }
+    mesh_write_quads(out, tube->rings, tube->sides);
 }
 
 /* Order of mesh_names: what is not a tube is of mesh_solids.c. */

@@ -17,4 +17,7 @@ extern const char *const mesh_names[];
  */
 bool mesh_generate(const char *name, FILE *out);
 
+/* Faces of rows x columns quads as OBJ text, whose vertices of all attributes stand row by row. */
+void mesh_write_quads(FILE *out, int rows, int columns);
+
 #endif

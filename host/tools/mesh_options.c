@@ -61,14 +61,14 @@ static const char usage[] =
     "\n"
     "In place of IN one of these is generated:";
 
-void mesh_options_help(bool is_model, FILE *out)
+/* What both commands' --help has in common. */
+static void print_more(void)
 {
-    fputs(is_model ? model_usage : mesh_usage, out);
-    fputs(usage, out);
+    fputs(usage, stdout);
     for (int i = 0; mesh_names[i] != NULL; i++) {
-        fprintf(out, " %s", mesh_names[i]);
+        printf(" %s", mesh_names[i]);
     }
-    fputc('\n', out);
+    putchar('\n');
 }
 
 /* 262144 or 256K or 2M bytes. */
@@ -102,18 +102,12 @@ static bool set_ram(void *options, const char *value, struct option_words *more)
 
 static bool set_texture_side(void *options, const char *value, struct option_words *more)
 {
+    struct texture_options *most = &((struct mesh_options *)options)->most;
     long side = 0;
     (void)more;
     const bool ok = option_whole(value, 1, TEXTURE_MAX_SIDE, &side);
-    ((struct mesh_options *)options)->most.width = (int)side;
-    ((struct mesh_options *)options)->most.height = (int)side;
+    most->width = most->height = (int)side;
     return ok;
-}
-
-static bool set_format(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    return option_texture_format(value, &((struct mesh_options *)options)->most.format);
 }
 
 static bool set_panel(void *options, const char *value, struct option_words *more)
@@ -123,40 +117,11 @@ static bool set_panel(void *options, const char *value, struct option_words *mor
     return option_size(value, QTRI_SURFACE_MAX, &o->panel_width, &o->panel_height);
 }
 
-static bool set_rows(void *options, const char *value, struct option_words *more)
-{
-    long rows = 0;
-    (void)more;
-    bool ok = option_whole(value, 1, QTRI_SURFACE_MAX, &rows);
-    ((struct mesh_options *)options)->rows = (int)rows;
-    return ok;
-}
-
-static bool set_fit(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    return option_real(value, 1e-3, 65534.0, &((struct mesh_options *)options)->fit);
-}
-
-static bool set_scale(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    return option_real(value, OBJ_SCALE_MIN, OBJ_SCALE_MAX,
-                       &((struct mesh_options *)options)->scale);
-}
-
 static bool set_up(void *options, const char *value, struct option_words *more)
 {
     (void)more;
     ((struct mesh_options *)options)->up = value[0];
     return strcmp(value, "y") == 0 || strcmp(value, "z") == 0;
-}
-
-static bool set_simplify(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    return option_whole(value, 1, (long)MODEL_MAX_TRIANGLES,
-                        &((struct mesh_options *)options)->simplify);
 }
 
 /* The word after --normals; `smooth` takes the next one too. */
@@ -179,44 +144,38 @@ static bool set_normals(void *options, const char *value, struct option_words *m
 /* clang-format off */
 static const struct option all_options[] = {
     /* of `qtri mesh` */
-    {"--compact", OPTION_FLAG, AT(compact), NULL},
-    {"--center", OPTION_FLAG, AT(center), NULL},
-    {"--colors", OPTION_FLAG, AT(colors), NULL},
+    {"--compact", OPTION_FLAG, AT(compact), {NULL}},
+    {"--center", OPTION_FLAG, AT(center), {NULL}},
+    {"--colors", OPTION_FLAG, AT(colors), {NULL}},
     /* of both */
-    {"-o", OPTION_TEXT, AT(output), NULL},
-    {"--preview", OPTION_TEXT, AT(preview), NULL},
-    {"--name", OPTION_NAME, AT(name), NULL},
-    {"--panel", OPTION_SET, 0, set_panel},
-    {"--rows", OPTION_SET, 0, set_rows},
-    {"--flash", OPTION_SET, 0, set_flash},
-    {"--ram", OPTION_SET, 0, set_ram},
-    {"--fit", OPTION_SET, 0, set_fit},
-    {"--scale", OPTION_SET, 0, set_scale},
-    {"--up", OPTION_SET, 0, set_up},
-    {"--simplify", OPTION_SET, 0, set_simplify},
-    {"--normals", OPTION_SET, 0, set_normals},
-    {"--split", OPTION_FLAG, AT(split), NULL},
-    {"--plain", OPTION_FLAG, AT(plain), NULL},
-    {"--no-faces", OPTION_FLAG, AT(no_faces), NULL},
-    {"--keep-order", OPTION_FLAG, AT(keep_order), NULL},
+    {"-o", OPTION_TEXT, AT(output), {NULL}},
+    {"--preview", OPTION_TEXT, AT(preview), {NULL}},
+    {"--name", OPTION_NAME, AT(name), {NULL}},
+    {"--panel", OPTION_SET, 0, {.set = set_panel}},
+    {"--rows", OPTION_WHOLE, AT(rows), {.range = {1, QTRI_SURFACE_MAX}}},
+    {"--flash", OPTION_SET, 0, {.set = set_flash}},
+    {"--ram", OPTION_SET, 0, {.set = set_ram}},
+    {"--fit", OPTION_REAL, AT(fit), {.range = {1e-3, 65534.0}}},
+    {"--scale", OPTION_REAL, AT(scale), {.range = {OBJ_SCALE_MIN, OBJ_SCALE_MAX}}},
+    {"--up", OPTION_SET, 0, {.set = set_up}},
+    {"--simplify", OPTION_WHOLE, AT(simplify), {.range = {1, MODEL_MAX_TRIANGLES}}},
+    {"--normals", OPTION_SET, 0, {.set = set_normals}},
+    {"--split", OPTION_FLAG, AT(split), {NULL}},
+    {"--plain", OPTION_FLAG, AT(plain), {NULL}},
+    {"--no-faces", OPTION_FLAG, AT(no_faces), {NULL}},
+    {"--keep-order", OPTION_FLAG, AT(keep_order), {NULL}},
     /* of `qtri model` */
-    {"--texture", OPTION_TEXT, AT(skin), NULL},
-    {"--texture-side", OPTION_SET, 0, set_texture_side},
-    {"--format", OPTION_SET, 0, set_format},
-    {"--dither", OPTION_FLAG, AT(most.dither), NULL},
-    {"--mipmaps", OPTION_FLAG, AT(most.mipmaps), NULL},
-    {"--in-place", OPTION_FLAG, AT(in_place), NULL},
-    {"--wide", OPTION_FLAG, AT(wide), NULL},
+    {"--texture", OPTION_TEXT, AT(skin), {NULL}},
+    {"--texture-side", OPTION_SET, 0, {.set = set_texture_side}},
+    {"--format", OPTION_WORD, AT(most.format), {.words = {texture_format_names, TEXTURE_FORMATS}}},
+    {"--dither", OPTION_FLAG, AT(most.dither), {NULL}},
+    {"--mipmaps", OPTION_FLAG, AT(most.mipmaps), {NULL}},
+    {"--in-place", OPTION_FLAG, AT(in_place), {NULL}},
+    {"--wide", OPTION_FLAG, AT(wide), {NULL}},
 };
 /* clang-format on */
 
 enum { ALL_OPTIONS = sizeof all_options / sizeof all_options[0], MESH_ONLY = 3, MODEL_ONLY = 7 };
-
-static const struct option_list mesh_list = {"mesh", "model", offsetof(struct mesh_options, input),
-                                             all_options, ALL_OPTIONS - MODEL_ONLY};
-static const struct option_list model_list = {"model", "model",
-                                              offsetof(struct mesh_options, input),
-                                              all_options + MESH_ONLY, ALL_OPTIONS - MESH_ONLY};
 
 /* Whether an option asks for more than a generated mesh's text. */
 static bool is_changed(const struct mesh_options *o)
@@ -226,38 +185,35 @@ static bool is_changed(const struct mesh_options *o)
 }
 
 /* What the names say about input and output. */
-static bool check_names(struct mesh_options *options, const struct option_list *list)
+static bool check_names(const struct option_command *command, struct mesh_options *options)
 {
-    if (options->input == NULL || options->output == NULL) {
-        return options_complain(list, "a model and -o NAME.h are needed", "");
-    }
     for (int i = 0; mesh_names[i] != NULL; i++) {
         options->is_generated = options->is_generated || strcmp(options->input, mesh_names[i]) == 0;
     }
     if (!options->is_generated && !model_is_file_name(options->input)) {
         return options_complain(
-            list,
+            command,
             "neither a mesh that it makes nor .obj, .gltf, .glb, .stl or .ply: ", options->input);
     }
     options->is_obj = file_name_ends_in(options->output, ".obj");
     if (strcmp(options->output, "-") != 0 && (!options->is_obj || options->is_model) &&
         !file_name_ends_in(options->output, ".h")) {
-        return options_complain(list,
+        return options_complain(command,
                                 options->is_model ? "the output is not named .h: "
                                                   : "the output is named neither .h nor .obj: ",
                                 options->output);
     }
     if (options->in_place && (options->fit > 0.0 || options->scale > 0.0)) {
-        return options_complain(list, "--in-place, --fit and --scale exclude each other", "");
+        return options_complain(command, "--in-place, --fit and --scale exclude each other", "");
     }
     if (options->fit > 0.0 && options->scale > 0.0) {
-        return options_complain(list, "--fit and --scale exclude each other", "");
+        return options_complain(command, "--fit and --scale exclude each other", "");
     }
     if (options->split && (options->is_obj || strcmp(options->output, "-") == 0)) {
-        return options_complain(list, "--split needs an output named .h", "");
+        return options_complain(command, "--split needs an output named .h", "");
     }
     options->is_changed = is_changed(options);
-    return options_default_name(list, options->input, options->output, options->name);
+    return options_default_name(command, options->input, options->output, options->name);
 }
 
 /* What `qtri model` does unless it is told otherwise. */
@@ -270,28 +226,46 @@ static void set_model_defaults(struct mesh_options *options)
     }
 }
 
-bool mesh_options_parse(int argc, char **argv, bool is_model, struct mesh_options *options)
+static bool check(const struct option_command *command, void *given)
 {
-    const struct option_list *list = is_model ? &model_list : &mesh_list;
-    memset(options, 0, sizeof *options);
-    options->up = 'y';
-    options->panel_width = 320;
-    options->panel_height = 240;
-    options->rows = 16;
-    options->is_model = is_model;
-    options->most.width = 256;
-    options->most.height = 256;
-    bool ok = options_parse(list, options, argc, argv) && check_names(options, list);
-    if (ok && options->simplify > 0 && !model_can_simplify()) {
-        ok = options_complain(
-            list, "this qtri was built without libmeshoptimizer and cannot --simplify", "");
+    struct mesh_options *options = given;
+    if (!check_names(command, options)) {
+        return false;
+    }
+    if (options->simplify > 0 && !model_can_simplify()) {
+        return options_complain(
+            command, "this qtri was built without libmeshoptimizer and cannot --simplify", "");
     }
     options->rows = options->rows < options->panel_height ? options->rows : options->panel_height;
-    if (is_model) {
+    if (options->is_model) {
         set_model_defaults(options);
     }
-    if (!ok) {
-        fprintf(stderr, "Try `qtri %s --help`.\n", list->command);
-    }
-    return ok;
+    return true;
+}
+
+int mesh_options_run(int argc, char **argv, bool is_model, mesh_command *run)
+{
+    const int first = is_model ? MESH_ONLY : 0, others = is_model ? 0 : MODEL_ONLY;
+    const struct option_command command = {
+        .name = is_model ? "model" : "mesh",
+        .input = "model",
+        .needs = "a model and -o NAME.h are needed",
+        .input_at = AT(input),
+        .output_at = AT(output),
+        .options = all_options + first,
+        .count = (size_t)(ALL_OPTIONS - first - others),
+        .usage = is_model ? model_usage : mesh_usage,
+        .print_more = print_more,
+        .check = check,
+        .run = run,
+    };
+    struct mesh_options options = {
+        .up = 'y',
+        .panel_width = 320,
+        .panel_height = 240,
+        .rows = 16,
+        .is_model = is_model,
+        .most = {.width = 256, .height = 256},
+    };
+    return options_run(&command, &options, argc, argv);
 }

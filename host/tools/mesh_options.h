@@ -24,7 +24,7 @@ struct mesh_options {
     double fit, scale; /* 0: as it is */
     enum model_normals normals;
     double smooth_degrees;
-    long simplify; /* 0: all triangles */
+    int simplify; /* 0: all triangles */
     int panel_width, panel_height, rows;
     size_t most_flash, most_ram; /* 0: any */
 
@@ -34,9 +34,10 @@ struct mesh_options {
     struct texture_options most; /* width and height: the most of a texture */
 };
 
-/* False after a message on standard error: wrong usage. `is_model`: of `qtri model`. */
-bool mesh_options_parse(int argc, char **argv, bool is_model, struct mesh_options *options);
+/* Carries out what was asked for, a struct mesh_options; false with *error set. */
+typedef bool mesh_command(void *options, struct text_error *error);
 
-void mesh_options_help(bool is_model, FILE *out);
+/* `qtri mesh`, or `qtri model`, with these words: `run` does it. Returns the exit status. */
+int mesh_options_run(int argc, char **argv, bool is_model, mesh_command *run);
 
 #endif

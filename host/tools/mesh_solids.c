@@ -24,10 +24,16 @@ struct vertex {
     double position[3], normal[3], uv[2];
 };
 
+/* What is at a point of a flat sheet, seen from outside. */
+struct plane {
+    double normal[3], right[3], up[3];
+};
+
 struct sheet {
     int columns, rows;
     /* u and v in 0..1; seen from outside u grows to the right and v downwards */
-    void (*at)(double u, double v, struct vertex *out);
+    void (*at)(const struct plane *plane, double u, double v, struct vertex *out);
+    const struct plane *plane;          /* of a flat sheet, else NULL */
     bool first_is_point, last_is_point; /* a row that is one point has no triangles of its own */
 };
 
@@ -53,7 +59,7 @@ static int write_sheet(FILE *out, const struct sheet *sheet, int first)
         for (int column = 0; column <= sheet->columns; column++) {
             struct vertex vertex;
             double u = (double)column / sheet->columns, v = (double)row / sheet->rows;
-            sheet->at(u, v, &vertex);
+            sheet->at(sheet->plane, u, v, &vertex);
             write_numbers(out, "v", vertex.position[0], vertex.position[1], vertex.position[2]);
             write_numbers(out, "vn", vertex.normal[0], vertex.normal[1], vertex.normal[2]);
             fprintf(out, "vt %.6f %.6f\n", vertex.uv[0], 1.0 - vertex.uv[1]);
@@ -93,16 +99,18 @@ static double around(double u)
     return u == 1.0 ? 0.0 : 2.0 * M_PI * u;
 }
 
-static void sphere_at(double u, double v, struct vertex *out)
+static void sphere_at(const struct plane *none, double u, double v, struct vertex *out)
 {
+    (void)none;
     double r = v == 0.0 || v == 1.0 ? 0.0 : sin(M_PI * v);
     set(out->position, r * sin(around(u)), cos(M_PI * v), r * cos(around(u)));
     set(out->normal, out->position[0], out->position[1], out->position[2]);
     set_uv(out, u, v);
 }
 
-static void side_at(double u, double v, struct vertex *out)
+static void side_at(const struct plane *none, double u, double v, struct vertex *out)
 {
+    (void)none;
     double x = sin(around(u)), z = cos(around(u));
     set(out->position, x, 1.0 - 2.0 * v, z);
     set(out->normal, x, 0.0, z);
@@ -110,77 +118,56 @@ static void side_at(double u, double v, struct vertex *out)
 }
 
 /* The slope of a cone as high as wide: its normal rises by half of what it goes out. */
-static void cone_at(double u, double v, struct vertex *out)
+static void cone_at(const struct plane *none, double u, double v, struct vertex *out)
 {
+    (void)none;
     double x = sin(around(u)), z = cos(around(u));
     set(out->position, v * x, 1.0 - 2.0 * v, v * z);
     set(out->normal, x * sqrt(.8), sqrt(.2), z * sqrt(.8));
     set_uv(out, u, v);
 }
 
-static void top_at(double u, double v, struct vertex *out)
+static void top_at(const struct plane *none, double u, double v, struct vertex *out)
 {
+    (void)none;
     double x = v * sin(around(u)), z = v * cos(around(u));
     set(out->position, x, 1.0, z);
     set(out->normal, 0.0, 1.0, 0.0);
     set_uv(out, .5 + .5 * x, .5 + .5 * z);
 }
 
-static void bottom_at(double u, double v, struct vertex *out)
+static void bottom_at(const struct plane *none, double u, double v, struct vertex *out)
 {
+    (void)none;
     double x = (1.0 - v) * sin(around(u)), z = (1.0 - v) * cos(around(u));
     set(out->position, x, -1.0, z);
     set(out->normal, 0.0, -1.0, 0.0);
     set_uv(out, .5 + .5 * x, .5 - .5 * z);
 }
 
-static void grid_at(double u, double v, struct vertex *out)
+/* A square of side 2 in front of the origin. */
+static void square_at(const struct plane *plane, double u, double v, struct vertex *out)
 {
-    set(out->position, 2.0 * u - 1.0, 0.0, 2.0 * v - 1.0);
-    set(out->normal, 0.0, 1.0, 0.0);
+    for (int i = 0; i < 3; i++) {
+        out->position[i] =
+            plane->normal[i] + (2.0 * u - 1.0) * plane->right[i] + (1.0 - 2.0 * v) * plane->up[i];
+        out->normal[i] = plane->normal[i];
+    }
     set_uv(out, u, v);
 }
 
-static void front_at(double u, double v, struct vertex *out)
+static void grid_at(const struct plane *plane, double u, double v, struct vertex *out)
 {
-    set(out->position, 2.0 * u - 1.0, 1.0 - 2.0 * v, 1.0);
-    set(out->normal, 0.0, 0.0, 1.0);
-    set_uv(out, u, v);
+    square_at(plane, u, v, out);
+    out->position[1] = 0.0;
 }
 
-static void back_at(double u, double v, struct vertex *out)
-{
-    set(out->position, 1.0 - 2.0 * u, 1.0 - 2.0 * v, -1.0);
-    set(out->normal, 0.0, 0.0, -1.0);
-    set_uv(out, u, v);
-}
-
-static void right_at(double u, double v, struct vertex *out)
-{
-    set(out->position, 1.0, 1.0 - 2.0 * v, 1.0 - 2.0 * u);
-    set(out->normal, 1.0, 0.0, 0.0);
-    set_uv(out, u, v);
-}
-
-static void left_at(double u, double v, struct vertex *out)
-{
-    set(out->position, -1.0, 1.0 - 2.0 * v, 2.0 * u - 1.0);
-    set(out->normal, -1.0, 0.0, 0.0);
-    set_uv(out, u, v);
-}
-
-static void lid_at(double u, double v, struct vertex *out)
-{
-    grid_at(u, v, out);
-    out->position[1] = 1.0;
-}
-
-static void floor_at(double u, double v, struct vertex *out)
-{
-    set(out->position, 2.0 * u - 1.0, -1.0, 1.0 - 2.0 * v);
-    set(out->normal, 0.0, -1.0, 0.0);
-    set_uv(out, u, v);
-}
+static const struct plane front = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+                          back = {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
+                          right = {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
+                          left = {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+                          lid = {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
+                          ground = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
 
 static void write_sheets(FILE *out, const struct sheet *sheets, int count)
 {
@@ -193,37 +180,37 @@ static void write_sheets(FILE *out, const struct sheet *sheets, int count)
 void mesh_solid_cube(FILE *out)
 {
     static const struct sheet sheets[] = {
-        {1, 1, front_at, false, false}, {1, 1, right_at, false, false},
-        {1, 1, back_at, false, false},  {1, 1, left_at, false, false},
-        {1, 1, lid_at, false, false},   {1, 1, floor_at, false, false},
+        {1, 1, square_at, &front, false, false}, {1, 1, square_at, &right, false, false},
+        {1, 1, square_at, &back, false, false},  {1, 1, square_at, &left, false, false},
+        {1, 1, square_at, &lid, false, false},   {1, 1, square_at, &ground, false, false},
     };
     write_sheets(out, sheets, 6);
 }
 
 void mesh_solid_sphere(FILE *out)
 {
-    static const struct sheet sheets[] = {{32, 16, sphere_at, true, true}};
+    static const struct sheet sheets[] = {{32, 16, sphere_at, NULL, true, true}};
     write_sheets(out, sheets, 1);
 }
 
 void mesh_solid_cylinder(FILE *out)
 {
-    static const struct sheet sheets[] = {{32, 1, side_at, false, false},
-                                          {32, 1, top_at, true, false},
-                                          {32, 1, bottom_at, false, true}};
+    static const struct sheet sheets[] = {{32, 1, side_at, NULL, false, false},
+                                          {32, 1, top_at, NULL, true, false},
+                                          {32, 1, bottom_at, NULL, false, true}};
     write_sheets(out, sheets, 3);
 }
 
 void mesh_solid_cone(FILE *out)
 {
-    static const struct sheet sheets[] = {{32, 1, cone_at, true, false},
-                                          {32, 1, bottom_at, false, true}};
+    static const struct sheet sheets[] = {{32, 1, cone_at, NULL, true, false},
+                                          {32, 1, bottom_at, NULL, false, true}};
     write_sheets(out, sheets, 2);
 }
 
 void mesh_solid_grid(FILE *out)
 {
-    static const struct sheet sheets[] = {{16, 16, grid_at, false, false}};
+    static const struct sheet sheets[] = {{16, 16, grid_at, &lid, false, false}};
     write_sheets(out, sheets, 1);
 }
 

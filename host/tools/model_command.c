@@ -42,8 +42,9 @@ static void report(const struct mesh_options *options, const struct asset *asset
     }
 }
 
-static bool run(struct mesh_options *options, struct text_error *error)
+static bool run(void *given, struct text_error *error)
 {
+    struct mesh_options *options = given;
     struct model model;
     struct asset asset;
     if (!mesh_read(options, options->plain ? MODEL_SHAPE : MODEL_ALL, &model, error)) {
@@ -51,35 +52,23 @@ static bool run(struct mesh_options *options, struct text_error *error)
     }
     bool ok = model_make(options, &model, &asset, error);
     model_free(&model);
-    if (ok) {
-        ok = mesh_check_budget(options, &asset, error) &&
-             mesh_write_preview(options, &asset, error) && write_c(options, &asset, error);
-        if (ok) {
-            if (asset.blended_count > 0) {
-                fprintf(stderr, "%s: left out: partial opacity of %zu picture%s\n", options->input,
-                        asset.blended_count, asset.blended_count == 1 ? "" : "s");
-            }
-            report(options, &asset, mesh_is_piped(options) ? stderr : stdout);
-        }
-        asset_free(&asset);
+    if (!ok) {
+        return false;
     }
+    ok = mesh_check_budget(options, &asset, error) && mesh_write_preview(options, &asset, error) &&
+         write_c(options, &asset, error);
+    if (ok && asset.blended_count > 0) {
+        fprintf(stderr, "%s: left out: partial opacity of %zu picture%s\n", options->input,
+                asset.blended_count, asset.blended_count == 1 ? "" : "s");
+    }
+    if (ok) {
+        report(options, &asset, mesh_is_piped(options) ? stderr : stdout);
+    }
+    asset_free(&asset);
     return ok;
 }
 
 int model_main(int argc, char **argv)
 {
-    struct mesh_options options;
-    struct text_error error;
-    if (options_ask_help(argc, argv)) {
-        mesh_options_help(true, stdout);
-        return 0;
-    }
-    if (!mesh_options_parse(argc, argv, true, &options)) {
-        return 2;
-    }
-    if (!run(&options, &error)) {
-        fprintf(stderr, "qtri model: %s\n", error.message);
-        return 1;
-    }
-    return 0;
+    return mesh_options_run(argc, argv, true, run);
 }

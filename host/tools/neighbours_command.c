@@ -25,13 +25,6 @@ struct options {
     char name[OPTION_NAME_SIZE];
 };
 
-#define AT(member) offsetof(struct options, member)
-
-static const struct option all[] = {{"-o", OPTION_TEXT, AT(out), NULL},
-                                    {"--name", OPTION_NAME, AT(name), NULL}};
-static const struct option_list list = {"neighbours", "mesh", offsetof(struct options, in), all,
-                                        sizeof all / sizeof all[0]};
-
 /* The neighbours of the mesh; NULL where it has too many vertices or triangles, or memory ends. */
 static uint16_t (*make(const struct obj_mesh *mesh))[3]
 {
@@ -84,24 +77,26 @@ static bool write(const char *path, const char *name, uint16_t (*neighbours)[3],
     return file_output_commit(&output, error);
 }
 
+/* ---- The command ---- */
+
+#define AT(member) offsetof(struct options, member)
+
+static const struct option all[] = {{"-o", OPTION_TEXT, AT(out), {NULL}},
+                                    {"--name", OPTION_NAME, AT(name), {NULL}}};
 /* Neighbours are called as the mesh is, unless --name says otherwise. */
-static bool parse(int argc, char **argv, struct options *options)
+static bool check(const struct option_command *command, void *given)
 {
-    if (!options_parse(&list, options, argc, argv)) {
-        return false;
-    }
-    if (options->in == NULL || options->out == NULL) {
-        return options_complain(&list, "an OBJ file and -o FILE are needed", "");
-    }
+    struct options *options = given;
     if (options->name[0] == '\0') {
         asset_identifier(strcmp(options->in, "-") == 0 ? "mesh" : options->in, options->name,
                          sizeof options->name);
     }
-    return options->name[0] != '\0' || options_complain(&list, "--name NAME is needed", "");
+    return options->name[0] != '\0' || options_complain(command, "--name NAME is needed", "");
 }
 
-static bool run(const struct options *options, struct text_error *error)
+static bool run(void *given, struct text_error *error)
 {
+    const struct options *options = given;
     struct obj_mesh mesh;
     if (!obj_read(options->in, &mesh, error)) {
         return false;
@@ -118,21 +113,21 @@ static bool run(const struct options *options, struct text_error *error)
     return ok;
 }
 
+static const struct option_command command = {
+    .name = "neighbours",
+    .input = "mesh",
+    .needs = "an OBJ file and -o FILE are needed",
+    .input_at = AT(in),
+    .output_at = AT(out),
+    .options = all,
+    .count = sizeof all / sizeof all[0],
+    .usage = usage,
+    .check = check,
+    .run = run,
+};
+
 int neighbours_main(int argc, char **argv)
 {
     struct options options = {0};
-    struct text_error error;
-    if (options_ask_help(argc, argv)) {
-        fputs(usage, stdout);
-        return 0;
-    }
-    if (!parse(argc, argv, &options)) {
-        fputs("Try `qtri neighbours --help`.\n", stderr);
-        return 2;
-    }
-    if (!run(&options, &error)) {
-        fprintf(stderr, "qtri neighbours: %s\n", error.message);
-        return 1;
-    }
-    return 0;
+    return options_run(&command, &options, argc, argv);
 }

@@ -11,13 +11,13 @@ const char *option_next(struct option_words *words)
     return words->at + 1 < words->argc ? words->argv[++words->at] : NULL;
 }
 
-bool options_complain(const struct option_list *list, const char *problem, const char *what)
+bool options_complain(const struct option_command *command, const char *problem, const char *what)
 {
-    fprintf(stderr, "qtri %s: %s%s\n", list->command, problem, what);
+    fprintf(stderr, "qtri %s: %s%s\n", command->name, problem, what);
     return false;
 }
 
-bool options_ask_help(int argc, char **argv)
+static bool asks_help(int argc, char **argv)
 {
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
@@ -27,31 +27,60 @@ bool options_ask_help(int argc, char **argv)
     return false;
 }
 
-static const struct option *find(const struct option_list *list, const char *name)
+static const struct option *find(const struct option_command *command, const char *name)
 {
-    for (size_t i = 0; i < list->count; i++) {
-        if (strcmp(list->options[i].name, name) == 0) {
-            return &list->options[i];
+    for (size_t i = 0; i < command->count; i++) {
+        if (strcmp(command->options[i].name, name) == 0) {
+            return &command->options[i];
         }
     }
     return NULL;
+}
+
+static bool is_name(const char *text, char name[OPTION_NAME_SIZE])
+{
+    size_t length = strlen(text);
+    asset_identifier(text, name, OPTION_NAME_SIZE);
+    return length > 0 && length < OPTION_NAME_SIZE && strcmp(text, name) == 0;
+}
+
+static bool find_word(const struct option *option, const char *value, int *rank)
+{
+    int i = 0;
+    while (i < option->of.words.count && strcmp(value, option->of.words.names[i]) != 0) {
+        i++;
+    }
+    *rank = i;
+    return i < option->of.words.count;
 }
 
 static bool set_value(const struct option *option, void *options, const char *value,
                       struct option_words *words)
 {
     void *at = (char *)options + option->at;
-    if (option->kind == OPTION_SET) {
-        return option->set(options, value, words);
+    long whole = 0;
+    switch (option->kind) {
+    case OPTION_SET:
+        return option->of.set(options, value, words);
+    case OPTION_NAME:
+        return is_name(value, (char *)at);
+    case OPTION_WHOLE:
+        if (!option_whole(value, (long)option->of.range.low, (long)option->of.range.high, &whole)) {
+            return false;
+        }
+        *(int *)at = (int)whole;
+        return true;
+    case OPTION_REAL:
+        return option_real(value, option->of.range.low, option->of.range.high, (double *)at);
+    case OPTION_WORD:
+        return find_word(option, value, (int *)at);
+    default:
+        *(const char **)at = value;
+        return *value != '\0';
     }
-    if (option->kind == OPTION_NAME) {
-        return option_name(value, (char *)at);
-    }
-    *(const char **)at = value;
-    return *value != '\0';
 }
 
-static bool take(const struct option_list *list, const struct option *option, void *options,
+static bool take(const struct option_command *command, const struct option *option, void *options,
                  struct option_words *words)
 {
     if (option->kind == OPTION_FLAG) {
@@ -60,36 +89,73 @@ static bool take(const struct option_list *list, const struct option *option, vo
     }
     const char *value = option_next(words);
     if (value == NULL) {
-        return options_complain(list, "a value is missing after ", option->name);
+        return options_complain(command, "a value is missing after ", option->name);
     }
     if (!set_value(option, options, value, words)) {
-        fprintf(stderr, "qtri %s: '%s' is no value for %s\n", list->command, value, option->name);
+        fprintf(stderr, "qtri %s: '%s' is no value for %s\n", command->name, value, option->name);
         return false;
     }
     return true;
 }
 
-bool options_parse(const struct option_list *list, void *options, int argc, char **argv)
+static bool parse(const struct option_command *command, void *options, int argc, char **argv)
 {
-    const char **input = (const char **)(void *)((char *)options + list->input_at);
+    const char **input = (const char **)(void *)((char *)options + command->input_at);
     struct option_words words = {argc, 0, argv};
     for (const char *word = option_next(&words); word != NULL; word = option_next(&words)) {
-        const struct option *option = find(list, word);
+        const struct option *option = find(command, word);
         if (option != NULL) {
-            if (!take(list, option, options, &words)) {
+            if (!take(command, option, options, &words)) {
                 return false;
             }
         } else if (word[0] == '-' && word[1] != '\0') {
-            return options_complain(list, "unknown option ", word);
+            return options_complain(command, "unknown option ", word);
         } else if (*input != NULL) {
-            fprintf(stderr, "qtri %s: one %s at a time, please: %s\n", list->command, list->input,
-                    word);
+            fprintf(stderr, "qtri %s: one %s at a time, please: %s\n", command->name,
+                    command->input, word);
             return false;
         } else {
             *input = word;
         }
     }
     return true;
+}
+
+static const char *text_at(const void *options, size_t at)
+{
+    return *(const char *const *)(const void *)((const char *)options + at);
+}
+
+static bool check(const struct option_command *command, void *options)
+{
+    if (text_at(options, command->input_at) == NULL ||
+        text_at(options, command->output_at) == NULL) {
+        return options_complain(command, command->needs, "");
+    }
+    return command->check == NULL || command->check(command, options);
+}
+
+int options_run(const struct option_command *command, void *options, int argc, char **argv)
+{
+    struct text_error error = {""};
+    if (asks_help(argc, argv)) {
+        fputs(command->usage, stdout);
+        if (command->print_more != NULL) {
+            command->print_more();
+        }
+        return 0;
+    }
+    if (!parse(command, options, argc, argv) || !check(command, options)) {
+        fprintf(stderr, "Try `qtri %s --help`.\n", command->name);
+        return 2;
+    }
+    if (command->run(options, &error)) {
+        return 0;
+    }
+    if (error.message[0] != '\0') {
+        fprintf(stderr, "qtri %s: %s\n", command->name, error.message);
+    }
+    return 1;
 }
 
 bool option_whole(const char *text, long least, long most, long *out)
@@ -128,30 +194,12 @@ bool option_size(const char *text, long most, int *width, int *height)
     return true;
 }
 
-bool option_texture_format(const char *text, enum texture_format *format)
-{
-    for (int i = 0; i < TEXTURE_FORMATS; i++) {
-        if (strcmp(text, texture_format_names[i]) == 0) {
-            *format = (enum texture_format)i;
-            return true;
-        }
-    }
-    return false;
-}
-
-bool option_name(const char *text, char name[OPTION_NAME_SIZE])
-{
-    size_t length = strlen(text);
-    asset_identifier(text, name, OPTION_NAME_SIZE);
-    return length > 0 && length < OPTION_NAME_SIZE && strcmp(text, name) == 0;
-}
-
-bool options_default_name(const struct option_list *list, const char *input, const char *output,
-                          char name[OPTION_NAME_SIZE])
+bool options_default_name(const struct option_command *command, const char *input,
+                          const char *output, char name[OPTION_NAME_SIZE])
 {
     const char *from = strcmp(output, "-") == 0 ? input : output;
     if (name[0] == '\0') {
-        asset_identifier(strcmp(from, "-") == 0 ? list->command : from, name, OPTION_NAME_SIZE);
+        asset_identifier(strcmp(from, "-") == 0 ? command->name : from, name, OPTION_NAME_SIZE);
     }
-    return name[0] != '\0' || options_complain(list, "--name NAME is needed: ", output);
+    return name[0] != '\0' || options_complain(command, "--name NAME is needed: ", output);
 }

@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "../assets/texture.h"
+#include "../io/text_error.h"
 
 #define OPTION_NAME_SIZE 64 /* of a name in C, with its end */
 
@@ -23,47 +23,64 @@ struct option_words {
 const char *option_next(struct option_words *words);
 
 /*
- * An option. `at` is where it stands in the command's options: a bool that becomes true; a
- * const char * to any text but an empty one; a name in C. Others call `set` with their value, which
- * may take further words and says whether they are what it wants.
+ * An option. `at` is where its value stands in the command's options. Those of OPTION_SET call
+ * `set`, which may take further words and says whether they are what it wants.
  */
-enum option_kind { OPTION_FLAG, OPTION_TEXT, OPTION_NAME, OPTION_SET };
+enum option_kind {
+    OPTION_FLAG,  /* a bool that becomes true */
+    OPTION_TEXT,  /* a const char *, any text but an empty one */
+    OPTION_NAME,  /* a char[OPTION_NAME_SIZE], a name in C */
+    OPTION_WHOLE, /* an int in a range */
+    OPTION_REAL,  /* a double in a range */
+    OPTION_WORD,  /* an int, the rank of one of some words */
+    OPTION_SET
+};
 struct option {
     const char *name;
     enum option_kind kind;
     size_t at;
-    bool (*set)(void *options, const char *value, struct option_words *more);
+    union {
+        bool (*set)(void *options, const char *value, struct option_words *more);
+        struct {
+            double low, high;
+        } range;
+        struct {
+            const char *const *names;
+            int count;
+        } words;
+    } of;
 };
 
-/* A command: what its one input is called in messages, and where in its options that stands. */
-struct option_list {
-    const char *command, *input;
-    size_t input_at; /* a const char * */
+/* A command of one input and, mostly, one output. */
+struct option_command {
+    const char *name, *input;   /* input: what it is called in messages */
+    const char *needs;          /* the message where input or output is missing */
+    size_t input_at, output_at; /* where in the options they stand: each a const char * */
     const struct option *options;
     size_t count;
+    const char *usage;
+    void (*print_more)(void); /* NULL, or prints what --help says behind it */
+    /* NULL, or false after a message: what was asked for does not go together. */
+    bool (*check)(const struct option_command *command, void *options);
+    bool (*run)(void *options, struct text_error *error); /* with "" in *error: told before */
 };
 
-/* Fills in what the words say. "-" is an input. False after a message on standard error. */
-bool options_parse(const struct option_list *list, void *options, int argc, char **argv);
+/* Parses, checks and runs, or helps. Returns the exit status; messages go to standard error. */
+int options_run(const struct option_command *command, void *options, int argc, char **argv);
 
-/* Whether --help or -h is among the words. */
-bool options_ask_help(int argc, char **argv);
-
-/* Values: a whole number, a real one, WxH with sides 1..most, a name in C. False: it is none. */
+/* Values: a whole number, a real one, WxH with sides 1..most. False: it is none. */
 bool option_whole(const char *text, long least, long most, long *out);
 bool option_real(const char *text, double least, double most, double *out);
 bool option_size(const char *text, long most, int *width, int *height);
-bool option_texture_format(const char *text, enum texture_format *format);
-bool option_name(const char *text, char name[OPTION_NAME_SIZE]);
 
 /*
  * The name in C of what is made, where none was given: the output's, or the input's where the
  * output is a stream. False after a message where that is no name.
  */
-bool options_default_name(const struct option_list *list, const char *input, const char *output,
-                          char name[OPTION_NAME_SIZE]);
+bool options_default_name(const struct option_command *command, const char *input,
+                          const char *output, char name[OPTION_NAME_SIZE]);
 
 /* "qtri COMMAND: ..." on standard error; false. */
-bool options_complain(const struct option_list *list, const char *problem, const char *what);
+bool options_complain(const struct option_command *command, const char *problem, const char *what);
 
 #endif

@@ -35,43 +35,15 @@ static const char usage[] =
 
 struct options {
     const char *scene;
-    int format; /* see formats */
+    int format; /* of displays */
     bool allow_files;
     char name[OPTION_NAME_SIZE];
 };
 
-static const struct {
-    const char *name;
-    const qtri_format *format;
-} formats[] = {
-    {"rgb565", &qtri_rgb565}, {"rgb565_swapped", &qtri_rgb565_swapped},
-    {"rgb888", &qtri_rgb888}, {"xrgb8888", &qtri_xrgb8888},
-    {"gray8", &qtri_gray8},
-};
-
-static bool set_format(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    for (int i = 0; i < (int)(sizeof formats / sizeof formats[0]); i++) {
-        if (strcmp(value, formats[i].name) == 0) {
-            ((struct options *)options)->format = i;
-            return true;
-        }
-    }
-    return false;
-}
-
-#define AT(member) offsetof(struct options, member)
-
-static const struct option options_of_pipelines[] = {
-    {"--format", OPTION_SET, 0, set_format},
-    {"--name", OPTION_NAME, AT(name), NULL},
-    {"--allow-files", OPTION_FLAG, AT(allow_files), NULL},
-};
-
-static const struct option_list list = {"pipelines", "scene", AT(scene), options_of_pipelines,
-                                        sizeof options_of_pipelines /
-                                            sizeof options_of_pipelines[0]};
+static const char *const display_names[] = {"rgb565", "rgb565_swapped", "rgb888", "xrgb8888",
+                                            "gray8"};
+static const qtri_format *const displays[] = {&qtri_rgb565, &qtri_rgb565_swapped, &qtri_rgb888,
+                                              &qtri_xrgb8888, &qtri_gray8};
 
 /* Noting -------------------------------------------------------------------------------------- */
 
@@ -294,49 +266,58 @@ static int by_pixels(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-static int draw_and_print(const struct options *options)
+/* ---- The command ---- */
+
+#define AT(member)      offsetof(struct options, member)
+#define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
+
+static const struct option all[] = {
+    {"--format", OPTION_WORD, AT(format), {.words = {display_names, COUNT_OF(display_names)}}},
+    {"--name", OPTION_NAME, AT(name), {NULL}},
+    {"--allow-files", OPTION_FLAG, AT(allow_files), {NULL}},
+};
+
+static bool run(void *given, struct text_error *error)
 {
-    const qtri_format *format = formats[options->format].format;
+    const struct options *options = given;
+    const qtri_format *format = displays[options->format];
     struct scene scene;
-    struct text_error error;
     struct picture picture;
     const struct scene_reading how = {.below = !options->allow_files};
-    const bool ok = scene_read_as(options->scene, &how, &scene, &error);
-    if (!ok) {
-        fprintf(stderr, "qtri pipelines: %s\n", error.message);
-        return 1;
+    if (!scene_read_as(options->scene, &how, &scene, error)) {
+        return false;
     }
     const bool is_drawn = scene_render_by(&scene, format, &noting_pipelines, &picture);
     const bool has_samples = scene.antialias == SCENE_ANTIALIAS_MSAA;
     scene_free(&scene);
     if (!is_drawn) {
-        fprintf(stderr, "qtri pipelines: out of memory\n");
-        return 1;
+        (void)snprintf(error->message, sizeof error->message, "out of memory");
+        return false;
     }
     picture_free(&picture);
     if (asked_count == 0) {
-        fprintf(stderr, "qtri pipelines: %s: no triangle is drawn\n", options->scene);
-        return 1;
+        text_error_set(error, options->scene, 0, "no triangle is drawn");
+        return false;
     }
     qsort(asked, asked_count, sizeof asked[0], by_pixels);
     print(options, has_samples ? scene_sampled_format(format) : format);
-    return 0;
+    return true;
 }
+
+static const struct option_command command = {
+    .name = "pipelines",
+    .input = "scene",
+    .needs = "a scene file is needed",
+    .input_at = AT(scene),
+    .output_at = AT(scene),
+    .options = all,
+    .count = sizeof all / sizeof all[0],
+    .usage = usage,
+    .run = run,
+};
 
 int pipelines_main(int argc, char **argv)
 {
     struct options options = {.name = "scene"};
-    if (options_ask_help(argc, argv)) {
-        fputs(usage, stdout);
-        return 0;
-    }
-    bool ok = options_parse(&list, &options, argc, argv);
-    if (ok && options.scene == NULL) {
-        ok = options_complain(&list, "a scene file is needed", "");
-    }
-    if (!ok) {
-        fputs("Try `qtri pipelines --help`.\n", stderr);
-        return 2;
-    }
-    return draw_and_print(&options);
+    return options_run(&command, &options, argc, argv);
 }

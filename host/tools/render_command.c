@@ -55,7 +55,7 @@ static const char usage[] =
 
 struct options {
     const char *scene, *output;
-    int format; /* see formats */
+    int format; /* of formats */
     bool dump, reference, allow_files, large;
     int snap, rows;
     int frames; /* 0: one picture */
@@ -63,107 +63,43 @@ struct options {
     double time;
 };
 
+static const char *const format_names[] = {"rgb888", "rgb565", "gray8"};
 static const struct {
-    const char *name;
     const qtri_format *core;
     enum reference_format reference;
 } formats[] = {
-    {"rgb888", &qtri_xrgb8888, REFERENCE_RGB888},
-    {"rgb565", &qtri_rgb565, REFERENCE_RGB565},
-    {"gray8", &qtri_gray8, REFERENCE_GRAY8},
+    {&qtri_xrgb8888, REFERENCE_RGB888},
+    {&qtri_rgb565, REFERENCE_RGB565},
+    {&qtri_gray8, REFERENCE_GRAY8},
 };
-
-static bool set_format(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    for (int i = 0; i < (int)(sizeof formats / sizeof formats[0]); i++) {
-        if (strcmp(value, formats[i].name) == 0) {
-            ((struct options *)options)->format = i;
-            return true;
-        }
-    }
-    return false;
-}
-
-static bool set_rows(void *options, const char *value, struct option_words *more)
-{
-    long rows = 0;
-    (void)more;
-    bool ok = option_whole(value, 0, SCENE_MAX_SIZE, &rows);
-    ((struct options *)options)->rows = (int)rows;
-    return ok;
-}
-
-static bool set_frames(void *options, const char *value, struct option_words *more)
-{
-    long frames = 0;
-    (void)more;
-    bool ok = option_whole(value, 1, 100000, &frames);
-    ((struct options *)options)->frames = (int)frames;
-    return ok;
-}
-
-static bool set_fps(void *options, const char *value, struct option_words *more)
-{
-    long per_second = 0;
-    (void)more;
-    bool ok = option_whole(value, 1, 1000, &per_second);
-    ((struct options *)options)->per_second = (int)per_second;
-    return ok;
-}
-
-static bool set_time(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    return option_real(value, 0, 1, &((struct options *)options)->time);
-}
-
-static bool set_snap(void *options, const char *value, struct option_words *more)
-{
-    long bits = 0;
-    (void)more;
-    bool ok = option_whole(value, 0, 16, &bits);
-    ((struct options *)options)->snap = (int)bits;
-    return ok;
-}
 
 #define AT(member) offsetof(struct options, member)
 
-static const struct option options_of_render[] = {
-    {"-o", OPTION_TEXT, AT(output), NULL},
-    {"--format", OPTION_SET, 0, set_format},
-    {"--rows", OPTION_SET, 0, set_rows},
-    {"--snap", OPTION_SET, 0, set_snap},
-    {"--frames", OPTION_SET, 0, set_frames},
-    {"--fps", OPTION_SET, 0, set_fps},
-    {"--at", OPTION_SET, 0, set_time},
-    {"--dump", OPTION_FLAG, AT(dump), NULL},
-    {"--reference", OPTION_FLAG, AT(reference), NULL},
-    {"--allow-files", OPTION_FLAG, AT(allow_files), NULL},
-    {"--large", OPTION_FLAG, AT(large), NULL},
+static const struct option all[] = {
+    {"-o", OPTION_TEXT, AT(output), {NULL}},
+    {"--format", OPTION_WORD, AT(format), {.words = {format_names, 3}}},
+    {"--rows", OPTION_WHOLE, AT(rows), {.range = {0, SCENE_MAX_SIZE}}},
+    {"--snap", OPTION_WHOLE, AT(snap), {.range = {0, 16}}},
+    {"--frames", OPTION_WHOLE, AT(frames), {.range = {1, 100000}}},
+    {"--fps", OPTION_WHOLE, AT(per_second), {.range = {1, 1000}}},
+    {"--at", OPTION_REAL, AT(time), {.range = {0, 1}}},
+    {"--dump", OPTION_FLAG, AT(dump), {NULL}},
+    {"--reference", OPTION_FLAG, AT(reference), {NULL}},
+    {"--allow-files", OPTION_FLAG, AT(allow_files), {NULL}},
+    {"--large", OPTION_FLAG, AT(large), {NULL}},
 };
 
-static const struct option_list list = {"render", "scene", offsetof(struct options, scene),
-                                        options_of_render,
-                                        sizeof options_of_render / sizeof options_of_render[0]};
-
-/* Fills *options; false after a message. */
-static bool parse_options(int argc, char **argv, struct options *options)
+static bool check(const struct option_command *command, void *given)
 {
-    if (!options_parse(&list, options, argc, argv)) {
-        return false;
-    }
-    if (options->scene == NULL || options->output == NULL) {
-        return options_complain(&list, "a scene file and -o PICTURE are needed", "");
-    }
+    const struct options *options = given;
     if (options->frames > 0 && options->dump) {
-        return options_complain(&list, "--dump is for one picture, not for --frames", "");
+        return options_complain(command, "--dump is for one picture, not for --frames", "");
     }
     if (options->frames > 0 && strcmp(options->scene, "-") == 0) {
-        return options_complain(&list, "--frames reads the scene for each of them: not ", "-");
+        return options_complain(command, "--frames reads the scene for each of them: not ", "-");
     }
     if (options->dump && file_is_stream(options->output)) {
-        return options_complain(&list, "--dump writes three files: not to ", options->output);
+        return options_complain(command, "--dump writes three files: not to ", options->output);
     }
     return true;
 }
@@ -249,83 +185,93 @@ static bool is_empty(const struct options *options, const struct scene *scene,
     return same == count;
 }
 
-static void print_help(void)
+static void print_statements(void)
 {
     const char *name;
     const char *arguments;
-    fputs(usage, stdout);
     fputs("\nStatements of a scene file, one a line; # starts a comment:\n\n", stdout);
     for (size_t i = 0; scene_statement_usage(i, &name, &arguments); i++) {
         printf("  %-12s %s\n", name, arguments);
     }
 }
 
-/* A limit of what is drawn, with a message where it is exceeded. */
-static bool is_within_limits(const struct options *options, const struct scene *scene)
+/* A limit of what is drawn; false with *error set where it is exceeded. */
+static bool is_within_limits(const struct options *options, const struct scene *scene,
+                             struct text_error *error)
 {
     if (options->dump && !options->reference && scene->triangle_count > SCENE_MAX_DUMP_ID) {
-        fprintf(stderr, "qtri render: %s: more than %u triangles cannot be dumped\n",
-                options->scene, SCENE_MAX_DUMP_ID);
+        text_error_set(error, options->scene, 0, "more than %u triangles cannot be dumped",
+                       SCENE_MAX_DUMP_ID);
         return false;
     }
     if (options->reference && !options->large &&
         (long)scene->width * scene->height > REFERENCE_PIXELS) {
-        fprintf(stderr, "qtri render: %s: %d x %d pixels are above 2048 x 2048 (--large)\n",
-                options->scene, scene->width, scene->height);
+        text_error_set(error, options->scene, 0, "%d x %d pixels are above 2048 x 2048 (--large)",
+                       scene->width, scene->height);
         return false;
     }
     return true;
 }
 
-static bool may_write(const char *path)
+static bool may_write(const char *path, struct text_error *error)
 {
     const bool is_input = path != NULL && file_inputs_has(path);
     if (is_input) {
-        fprintf(stderr, "qtri render: %s: has been read: it would be overwritten\n", path);
+        text_error_set(error, path, 0, "has been read: it would be overwritten");
     }
     return !is_input;
 }
 
 /* Asked before anything is drawn, or one of three files would be there without the others. */
-static bool keeps_inputs(const struct options *options, const char *path)
+static bool keeps_inputs(const struct options *options, const char *path, struct text_error *error)
 {
     char *id = options->dump ? name_with(options, ".id") : NULL;
     char *depth = options->dump ? name_with(options, ".depth") : NULL;
-    const bool ok = may_write(path) && may_write(id) && may_write(depth);
+    const bool ok = may_write(path, error) && may_write(id, error) && may_write(depth, error);
     free(id);
     free(depth);
     return ok;
 }
 
-/* Draws the scene into the file; returns the exit status. */
-static int render_file(const struct options *options, const char *path)
+/* Reads the scene at a time and draws what is going to `path`; false with *error set. */
+static bool draw(const struct options *options, double time, const char *path, struct scene *scene,
+                 struct picture *picture, struct text_error *error)
+{
+    const struct scene_reading how = {time, !options->allow_files, path};
+    if (!scene_read_as(options->scene, &how, scene, error)) {
+        return false;
+    }
+    bool ok = keeps_inputs(options, path, error) && is_within_limits(options, scene, error);
+    if (ok && !render(options, scene, picture)) {
+        text_error_set(error, options->scene, 0, "out of memory");
+        ok = false;
+    }
+    if (!ok) {
+        scene_free(scene);
+    }
+    return ok;
+}
+
+/* ---- One picture ---- */
+
+static bool render_file(const struct options *options, const char *path, struct text_error *error)
 {
     struct scene scene;
-    struct text_error error;
-    const struct scene_reading how = {options->time, !options->allow_files, path};
-    bool ok = scene_read_as(options->scene, &how, &scene, &error);
-    if (!ok) {
-        fprintf(stderr, "qtri render: %s\n", error.message);
-        return 1;
-    }
     struct picture picture;
-    ok = keeps_inputs(options, path) && is_within_limits(options, &scene);
-    if (ok && !render(options, &scene, &picture)) {
-        fprintf(stderr, "qtri render: out of memory\n");
-        ok = false;
-    } else if (ok) {
-        ok = write_files(options, path, &picture, &error);
-        if (!ok) {
-            fprintf(stderr, "qtri render: %s\n", error.message);
-        } else if (is_empty(options, &scene, &picture)) {
-            fprintf(stderr, "qtri render: %s: nothing is seen in the picture but its background\n",
-                    options->scene);
-        }
-        picture_free(&picture);
+    if (!draw(options, options->time, path, &scene, &picture, error)) {
+        return false;
     }
+    const bool ok = write_files(options, path, &picture, error);
+    if (ok && is_empty(options, &scene, &picture)) {
+        fprintf(stderr, "qtri render: %s: nothing is seen in the picture but its background\n",
+                options->scene);
+    }
+    picture_free(&picture);
     scene_free(&scene);
-    return ok ? 0 : 1;
+    return ok;
 }
+
+/* ---- Many ---- */
 
 static volatile sig_atomic_t is_interrupted;
 
@@ -335,80 +281,81 @@ static void interrupt(int number)
     is_interrupted = 1;
 }
 
-/* Draws frame `i` of the animation; false with *error set. */
 static bool render_frame(const struct options *options, int i, struct animation *animation,
                          struct text_error *error)
 {
     struct scene scene;
     struct picture picture;
-    const struct scene_reading how = {options->frames > 1 ? (double)i / (options->frames - 1) : 0,
-                                      !options->allow_files, options->output};
-    if (!scene_read_as(options->scene, &how, &scene, error)) {
+    const double time = options->frames > 1 ? (double)i / (options->frames - 1) : 0;
+    if (!draw(options, time, options->output, &scene, &picture, error)) {
         return false;
     }
-    bool ok = is_within_limits(options, &scene);
-    error->message[0] = '\0';
-    if (ok && !render(options, &scene, &picture)) {
-        text_error_set(error, options->scene, 0, "out of memory");
-        ok = false;
-    } else if (ok) {
-        ok = animation_add(animation, &picture, error);
-        picture_free(&picture);
-    }
+    const bool ok = animation_add(animation, &picture, error);
+    picture_free(&picture);
     scene_free(&scene);
     return ok;
 }
 
-/* Draws all frames; returns the exit status. */
-static int render_frames(const struct options *options)
+static bool render_frames(const struct options *options, struct text_error *error)
 {
     struct animation animation;
-    struct text_error error = {""};
     const bool is_watched = isatty(STDERR_FILENO) != 0;
     bool ok = true;
     system_on_interrupt(interrupt);
     animation_begin(&animation, options->output, options->per_second);
     for (int i = 0; ok && i < options->frames && !is_interrupted; i++) {
-        ok = render_frame(options, i, &animation, &error);
+        ok = render_frame(options, i, &animation, error);
         if (is_watched) {
             fprintf(stderr, "\rframe %d of %d%s", i + 1, options->frames,
                     !ok || i + 1 == options->frames ? "\n" : "");
         }
     }
-    if (!ok && error.message[0] != '\0') {
-        fprintf(stderr, "qtri render: %s\n", error.message);
-    }
     if (is_interrupted) {
         fprintf(stderr, "qtri render: ended after %d of %d frames\n", animation.count,
                 options->frames);
     }
-    if (!animation_end(&animation, &error)) {
-        fprintf(stderr, "qtri render: %s\n", error.message);
+    struct text_error at_end;
+    if (!animation_end(&animation, &at_end) && ok) {
+        *error = at_end;
         ok = false;
     }
-    return ok && !is_interrupted ? 0 : 1;
+    return ok && !is_interrupted;
 }
+
+/* ---- The command ---- */
+
+static bool run(void *given, struct text_error *error)
+{
+    const struct options *options = given;
+    if (options->frames > 0) {
+        return render_frames(options, error);
+    }
+    char *path = picture_path(options);
+    if (path == NULL) {
+        text_error_set(error, options->scene, 0, "out of memory");
+        return false;
+    }
+    const bool ok = render_file(options, path, error);
+    free(path);
+    return ok;
+}
+
+static const struct option_command command = {
+    .name = "render",
+    .input = "scene",
+    .needs = "a scene file and -o PICTURE are needed",
+    .input_at = AT(scene),
+    .output_at = AT(output),
+    .options = all,
+    .count = sizeof all / sizeof all[0],
+    .usage = usage,
+    .print_more = print_statements,
+    .check = check,
+    .run = run,
+};
 
 int render_main(int argc, char **argv)
 {
-    if (options_ask_help(argc, argv)) {
-        print_help();
-        return 0;
-    }
     struct options options = {.per_second = 25};
-    if (!parse_options(argc, argv, &options)) {
-        fputs("Try `qtri render --help`.\n", stderr);
-        return 2;
-    }
-    if (options.frames > 0) {
-        return render_frames(&options);
-    }
-    char *path = picture_path(&options);
-    if (path == NULL) {
-        fprintf(stderr, "qtri render: out of memory\n");
-        return 1;
-    }
-    int status = render_file(&options, path);
-    free(path);
-    return status;
+    return options_run(&command, &options, argc, argv);
 }

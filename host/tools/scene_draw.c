@@ -168,33 +168,6 @@ static void draw_triangle(struct drawing *d, const struct scene_op *op)
     qtri_draw_lit_triangles(d->surface, &d->view, &d->modelview, corner, normal, 3, &material);
 }
 
-/* Triangle by triangle, each in the colour of its id. */
-static void draw_part_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
-{
-    enum { BATCH = 256 };
-    qtri_corner corners[3 * BATCH];
-    uint32_t count = 0;
-    qtri_material material = d->material;
-    if (mesh->uvs == NULL) {
-        material.texture = NULL;
-    }
-    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        for (int j = 0; j < 3; j++) {
-            uint32_t vertex = mesh->triangles[i][j];
-            const qtri_vec3 *p = &mesh->positions[vertex];
-            qtri_corner corner = {{p->x, p->y, p->z, Q16_ONE}, rgb_of_id(id + i), {0, 0}};
-            if (mesh->uvs != NULL) {
-                corner.uv = mesh->uvs[vertex];
-            }
-            corners[count++] = corner;
-        }
-        if (count == 3 * BATCH || i + 1 == mesh->triangle_count) {
-            qtri_draw_triangles(d->surface, &d->view, &d->modelview, corners, count, &material);
-            count = 0;
-        }
-    }
-}
-
 /* Whether edges of meshes are exact shapes, not lines of pixels. */
 static bool has_strokes(const struct drawing *d)
 {
@@ -210,7 +183,7 @@ static void draw_wide(struct drawing *d, const qtri_view *view, const qtri_mesh 
     qtri_draw_wide_wireframe(d->surface, view, &d->modelview, mesh, &stroke, material);
 }
 
-/* The same where each triangle is a mesh of its own: of 16-bit positions, and in wide lines. */
+/* Triangle by triangle, each a mesh of its own in the colour of its id. */
 static void draw_mesh_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
 {
     static const uint16_t corners[1][3] = {{0, 1, 2}};
@@ -218,17 +191,14 @@ static void draw_mesh_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
     qtri_vec3 positions[3];
     qtri_vec2 uvs[3];
     qtri_material material = d->material;
-    qtri_mesh one = *mesh;
-    one.positions16 = mesh->positions == NULL ? positions16 : NULL;
-    one.positions = mesh->positions != NULL ? positions : NULL;
-    one.normals = NULL;
-    one.colors = NULL;
-    one.uvs = mesh->uvs != NULL ? uvs : NULL;
-    one.normals8 = NULL;
-    one.triangles = corners;
-    one.vertex_count = 3;
-    one.triangle_count = 1;
-    one.bounds.half = (qtri_vec3){0, 0, 0};
+    const qtri_mesh one = {.positions16 = mesh->positions == NULL ? positions16 : NULL,
+                           .positions = mesh->positions != NULL ? positions : NULL,
+                           .origin = mesh->origin,
+                           .extent = mesh->extent,
+                           .uvs = mesh->uvs != NULL ? uvs : NULL,
+                           .triangles = corners,
+                           .vertex_count = 3,
+                           .triangle_count = 1};
     if (mesh->uvs == NULL) {
         material.texture = NULL;
     }
@@ -236,13 +206,14 @@ static void draw_mesh_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
     view.light = NULL;
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
         for (int j = 0; j < 3; j++) {
+            const uint32_t vertex = mesh->triangles[i][j];
             if (mesh->positions == NULL) {
-                positions16[j] = mesh->positions16[mesh->triangles[i][j]];
+                positions16[j] = mesh->positions16[vertex];
             } else {
-                positions[j] = mesh->positions[mesh->triangles[i][j]];
+                positions[j] = mesh->positions[vertex];
             }
             if (mesh->uvs != NULL) {
-                uvs[j] = mesh->uvs[mesh->triangles[i][j]];
+                uvs[j] = mesh->uvs[vertex];
             }
         }
         material.color = rgb_of_id(id + i);
@@ -284,12 +255,6 @@ static bool may_be_seen(const struct drawing *d, const qtri_mesh *mesh)
     return true;
 }
 
-static void draw_solid_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
-{
-    const bool apart = mesh->positions == NULL || has_strokes(d);
-    (apart ? draw_mesh_ids : draw_part_ids)(d, mesh, id);
-}
-
 /* Ids over depths: what qtri_draw_hidden_lines does, triangle by triangle. */
 static void draw_hidden_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t id)
 {
@@ -304,7 +269,7 @@ static void draw_hidden_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t i
     solid.depth_read_only = false;
     qtri_draw_mesh(&depth, &d->view, &d->modelview, mesh, &solid);
     d->material.depth_bias += is_greater ? bias : -bias; /* both within -1..1 */
-    draw_solid_ids(d, mesh, id);
+    draw_mesh_ids(d, mesh, id);
     d->material = before;
 }
 
@@ -354,7 +319,7 @@ static void draw_part(struct drawing *d, const struct scene_op *op, const qtri_m
     if (d->pass == SCENE_IDS && d->resources->scene->hidden_lines) {
         draw_hidden_ids(d, mesh, id);
     } else if (d->pass == SCENE_IDS) {
-        draw_solid_ids(d, mesh, id);
+        draw_mesh_ids(d, mesh, id);
     } else if (d->pass == SCENE_EDGES) {
         note_edges(d, mesh);
     } else {

@@ -3,12 +3,6 @@
 
 #include "scene_color.h"
 
-static qtri_vec3 vec3_of(const int32_t v[3])
-{
-    const qtri_vec3 vec = {v[0], v[1], v[2]};
-    return vec;
-}
-
 static qtri_light_color color_of(const int32_t c[3])
 {
     const qtri_light_color color = {c[0], c[1], c[2]};
@@ -23,12 +17,12 @@ static void set_source(struct scene_resources *resources, uint32_t i, const stru
                                                    [SCENE_SPOT] = &qtri_spot_light};
     qtri_light_source *source = &resources->sources[i];
     source->kind = kinds[lamp->kind];
-    source->position = vec3_of(lamp->position);
+    source->position = scene_vec3(lamp->position);
     source->color = color_of(lamp->color);
     source->constant = lamp->fade[0];
     source->linear = lamp->fade[1];
     source->quadratic = lamp->fade[2];
-    source->direction = vec3_of(lamp->direction);
+    source->direction = scene_vec3(lamp->direction);
     source->inner = lamp->inner;
     source->outer = lamp->outer;
     if (lamp->exponent != 0) {

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "scene_color.h"
+
 static void load(qtri_transform *out, const int32_t number[16])
 {
     qtri_mat4 m;
@@ -14,15 +16,9 @@ static void load(qtri_transform *out, const int32_t number[16])
     qtri_transform_from_mat4(out, &m);
 }
 
-static qtri_vec3 vec3_at(const int32_t *n)
-{
-    qtri_vec3 v = {n[0], n[1], n[2]};
-    return v;
-}
-
 static void rotate_triangle(qtri_transform *current, const int32_t *n)
 {
-    const qtri_vec3 v[3] = {vec3_at(n + 1), vec3_at(n + 4), vec3_at(n + 7)};
+    const qtri_vec3 v[3] = {scene_vec3(n + 1), scene_vec3(n + 4), scene_vec3(n + 7)};
     qtri_transform_rotate_triangle(current, n[0], v);
 }
 
@@ -33,16 +29,16 @@ static void apply_pose(qtri_transform *current, const struct scene_op *op)
     const qtri_quat orientation = {n[0], n[1], n[2], n[3]};
     switch (op->kind) {
     case SCENE_TRANSLATE:
-        qtri_transform_translate(current, vec3_at(n));
+        qtri_transform_translate(current, scene_vec3(n));
         break;
     case SCENE_ROTATE:
-        qtri_transform_rotate(current, n[0], vec3_at(n + 1));
+        qtri_transform_rotate(current, n[0], scene_vec3(n + 1));
         break;
     case SCENE_SCALE:
-        qtri_transform_scale(current, vec3_at(n));
+        qtri_transform_scale(current, scene_vec3(n));
         break;
     case SCENE_ROTATE_ABOUT:
-        qtri_transform_rotate_about(current, n[0], vec3_at(n + 1), vec3_at(n + 4));
+        qtri_transform_rotate_about(current, n[0], scene_vec3(n + 1), scene_vec3(n + 4));
         break;
     case SCENE_ROTATE_TRIANGLE:
         rotate_triangle(current, n);
@@ -61,13 +57,13 @@ static void apply_view(qtri_transform *current, const struct scene_op *op)
     const int32_t *n = op->u.number;
     switch (op->kind) {
     case SCENE_LOOKAT:
-        qtri_transform_look_at(current, vec3_at(n), vec3_at(n + 3), vec3_at(n + 6));
+        qtri_transform_look_at(current, scene_vec3(n), scene_vec3(n + 3), scene_vec3(n + 6));
         break;
     case SCENE_LOOKAT_D3D:
-        qtri_transform_look_at_d3d(current, vec3_at(n), vec3_at(n + 3), vec3_at(n + 6));
+        qtri_transform_look_at_d3d(current, scene_vec3(n), scene_vec3(n + 3), scene_vec3(n + 6));
         break;
     case SCENE_ORBIT:
-        qtri_transform_orbit(current, vec3_at(n), n[3], n[4], n[5]);
+        qtri_transform_orbit(current, scene_vec3(n), n[3], n[4], n[5]);
         break;
     case SCENE_PERSPECTIVE:
         qtri_transform_perspective(current, n[0], n[1], n[2], n[3]);
@@ -103,9 +99,9 @@ static void apply_keys(qtri_transform *current, const struct scene *scene,
     for (size_t i = 0; i < track->count; i++) {
         const struct scene_key *from = &scene->keys[track->first + i];
         keys[i].time = from->time;
-        keys[i].position = vec3_at(from->position);
-        keys[i].orientation = qtri_quat_from_axis_deg(vec3_at(from->axis), from->degrees);
-        keys[i].scale = vec3_at(from->scale);
+        keys[i].position = scene_vec3(from->position);
+        keys[i].orientation = qtri_quat_from_axis_deg(scene_vec3(from->axis), from->degrees);
+        keys[i].scale = scene_vec3(from->scale);
     }
     const qtri_key key = qtri_keys_at(keys, (int32_t)track->count, track->time);
     qtri_transform_key(current, &key);

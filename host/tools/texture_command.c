@@ -33,7 +33,7 @@ struct options {
     const char *input, *output;
     char name[OPTION_NAME_SIZE];
     bool split, is_picture;
-    long picture; /* inside a model */
+    int picture; /* inside a model */
     struct texture_options texture;
 };
 
@@ -65,52 +65,37 @@ static bool set_key(void *options, const char *value, struct option_words *more)
     return true;
 }
 
-static bool set_format(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    return option_texture_format(value, &((struct options *)options)->texture.format);
-}
-
-static bool set_picture(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    return option_whole(value, 0, 65535, &((struct options *)options)->picture);
-}
-
 #define AT(member) offsetof(struct options, member)
 
-static const struct option options_of_texture[] = {
-    {"-o", OPTION_TEXT, AT(output), NULL},
-    {"--format", OPTION_SET, 0, set_format},
-    {"--size", OPTION_SET, 0, set_size},
-    {"--key", OPTION_SET, 0, set_key},
-    {"--name", OPTION_NAME, AT(name), NULL},
-    {"--picture", OPTION_SET, 0, set_picture},
-    {"--dither", OPTION_FLAG, AT(texture.dither), NULL},
-    {"--mipmaps", OPTION_FLAG, AT(texture.mipmaps), NULL},
-    {"--split", OPTION_FLAG, AT(split), NULL},
+static const struct option all[] = {
+    {"-o", OPTION_TEXT, AT(output), {NULL}},
+    {"--format",
+     OPTION_WORD,
+     AT(texture.format),
+     {.words = {texture_format_names, TEXTURE_FORMATS}}},
+    {"--size", OPTION_SET, 0, {.set = set_size}},
+    {"--key", OPTION_SET, 0, {.set = set_key}},
+    {"--name", OPTION_NAME, AT(name), {NULL}},
+    {"--picture", OPTION_WHOLE, AT(picture), {.range = {0, 65535}}},
+    {"--dither", OPTION_FLAG, AT(texture.dither), {NULL}},
+    {"--mipmaps", OPTION_FLAG, AT(texture.mipmaps), {NULL}},
+    {"--split", OPTION_FLAG, AT(split), {NULL}},
 };
 
-static const struct option_list list = {"texture", "picture", offsetof(struct options, input),
-                                        options_of_texture,
-                                        sizeof options_of_texture / sizeof options_of_texture[0]};
-
-static bool check_names(struct options *options)
+static bool check(const struct option_command *command, void *given)
 {
-    if (options->input == NULL || options->output == NULL) {
-        return options_complain(&list, "a picture and -o NAME.h are needed", "");
-    }
+    struct options *options = given;
     bool is_standard = strcmp(options->output, "-") == 0;
     options->is_picture =
         file_name_ends_in(options->output, ".png") || file_name_ends_in(options->output, ".ppm");
     if (!is_standard && !options->is_picture && !file_name_ends_in(options->output, ".h")) {
         return options_complain(
-            &list, "the output is named neither .h nor .png nor .ppm: ", options->output);
+            command, "the output is named neither .h nor .png nor .ppm: ", options->output);
     }
     if (options->split && (is_standard || options->is_picture)) {
-        return options_complain(&list, "--split needs an output named .h", "");
+        return options_complain(command, "--split needs an output named .h", "");
     }
-    return options_default_name(&list, options->input, options->output, options->name);
+    return options_default_name(command, options->input, options->output, options->name);
 }
 
 static bool write_picture(const struct options *options, const struct texture *texture,
@@ -176,8 +161,9 @@ static bool read_image(const struct options *options, struct image *image, struc
     return ok;
 }
 
-static bool run(const struct options *options, struct text_error *error)
+static bool run(void *given, struct text_error *error)
 {
+    const struct options *options = given;
     struct image image;
     struct texture texture;
     if (!read_image(options, &image, error)) {
@@ -199,22 +185,21 @@ static bool run(const struct options *options, struct text_error *error)
     return ok;
 }
 
+static const struct option_command command = {
+    .name = "texture",
+    .input = "picture",
+    .needs = "a picture and -o NAME.h are needed",
+    .input_at = AT(input),
+    .output_at = AT(output),
+    .options = all,
+    .count = sizeof all / sizeof all[0],
+    .usage = usage,
+    .check = check,
+    .run = run,
+};
+
 int texture_main(int argc, char **argv)
 {
-    struct options options;
-    struct text_error error;
-    memset(&options, 0, sizeof options);
-    if (options_ask_help(argc, argv)) {
-        fputs(usage, stdout);
-        return 0;
-    }
-    if (!options_parse(&list, &options, argc, argv) || !check_names(&options)) {
-        fputs("Try `qtri texture --help`.\n", stderr);
-        return 2;
-    }
-    if (!run(&options, &error)) {
-        fprintf(stderr, "qtri texture: %s\n", error.message);
-        return 1;
-    }
-    return 0;
+    struct options options = {0};
+    return options_run(&command, &options, argc, argv);
 }

@@ -74,7 +74,7 @@ static verify_exact shifted(int128 x)
 }
 
 /* The root of an integer is never halfway between two. */
-verify_exact verify_root(uint64_t x)
+static verify_exact root(uint64_t x)
 {
     uint64_t r = (uint64_t)sqrt((double)x);
     while ((int128)r * r > (int128)x) {
@@ -92,71 +92,22 @@ verify_exact verify_root(uint64_t x)
     return exact;
 }
 
-static verify_exact neg(const void *data, const q16 *a)
-{
-    (void)data;
-    return whole(-(int64_t)a[0]);
-}
-
-static verify_exact absolute(const void *data, const q16 *a)
-{
-    (void)data;
-    return whole(a[0] < 0 ? -(int64_t)a[0] : a[0]);
-}
-
 static int64_t floor_of(int64_t x)
 {
     return (x >> 16) * 65536;
-}
-
-static verify_exact floor_whole(const void *data, const q16 *a)
-{
-    (void)data;
-    return whole(floor_of(a[0]));
-}
-
-static verify_exact ceil_whole(const void *data, const q16 *a)
-{
-    (void)data;
-    return whole(floor_of((int64_t)a[0] + 65535));
-}
-
-static verify_exact round_whole(const void *data, const q16 *a)
-{
-    (void)data;
-    return whole(floor_of((int64_t)a[0] + 32768)); /* halves up */
-}
-
-static verify_exact fract(const void *data, const q16 *a)
-{
-    (void)data;
-    return whole(a[0] - floor_of(a[0]));
-}
-
-static verify_exact recip(const void *data, const q16 *a)
-{
-    (void)data;
-    return quotient((int128)1 << 32, a[0]);
-}
-
-static verify_exact sqrt_or_zero(const void *data, const q16 *a)
-{
-    (void)data;
-    return a[0] <= 0 ? whole(0) : verify_root((uint64_t)a[0] << 16);
 }
 
 /*
  * 2^24 / sqrt(x): the largest r with r^2 x <= 2^48, then up when (2r + 1)^2 x < 2^50. A half would
  * need an odd square that divides a power of two.
  */
-static verify_exact rsqrt(const void *data, const q16 *a)
+static verify_exact inverse_root(q16 a)
 {
-    (void)data;
-    if (a[0] <= 0) {
+    if (a <= 0) {
         return whole(Q16_MAX);
     }
-    int128 x = a[0];
-    int64_t r = (int64_t)(16777216.0 / sqrt((double)a[0]));
+    int128 x = a;
+    int64_t r = (int64_t)(16777216.0 / sqrt((double)a));
     while ((int128)r * r * x > (int128)1 << 48) {
         r--;
     }
@@ -172,80 +123,41 @@ static verify_exact rsqrt(const void *data, const q16 *a)
     return exact;
 }
 
-static verify_exact add(const void *data, const q16 *a)
-{
-    (void)data;
-    return whole((int64_t)a[0] + a[1]);
-}
-
-static verify_exact sub(const void *data, const q16 *a)
-{
-    (void)data;
-    return whole((int64_t)a[0] - a[1]);
-}
-
-static verify_exact mul(const void *data, const q16 *a)
-{
-    (void)data;
-    return shifted((int128)a[0] * a[1]);
-}
-
-static verify_exact mul_floor(const void *data, const q16 *a)
-{
-    (void)data;
-    return shifted_down((int128)a[0] * a[1]);
-}
-
-static verify_exact divided(const void *data, const q16 *a)
-{
-    (void)data;
-    return quotient((int128)a[0] * 65536, a[1]);
-}
-
 /* a - b floor(a / b), with the sign of b; b = 0 gives a. */
-static verify_exact mod(const void *data, const q16 *a)
+static int64_t remainder_of(int64_t a, int64_t b)
 {
-    (void)data;
-    if (a[1] == 0) {
-        return whole(a[0]);
+    if (b == 0) {
+        return a;
     }
-    int64_t rest = (int64_t)a[0] % a[1];
-    return whole(rest != 0 && (rest < 0) != (a[1] < 0) ? rest + a[1] : rest);
+    int64_t rest = a % b;
+    return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
 }
 
-static verify_exact hypotenuse(const void *data, const q16 *a)
-{
-    (void)data;
-    return verify_root((uint64_t)((int64_t)a[0] * a[0]) + (uint64_t)((int64_t)a[1] * a[1]));
-}
+/* --- the references: of arguments a[0], a[1] ... */
 
-static verify_exact muldiv(const void *data, const q16 *a)
-{
-    (void)data;
-    return quotient((int128)a[0] * a[1], a[2]);
-}
+#define EXACT(name, value)                                                                         \
+    static verify_exact exact_##name(const void *data, const q16 *a)                               \
+    {                                                                                              \
+        (void)data;                                                                                \
+        return value;                                                                              \
+    }                                                                                              \
+    const verify_reference verify_##name = {exact_##name, NULL, NULL, NULL};
 
-static verify_exact lerp(const void *data, const q16 *a)
-{
-    (void)data;
-    return shifted((int128)a[0] * 65536 + ((int128)a[1] - a[0]) * a[2]);
-}
-
-const verify_reference verify_neg = {neg, NULL, NULL, NULL};
-const verify_reference verify_abs = {absolute, NULL, NULL, NULL};
-const verify_reference verify_floor = {floor_whole, NULL, NULL, NULL};
-const verify_reference verify_ceil = {ceil_whole, NULL, NULL, NULL};
-const verify_reference verify_round = {round_whole, NULL, NULL, NULL};
-const verify_reference verify_fract = {fract, NULL, NULL, NULL};
-const verify_reference verify_recip = {recip, NULL, NULL, NULL};
-const verify_reference verify_sqrt = {sqrt_or_zero, NULL, NULL, NULL};
-const verify_reference verify_rsqrt = {rsqrt, NULL, NULL, NULL};
-const verify_reference verify_add = {add, NULL, NULL, NULL};
-const verify_reference verify_sub = {sub, NULL, NULL, NULL};
-const verify_reference verify_mul = {mul, NULL, NULL, NULL};
-const verify_reference verify_mul_floor = {mul_floor, NULL, NULL, NULL};
-const verify_reference verify_div = {divided, NULL, NULL, NULL};
-const verify_reference verify_mod = {mod, NULL, NULL, NULL};
-const verify_reference verify_hypot = {hypotenuse, NULL, NULL, NULL};
-const verify_reference verify_muldiv = {muldiv, NULL, NULL, NULL};
-const verify_reference verify_lerp = {lerp, NULL, NULL, NULL};
+EXACT(neg, whole(-(int64_t)a[0]))
+EXACT(abs, whole(a[0] < 0 ? -(int64_t)a[0] : a[0]))
+EXACT(floor, whole(floor_of(a[0])))
+EXACT(ceil, whole(floor_of((int64_t)a[0] + 65535)))
+EXACT(round, whole(floor_of((int64_t)a[0] + 32768))) /* halves up */
+EXACT(fract, whole(a[0] - floor_of(a[0])))
+EXACT(recip, quotient((int128)1 << 32, a[0]))
+EXACT(sqrt, a[0] <= 0 ? whole(0) : root((uint64_t)a[0] << 16))
+EXACT(rsqrt, inverse_root(a[0]))
+EXACT(add, whole((int64_t)a[0] + a[1]))
+EXACT(sub, whole((int64_t)a[0] - a[1]))
+EXACT(mul, shifted((int128)a[0] * a[1]))
+EXACT(mul_floor, shifted_down((int128)a[0] * a[1]))
+EXACT(div, quotient((int128)a[0] * 65536, a[1]))
+EXACT(mod, whole(remainder_of(a[0], a[1])))
+EXACT(hypot, root((uint64_t)((int64_t)a[0] * a[0]) + (uint64_t)((int64_t)a[1] * a[1])))
+EXACT(muldiv, quotient((int128)a[0] * a[1], a[2]))
+EXACT(lerp, shifted((int128)a[0] * 65536 + ((int128)a[1] - a[0]) * a[2]))

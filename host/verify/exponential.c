@@ -4,25 +4,10 @@
  */
 #include "real.h"
 
-static long double exp_ulp(long double raw)
-{
-    return 65536 * expl(raw / 65536);
-}
-
-static long double exp2_ulp(long double raw)
-{
-    return 65536 * exp2l(raw / 65536);
-}
-
-static long double log_ulp(long double raw)
-{
-    return 65536 * logl(raw / 65536);
-}
-
-static long double log2_ulp(long double raw)
-{
-    return 65536 * log2l(raw / 65536);
-}
+ULP(exp, 65536 * expl(raw / 65536))
+ULP(exp2, 65536 * exp2l(raw / 65536))
+ULP(log, 65536 * logl(raw / 65536))
+ULP(log2, 65536 * log2l(raw / 65536))
 
 /* exp saturates from log(32768) = 10.397, and -17 log(2) = -11.78 gives half an ULP: below that, 0.
  */

@@ -5,86 +5,19 @@
  */
 #include "tuple.h"
 
-#include "qtri/quat.h"
-#include "qtri/vec.h"
-
 #include <math.h>
 
 /* --- the functions */
 
-static void vec2_length(const q16 *a, q16 *r)
-{
-    qtri_vec2 v = {a[0], a[1]};
-    *r = qtri_vec2_length(v);
-}
-
-static void vec3_length(const q16 *a, q16 *r)
-{
-    qtri_vec3 v = {a[0], a[1], a[2]};
-    *r = qtri_vec3_length(v);
-}
-
-static void vec4_length(const q16 *a, q16 *r)
-{
-    qtri_vec4 v = {a[0], a[1], a[2], a[3]};
-    *r = qtri_vec4_length(v);
-}
-
-static void vec2_normalize(const q16 *a, q16 *r)
-{
-    qtri_vec2 v = {a[0], a[1]};
-    v = qtri_vec2_normalize(v);
-    r[0] = v.x;
-    r[1] = v.y;
-}
-
-static void vec3_normalize(const q16 *a, q16 *r)
-{
-    qtri_vec3 v = {a[0], a[1], a[2]};
-    v = qtri_vec3_normalize(v);
-    r[0] = v.x;
-    r[1] = v.y;
-    r[2] = v.z;
-}
-
-static void vec4_normalize(const q16 *a, q16 *r)
-{
-    qtri_vec4 v = {a[0], a[1], a[2], a[3]};
-    v = qtri_vec4_normalize(v);
-    r[0] = v.x;
-    r[1] = v.y;
-    r[2] = v.z;
-    r[3] = v.w;
-}
-
-static qtri_quat quat_of(const q16 *a)
-{
-    qtri_quat q = {a[0], a[1], a[2], a[3]};
-    return q;
-}
-
-static void quat_to(qtri_quat q, q16 *r)
-{
-    r[0] = q.w;
-    r[1] = q.x;
-    r[2] = q.y;
-    r[3] = q.z;
-}
-
-static void quat_normalize(const q16 *a, q16 *r)
-{
-    quat_to(qtri_quat_normalize(quat_of(a)), r);
-}
-
-static void quat_slerp(const q16 *a, q16 *r)
-{
-    quat_to(qtri_quat_slerp(quat_of(a), quat_of(a + 4), a[8]), r);
-}
-
-static void quat_nlerp(const q16 *a, q16 *r)
-{
-    quat_to(qtri_quat_nlerp(quat_of(a), quat_of(a + 4), a[8]), r);
-}
+CALL(vec2_length, q16, qtri_vec2_length(VEC2(a)))
+CALL(vec3_length, q16, qtri_vec3_length(VEC3(a)))
+CALL(vec4_length, q16, qtri_vec4_length(VEC4(a)))
+CALL(vec2_normalize, qtri_vec2, qtri_vec2_normalize(VEC2(a)))
+CALL(vec3_normalize, qtri_vec3, qtri_vec3_normalize(VEC3(a)))
+CALL(vec4_normalize, qtri_vec4, qtri_vec4_normalize(VEC4(a)))
+CALL(quat_normalize, qtri_quat, qtri_quat_normalize(QUAT(a)))
+CALL(quat_slerp, qtri_quat, qtri_quat_slerp(QUAT(a), QUAT(a + 4), a[8]))
+CALL(quat_nlerp, qtri_quat, qtri_quat_nlerp(QUAT(a), QUAT(a + 4), a[8]))
 
 /* --- the references */
 

@@ -6,71 +6,15 @@
 #include "tuple.h"
 
 #include "qtri/mat.h"
-#include "qtri/quat.h"
-#include "qtri/vec.h"
 
 /* --- the functions */
 
-static qtri_vec3 vec3_of(const q16 *a)
-{
-    qtri_vec3 v = {a[0], a[1], a[2]};
-    return v;
-}
-
-static qtri_vec4 vec4_of(const q16 *a)
-{
-    qtri_vec4 v = {a[0], a[1], a[2], a[3]};
-    return v;
-}
-
-static void vec2_dot(const q16 *a, q16 *r)
-{
-    qtri_vec2 v = {a[0], a[1]};
-    qtri_vec2 w = {a[2], a[3]};
-    *r = qtri_vec2_dot(v, w);
-}
-
-static void vec3_dot(const q16 *a, q16 *r)
-{
-    *r = qtri_vec3_dot(vec3_of(a), vec3_of(a + 3));
-}
-
-static void vec4_dot(const q16 *a, q16 *r)
-{
-    *r = qtri_vec4_dot(vec4_of(a), vec4_of(a + 4));
-}
-
-static void vec3_cross(const q16 *a, q16 *r)
-{
-    qtri_vec3 v = qtri_vec3_cross(vec3_of(a), vec3_of(a + 3));
-    r[0] = v.x;
-    r[1] = v.y;
-    r[2] = v.z;
-}
-
-static void quat_mul(const q16 *a, q16 *r)
-{
-    qtri_quat p = {a[0], a[1], a[2], a[3]};
-    qtri_quat q = {a[4], a[5], a[6], a[7]};
-    qtri_quat product = qtri_quat_mul(p, q);
-    r[0] = product.w;
-    r[1] = product.x;
-    r[2] = product.y;
-    r[3] = product.z;
-}
-
-static void mat4_vec4(const q16 *a, q16 *r)
-{
-    qtri_mat4 m;
-    for (int i = 0; i < 16; i++) {
-        m.m[i / 4][i % 4] = a[i];
-    }
-    qtri_vec4 v = qtri_mat4_vec4(&m, vec4_of(a + 16));
-    r[0] = v.x;
-    r[1] = v.y;
-    r[2] = v.z;
-    r[3] = v.w;
-}
+CALL(vec2_dot, q16, qtri_vec2_dot(VEC2(a), VEC2(a + 2)))
+CALL(vec3_dot, q16, qtri_vec3_dot(VEC3(a), VEC3(a + 3)))
+CALL(vec4_dot, q16, qtri_vec4_dot(VEC4(a), VEC4(a + 4)))
+CALL(vec3_cross, qtri_vec3, qtri_vec3_cross(VEC3(a), VEC3(a + 3)))
+CALL(quat_mul, qtri_quat, qtri_quat_mul(QUAT(a), QUAT(a + 4)))
+CALL(mat4_vec4, qtri_vec4, qtri_mat4_vec4((const qtri_mat4 *)(const void *)a, VEC4(a + 16)))
 
 /* --- the references */
 

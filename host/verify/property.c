@@ -81,19 +81,26 @@ static uint64_t circle_chunks(const verify_test *test, const verify_options *opt
                                          : ((uint64_t)1 << 31) / VERIFY_BLOCK / CHUNK_BLOCKS;
 }
 
-static void circle_run(const verify_test *test, const verify_options *options, uint64_t chunk,
-                       verify_row *rows)
+/* Asks `at` for every x >= 0 of a chunk. */
+static void each_input(const circle *c, const verify_options *options, uint64_t chunk,
+                       verify_row *rows, void (*at)(const circle *, q16, verify_row *))
 {
-    const circle *c = (const circle *)test->subject;
-    bool quick = options->mode == VERIFY_QUICK;
-    int blocks = quick ? CHUNK_STRATA : CHUNK_BLOCKS;
+    const bool quick = options->mode == VERIFY_QUICK;
+    const int blocks = quick ? CHUNK_STRATA : CHUNK_BLOCKS;
     for (int i = 0; i < blocks; i++) {
         int index = (int)chunk * blocks + i;
         q16 first = quick ? verify_stratum(index) & INT32_MAX : index * VERIFY_BLOCK;
         for (int k = 0; k < VERIFY_BLOCK; k++) {
-            circle_at(c, first + k, rows);
+            at(c, first + k, rows);
         }
     }
+}
+
+static void circle_run(const verify_test *test, const verify_options *options, uint64_t chunk,
+                       verify_row *rows)
+{
+    const circle *c = (const circle *)test->subject;
+    each_input(c, options, chunk, rows, circle_at);
     if (chunk == 0) { /* the one that has no opposite */
         q16 sine = c->sine(Q16_MIN);
         q16 cosine = c->cosine(Q16_MIN);
@@ -137,8 +144,9 @@ static double sum_of_opposites(q16 a, q16 b)
 }
 
 /* x >= 0, and -x with it; half a turn down from x, and up from -x: every angle with the next. */
-static void tangent_at(q16 x, verify_row *rows)
+static void tangent_at(const circle *none, q16 x, verify_row *rows)
 {
+    (void)none;
     const q16 half_turn = Q16(180);
     const q16 degrees = q16_tan_deg(x);
     const q16 degrees_back = q16_tan_deg(-x);
@@ -154,16 +162,8 @@ static void tangent_at(q16 x, verify_row *rows)
 static void tangent_run(const verify_test *test, const verify_options *options, uint64_t chunk,
                         verify_row *rows)
 {
-    bool quick = options->mode == VERIFY_QUICK;
-    int blocks = quick ? CHUNK_STRATA : CHUNK_BLOCKS;
     (void)test;
-    for (int i = 0; i < blocks; i++) {
-        int index = (int)chunk * blocks + i;
-        q16 first = quick ? verify_stratum(index) & INT32_MAX : index * VERIFY_BLOCK;
-        for (int k = 0; k < VERIFY_BLOCK; k++) {
-            tangent_at(first + k, rows);
-        }
-    }
+    each_input(NULL, options, chunk, rows, tangent_at);
     if (chunk == 0) { /* the one that has no opposite */
         add(&rows[TAN_PERIOD], Q16_MIN,
             fabs((double)q16_tan_deg(Q16_MIN) - q16_tan_deg(Q16_MIN + Q16(180))));

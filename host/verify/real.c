@@ -35,7 +35,7 @@ void real_set(mpfr_t x, q16 raw)
     mpfr_set_si_2exp(x, raw, -16, MPFR_RNDN);
 }
 
-void real_to_radians(mpfr_t x)
+static void to_radians(mpfr_t x)
 {
     mpfr_t pi;
     mpfr_init2(pi, REAL_PRECISION);
@@ -81,7 +81,7 @@ verify_exact real_function_exact(const void *data, const q16 *argument)
     mpfr_init2(x, REAL_PRECISION);
     real_set(x, f->takes_degrees ? raw % REAL_TURN : raw);
     if (f->takes_degrees) {
-        real_to_radians(x);
+        to_radians(x);
     }
     (void)f->mpfr(x, x, MPFR_RNDN);
     if (f->gives_degrees) {

@@ -23,8 +23,7 @@ verify_exact real_whole(int64_t value);
 
 void real_set(mpfr_t x, q16 raw);
 
-/* x pi / 180, or x 180 / pi. */
-void real_to_radians(mpfr_t x);
+/* x 180 / pi. */
 void real_to_degrees(mpfr_t x);
 
 /* A value in ULP from libm, trusted to 2^-48 of itself or of the scale, whichever is larger. */
@@ -42,6 +41,13 @@ typedef struct real_function {
     int32_t below, above;
     q16 smooth_from; /* smallest argument whose neighbourhood verify_interpolate may take */
 } real_function;
+
+/* The `ulp` of one: NAME_ulp, which makes ULP of `raw`. */
+#define ULP(name, value)                                                                           \
+    static long double name##_ulp(long double raw)                                                 \
+    {                                                                                              \
+        return value;                                                                              \
+    }
 
 /* The members of a verify_reference whose data is a real_function. */
 verify_exact real_function_exact(const void *data, const q16 *argument);

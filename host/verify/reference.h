@@ -19,7 +19,4 @@ extern const verify_reference verify_asin, verify_acos, verify_atan, verify_atan
 extern const verify_reference verify_asin_deg, verify_acos_deg, verify_atan_deg, verify_atan2_deg;
 extern const verify_reference verify_exp, verify_exp2, verify_log, verify_log2, verify_pow;
 
-/* Square root of an integer below 2^64 - 2^33. */
-verify_exact verify_root(uint64_t x);
-
 #endif

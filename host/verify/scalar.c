@@ -9,7 +9,7 @@
 
 enum { PLAIN, RELATIVE, OUTSIDE, MONOTONE }; /* the rows of a test */
 
-int verify_arguments(const verify_function *function)
+static int arguments_of(const verify_function *function)
 {
     return function->one != NULL ? 1 : (function->two != NULL ? 2 : 3);
 }
@@ -18,7 +18,7 @@ int verify_arguments(const verify_function *function)
 
 static verify_judge judge_of(const verify_function *f, const verify_options *options)
 {
-    verify_judge judge = {f->reference, verify_arguments(f), options->exact_only, f->relative_from,
+    verify_judge judge = {f->reference, arguments_of(f), options->exact_only, f->relative_from,
                           f->relative_unit};
     return judge;
 }
@@ -246,7 +246,7 @@ enum { CHUNK_TUPLES = 1 << 16 };
 static int stress_step(const verify_function *f, const verify_options *options)
 {
     bool quick = options->mode == VERIFY_QUICK;
-    return verify_arguments(f) == 2 ? (quick ? 9 : 1) : (quick ? 64 : 16);
+    return arguments_of(f) == 2 ? (quick ? 9 : 1) : (quick ? 64 : 16);
 }
 
 static uint64_t stress_values(const verify_function *f, const verify_options *options)
@@ -257,7 +257,7 @@ static uint64_t stress_values(const verify_function *f, const verify_options *op
 static uint64_t stress_tuples(const verify_function *f, const verify_options *options)
 {
     uint64_t values = stress_values(f, options);
-    return verify_arguments(f) == 2 ? values * values : values * values * values;
+    return arguments_of(f) == 2 ? values * values : values * values * values;
 }
 
 static uint64_t chunks_of(uint64_t tuples)
@@ -315,13 +315,13 @@ static void scalar_run(const verify_test *test, const verify_options *options, u
                        verify_row *rows)
 {
     const verify_function *f = (const verify_function *)test->subject;
-    (verify_arguments(f) == 1 ? run_blocks : run_tuples)(f, options, chunk, rows);
+    (arguments_of(f) == 1 ? run_blocks : run_tuples)(f, options, chunk, rows);
 }
 
 static uint64_t scalar_chunks(const verify_test *test, const verify_options *options)
 {
     const verify_function *f = (const verify_function *)test->subject;
-    return verify_arguments(f) == 1
+    return arguments_of(f) == 1
                ? blocks_chunks(options)
                : chunks_of(stress_tuples(f, options)) + chunks_of(random_tuples(options));
 }
@@ -329,8 +329,8 @@ static uint64_t scalar_chunks(const verify_test *test, const verify_options *opt
 static bool scalar_label(const verify_test *test, int index, verify_label *label)
 {
     const verify_function *f = (const verify_function *)test->subject;
-    verify_label plain = {
-        f->name, "", f->domain, verify_arguments(f), f->limit, f->reference->fast == NULL};
+    verify_label plain = {f->name,         "",       f->domain,
+                          arguments_of(f), f->limit, f->reference->fast == NULL};
     switch (index) {
     case PLAIN:
         break;

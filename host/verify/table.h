@@ -26,8 +26,6 @@ typedef struct verify_function {
 extern const verify_function verify_functions[];
 extern const size_t verify_function_count;
 
-int verify_arguments(const verify_function *function);
-
 /* A test of one function; the function must outlive it. */
 verify_test verify_scalar_test(const verify_function *function);
 

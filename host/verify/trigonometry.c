@@ -5,55 +5,16 @@
 #include "block.h"
 #include "real.h"
 
-static long double sin_ulp(long double raw)
-{
-    return 65536 * sinl(raw / 65536);
-}
-
-static long double cos_ulp(long double raw)
-{
-    return 65536 * cosl(raw / 65536);
-}
-
-static long double sin_deg_ulp(long double raw)
-{
-    return 65536 * sinl(fmodl(raw, REAL_TURN) * (REAL_PI / 180 / 65536));
-}
-
-static long double cos_deg_ulp(long double raw)
-{
-    return 65536 * cosl(fmodl(raw, REAL_TURN) * (REAL_PI / 180 / 65536));
-}
-
-static long double asin_ulp(long double raw)
-{
-    return 65536 * asinl(raw / 65536);
-}
-
-static long double acos_ulp(long double raw)
-{
-    return 65536 * acosl(raw / 65536);
-}
-
-static long double atan_ulp(long double raw)
-{
-    return 65536 * atanl(raw / 65536);
-}
-
-static long double asin_deg_ulp(long double raw)
-{
-    return asin_ulp(raw) * (180 / REAL_PI);
-}
-
-static long double acos_deg_ulp(long double raw)
-{
-    return acos_ulp(raw) * (180 / REAL_PI);
-}
-
-static long double atan_deg_ulp(long double raw)
-{
-    return atan_ulp(raw) * (180 / REAL_PI);
-}
+ULP(sin, 65536 * sinl(raw / 65536))
+ULP(cos, 65536 * cosl(raw / 65536))
+ULP(sin_deg, 65536 * sinl(fmodl(raw, REAL_TURN) * (REAL_PI / 180 / 65536)))
+ULP(cos_deg, 65536 * cosl(fmodl(raw, REAL_TURN) * (REAL_PI / 180 / 65536)))
+ULP(asin, 65536 * asinl(raw / 65536))
+ULP(acos, 65536 * acosl(raw / 65536))
+ULP(atan, 65536 * atanl(raw / 65536))
+ULP(asin_deg, asin_ulp(raw) * (180 / REAL_PI))
+ULP(acos_deg, acos_ulp(raw) * (180 / REAL_PI))
+ULP(atan_deg, atan_ulp(raw) * (180 / REAL_PI))
 
 /* Scales: 1 in ULP; as large a multiple for angles in degrees, whose slopes are 57 times those. */
 #define UNIT    65536.0

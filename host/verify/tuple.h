@@ -7,6 +7,11 @@
 
 #include "verify.h"
 
+#include "qtri/quat.h"
+#include "qtri/vec.h"
+
+#include <string.h>
+
 typedef struct verify_tuple {
     const char *name;
     int arguments, results;
@@ -17,6 +22,18 @@ typedef struct verify_tuple {
     double limit;
     bool all_correct, unit; /* unit: the result's length is to be 1, within 2 ULP */
 } verify_tuple;
+
+/* Arguments from `a` on as what functions take, and the `call` of one: its result as scalars. */
+#define VEC2(a) (*(const qtri_vec2 *)(const void *)(a))
+#define VEC3(a) (*(const qtri_vec3 *)(const void *)(a))
+#define VEC4(a) (*(const qtri_vec4 *)(const void *)(a))
+#define QUAT(a) (*(const qtri_quat *)(const void *)(a))
+#define CALL(name, type, expression)                                                               \
+    static void name(const q16 *a, q16 *r)                                                         \
+    {                                                                                              \
+        const type result = expression;                                                            \
+        memcpy(r, &result, sizeof result);                                                         \
+    }
 
 extern const verify_tuple verify_lengths[];
 extern const size_t verify_length_count;

@@ -46,28 +46,8 @@ cores=${BUDGET_CORES:-cortex-m0plus cortex-m3 cortex-m0plus-Os cortex-m3-Os}
 alone make -s bench size BENCH_SCENES= ${cores:+"BENCH_CORES=$cores"} >"$work/log" 2>&1 || { cat "$work/log"; finish 1; }
 grep 'skipped' "$work/log" | sed 's/^/check: budgets: /'
 
-sh host/bench/budgets.sh "${BUILD:-build}" >"$work/now" || finish 1
-awk -F '\t' '
-    function compiler(core) { return core ~ /^rv32/ ? "riscv" : "arm" }
-    # `# arm arm-none-eabi-gcc ... 12.2.1`: the compiler that the figures are of
-    /^#/ { split($0, part, " "); if (NR == FNR) version[part[2]] = $0; else if ($0 != version[part[2]]) other[part[2]] = $0; next }
-    $1 == "what" { next }
-    NR == FNR { budget[$1, $2] = $3; next }
-    !(($1, $2) in budget) { print $1 ", " $2 ": no budget (make budgets)"; failed = 1; next }
-    $3 > 1.02 * budget[$1, $2] {
-        notice = compiler($2) in other
-        if (notice) notices++; else failed = 1
-        printf "%s%s, %s: %d, the budget is %d (%+.1f %%)\n", notice ? "notice: " : "", $1, $2, $3, budget[$1, $2], \
-            budget[$1, $2] ? 100 * ($3 / budget[$1, $2] - 1) : 100
-    }
-    $3 < .98 * budget[$1, $2] { better++ }
-    { compared++ }
-    END {
-        for (c in other) print "notice: the budgets are of another compiler: " substr(version[c], 3) "; here: " substr(other[c], 3)
-        if (better) print "notice: " better " figures are more than 2 % below their budgets: make budgets"
-        if (!compared) { print "nothing was compared"; failed = 1 }
-        exit failed
-    }' "$table" "$work/now" >"$work/findings"
+sh host/bench/budgets.sh budgets "${BUILD:-build}" >"$work/now" || finish 1
+awk -v target=budgets -f tests/check/budgets.awk "$table" "$work/now" >"$work/findings"
 status=$?
 sed 's/^/check: budgets: /' "$work/findings"
 finish $status

@@ -37,31 +37,8 @@ awk -F '\t' '
     }' "$apart" "$build/matrix-classes.tsv" >"$work/findings" || status=1
 
 if [ -f "$table" ]; then
-    sh host/bench/matrix_budgets.sh "$build" >"$work/now" || finish 1
-    awk -F '\t' '
-        # `# arm arm-none-eabi-gcc ... 12.2.1`: the compiler that the figures are of
-        /^#/ { if (NR == FNR) version = $0; else if ($0 != version) other = $0; next }
-        $1 == "case" && NR == FNR { for (c = 2; c <= NF; c++) core[c] = $c; next }
-        $1 == "case" { for (c = 2; c <= NF; c++) now[c] = $c; next }
-        NR == FNR { known[$1]; for (c = 2; c <= NF; c++) budget[$1, core[c]] = $c; next }
-        !($1 in known) { print $1 ": no budget (make matrix-budgets)"; failed = 1; next }
-        {
-            for (c = 2; c <= NF; c++) {
-                most = budget[$1, now[c]]
-                if (most == "") { print $1 ", " now[c] ": no budget (make matrix-budgets)"; failed = 1; continue }
-                compared++
-                if ($c < .98 * most) better++
-                if ($c <= 1.02 * most) continue
-                if (other == "") failed = 1
-                printf "%s%s, %s: %d, the budget is %d (%+.1f %%)\n", other == "" ? "" : "notice: ", $1, now[c], $c, most, 100 * ($c / most - 1)
-            }
-        }
-        END {
-            if (other != "") print "notice: the budgets are of another compiler: " substr(version, 3) "; here: " substr(other, 3)
-            if (better) print "notice: " better " figures are more than 2 % below their budgets: make matrix-budgets"
-            if (!compared) { print "nothing was compared with a budget"; failed = 1 }
-            exit failed
-        }' "$table" "$work/now" >>"$work/findings" || status=1
+    sh host/bench/budgets.sh matrix-budgets "$build" >"$work/now" || finish 1
+    awk -v target=matrix-budgets -f tests/check/budgets.awk "$table" "$work/now" >>"$work/findings" || status=1
 else
     echo "notice: there is no $table: nothing is compared with budgets (make matrix-budgets)" >>"$work/findings"
 fi

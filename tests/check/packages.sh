@@ -65,7 +65,7 @@ if has arm-none-eabi-gcc "the command of port/README.md"; then
     quiet "the command of the README" sh -e ./command &&
         quiet "the objects of the command" arm-none-eabi-ld -r -o ../library.o ./*.o &&
         quiet "an application with these objects" arm-none-eabi-gcc -std=c99 -mcpu=cortex-m0plus -mthumb -O2 -ffreestanding -fno-tree-loop-distribute-patterns \
-            -nostdlib -Wl,--gc-sections -Icore/include -T "$board/mps2.ld" -o ../application.elf "$root/host/bench/app_textured.c" "$root/host/bench/size_board.c" \
+            -nostdlib -Wl,--gc-sections -Icore/include -T "$board/mps2.ld" -o ../application.elf "$root/host/bench/app_textured.c" "$root/host/bench/size_board.c" "$root/host/bench/bench_print.c" \
             "$board/startup.c" "$board/board.c" "$board/main.c" "$root/port/boards/common/memory.c" ./*.o -lgcc
     cd "$root" || finish 1
     missing=$(arm-none-eabi-nm -u "$work/library.o" | awk '$2 ~ /^(qtri|q16)_/ { print $2 }')
