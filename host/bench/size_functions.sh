@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Where code and stack of an application go: size_functions.sh FOLDER OBJECTS APPLICATION   (called by `make size-functions`)
-# FOLDER has the programs of a core and an optimization, OBJECTS what they are linked of. Prints the bytes of every file and of the largest functions linked, and
-# the calls that go deepest, by the compiler's call graph. What an indirect call leads to is taken to be every static
-# function that nobody calls by name; the compiler's own functions are taken to need no stack.
+# FOLDER has the programs of a core and an optimization, OBJECTS what they are linked of. Prints the bytes of every file and
+# of the largest functions linked, and the calls that go deepest, by the compiler's call graph; what indirect calls lead to
+# is what stack.calls says. The compiler's own functions are taken to need no stack.
 set -eu
 folder=$1 objects=$2 application=$3
 
@@ -35,49 +35,27 @@ sort -rn "$folder/$application.functions" | awk 'NR <= 40 && $1 > 0 { printf "%1
 
 echo
 echo "Bytes of stack, total   calls, deepest first"
-find "$objects/core" "$objects/host/bench/app_$application.ci" -name '*.ci' -exec cat {} + | awk -F '"' -v linked_list="$folder/$application.functions" '
+find "$objects/core" "$objects/host/bench/app_$application.ci" -name '*.ci' -exec cat {} + |
+    awk -F '"' -v linked_list="$folder/$application.functions" "$(cat tests/check/stack_calls.awk)"'
     BEGIN { while ((getline line < linked_list) > 0) { split(line, part, " "); linked[part[3]] } }
-    function plain(title) { sub(/.*:/, "", title); return title }
-    /^node:/ {
-        if (match($4, /[0-9]+ bytes/)) frame[$2] = substr($4, RSTART) + 0
-        next
-    }
-    /^edge:/ { if (!(($2, $4) in edge)) { edge[$2, $4]; out[$2] = out[$2] SUBSEP $4; called[$4] } }
-    # The deepest that a call of `title` goes; next_of remembers by which call.
-    function depth(title,   list, n, i, d, best) {
-        if (title in known) return known[title]
-        known[title] = frame[title] # a recursive call counts once
-        n = split(out[title], list, SUBSEP)
-        best = 0
-        for (i = 2; i <= n; i++) {
-            d = list[i] == "__indirect_call" ? indirect(title) : depth(list[i])
-            if (d > best) { best = d; next_of[title] = list[i] == "__indirect_call" ? target[title] : list[i] }
-        }
-        return known[title] = frame[title] + best
-    }
-    function indirect(from,   t, d, best) {
-        best = 0
-        for (t in frame) if (t ~ /^core.*:/ && !(t in called) && plain(t) in linked) {
-            d = depth(t)
-            if (d > best) { best = d; target[from] = t }
-        }
-        return best
-    }
-    function show(start,   t, sum) {
-        sum = 0
-        for (t = start; t != "" && !((start, t) in shown); t = next_of[t]) {
-            shown[start, t]
+    function complain(text) { } # make check-stack does
+    function is_linked(t) { sub(/.*:/, "", t); return t in linked }
+    function show(t,   sum, cut, next_t) {
+        for (sum = 0; t != ""; t = next_t) {
             sum += frame[t]
             printf "%6d %7d   %s\n", frame[t], sum, t
+            next_t = next_of[cut, t]
+            if (whole(t) in never) cut = cut never[whole(t)]
         }
         print ""
     }
+    function show_deepest(from,   list, n, i, deepest) {
+        n = split(out[from], list, " ")
+        for (i = 1; i <= n; i++) if (deepest == "" || depth(list[i]) > depth(deepest)) deepest = list[i]
+        show(deepest)
+    }
     END {
-        for (f = 0; f < 2; f++) {
-            from = f ? "app_frame" : "app_setup"
-            n = split(out[from], list, SUBSEP)
-            deepest = ""
-            for (i = 2; i <= n; i++) if (deepest == "" || depth(list[i]) > depth(deepest)) deepest = list[i]
-            show(deepest)
-        }
+        for (t in frame) if (file_of[t] ~ /^core\// && !is_linked(t)) delete frame[t]
+        show_deepest("app_setup")
+        show_deepest("app_frame")
     }'
