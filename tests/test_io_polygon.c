@@ -271,20 +271,26 @@ static void outlines_that_touch_themselves_are_covered_once(void **state)
     }
 }
 
-/* Clockwise from 0 degrees and back there; from 180 degrees an edge leads to the hole on the left.
- */
-static void add_hole(int x, int holes)
+/* Corner i of a hole of 2 * half corners, clockwise from 0 degrees. */
+static void add_hole_corner(int hole, int half, int i)
+{
+    const double angle = -3.141592653589793 * i / half;
+    const double r = i % half == 0 ? 3000 : 3000 - draw(1000);
+    add(10000 - 8000 * hole + (int)(r * cos(angle)), (int)(r * sin(angle)));
+}
+
+/* An edge leads from the first to each hole on its left: round half of each, and back. */
+static void add_holes(int holes)
 {
     const int half = 2 + draw(4);
-    const double first = 3000 - draw(1000);
-    for (int i = 0; i <= 2 * half; i++) {
-        const double angle = -3.141592653589793 * i / half;
-        const double r = i % (2 * half) == 0 ? first : 3000 - draw(1000);
-        const int at[2] = {x + (int)(r * cos(angle)), (int)(r * sin(angle))};
-        add(at[0], at[1]);
-        if (i == half && holes > 1) {
-            add_hole(x - 8000, holes - 1);
-            add(at[0], at[1]);
+    for (int hole = 0; hole < holes; hole++) {
+        for (int i = 0; i <= half; i++) {
+            add_hole_corner(hole, half, i);
+        }
+    }
+    for (int hole = holes - 1; hole >= 0; hole--) {
+        for (int i = half + (hole == holes - 1); i <= 2 * half; i++) {
+            add_hole_corner(hole, half, i);
         }
     }
 }
@@ -297,7 +303,7 @@ static void holes_are_left_out(void **state)
         outline.count = 0;
         add_round(0, 0, 12 + draw(30), 20000, 2000);
         add(outline.at[0][0], outline.at[0][1]);
-        add_hole(10000, 1 + draw(3));
+        add_holes(1 + draw(3));
         assert_covered("holes");
     }
 }
