@@ -221,5 +221,11 @@ if has cmake "CMake, ESP-IDF, Pico SDK and Zephyr"; then
         esac
         [ "$(grep -c "D$off=0" "$commands")" = "$(grep -c '"file":' "$commands")" ] || fail "cmake, $way: $off=0 does not reach all files"
     done
+    # The Pico's project as port/README.md builds it, with a model and without.
+    for model in "" "$work/model.h"; do
+        quiet "Pico, configured" env PICO_SDK_PATH="$root/tests/packages/pico" cmake -S port/packages/pico -B "$work/pico" \
+            -DMODEL="$model" -DGLUE_LIBRARIES="$(printf %s "$glue_libraries" | sed "s:build/:$root/build/:g; s/ /;/g")" &&
+            quiet "Pico, built" cmake --build "$work/pico" -j "$jobs" && quiet "Pico, runs" timeout 60 "$work/pico/mesh"
+    done
 fi
 finish $status
