@@ -282,7 +282,8 @@ static void line_ends(void **state)
     assert_int_equal(mesh.triangle_count, 1);
     assert_vec3(mesh.positions[1], ONE, 0, 0);
     obj_free(&mesh);
-    assert_error("v 0 0 \\\n 0\n# \\\nf 1 \\\n 1\n", "x.obj:4: a face needs 3 corners or more");
+    assert_error("v 0 0 \\\n 0\n# \\\nf 1 \\\n x 1\n",
+                 "x.obj:4: 'x' is not a corner (v, v/vt, v//vn or v/vt/vn)");
 }
 
 static void very_long_lines(void **state)
@@ -340,6 +341,16 @@ static void corners_that_end_in_slashes(void **state)
     obj_free(&mesh);
 }
 
+static void edges_are_passed_over(void **state)
+{
+    (void)state;
+    struct obj_mesh mesh = parse(SQUARE "f 4 3\nf 1 2 3\nf 4\n");
+    assert_int_equal(mesh.vertex_count, 3);
+    assert_int_equal(mesh.triangle_count, 1);
+    obj_free(&mesh);
+    assert_error(SQUARE "f 1 2\n", "x.obj: has no faces");
+}
+
 static void bad_corners(void **state)
 {
     (void)state;
@@ -351,7 +362,7 @@ static void bad_corners(void **state)
                        "x.obj:7: '%s' is not a corner (v, v/vt, v//vn or v/vt/vn)", corners[i]);
         assert_error(text, expected);
     }
-    assert_error(SQUARE "f 1 2\n", "x.obj:5: a face needs 3 corners or more");
+    assert_error(SQUARE "f 1 2", "x.obj:5: a face needs 3 corners or more");
     assert_error(SQUARE "f\n", "x.obj:5: a face needs 3 corners or more");
 }
 
@@ -597,6 +608,7 @@ int main(void)
         cmocka_unit_test(very_long_lines),
         cmocka_unit_test(bad_indices),
         cmocka_unit_test(corners_that_end_in_slashes),
+        cmocka_unit_test(edges_are_passed_over),
         cmocka_unit_test(bad_corners),
         cmocka_unit_test(bad_numbers),
         cmocka_unit_test(files_that_are_no_meshes),

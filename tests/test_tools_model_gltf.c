@@ -155,8 +155,10 @@ static void what_obj_has_besides_is_named(void **state)
     assert_left_out("k.obj", "1 picture of other things than colour");
     assert_true(contains("l.h", "b: 1 triangles, colour 255 255 255, 80 % opaque\n"));
     write_text("two.mtl", "newmtl b\nmap_Kd C:\\pictures\\other.ppm\n");
-    assert_refused("model k.obj -o bad.h", "qtri model: two.mtl:2: there is no picture "
-                                           "C:/pictures/other.ppm; --plain does without\n");
+    assert_left_out("k.obj", "1 picture of other things than colour, "
+                             "the picture C:/pictures/other.ppm, which is not there");
+    write_text("l.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n");
+    assert_left_out("l.obj", "1 face of less than 3 corners");
 }
 
 static void a_cloud_of_points_is_called_so(void **state)

@@ -405,18 +405,18 @@ static bool take_picture(struct model_material *material, const char *beside, co
     return true;
 }
 
-bool model_picture_beside(struct model_material *material, const char *beside, int line,
-                          const char *name, struct text_error *error)
+void model_picture_beside(struct model *model, struct model_material *material, const char *beside,
+                          const char *name)
 {
     const char *slash = strrchr(name, '/');
-    if (take_picture(material, beside, name) ||
-        (slash != NULL && take_picture(material, beside, slash + 1))) {
-        return true;
+    if (!take_picture(material, beside, name) &&
+        (slash == NULL || !take_picture(material, beside, slash + 1))) {
+        char words[200];
+        (void)snprintf(words, sizeof words, "the picture %.150s, which is not there", name);
+        if (strstr(model->left_out, words) == NULL) {
+            model_leave_out_words(model, words);
+        }
     }
-    char path[1024];
-    (void)model_path_beside(path, sizeof path, beside, name);
-    text_error_set(error, beside, line, "there is no picture %s; --plain does without", path);
-    return false;
 }
 
 void model_leave_out_words(struct model *model, const char *words)

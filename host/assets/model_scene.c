@@ -60,20 +60,20 @@ bool model_find_picture(const struct aiMaterial *material, struct model_picture_
     return false;
 }
 
-static bool copy_texture(const struct model_request *request, const struct aiMaterial *from,
-                         struct model_material *to)
+static void copy_texture(const struct model_request *request, const struct aiMaterial *from,
+                         struct model *model, struct model_material *to)
 {
     struct model_picture_use use;
     if (!model_find_picture(from, &use)) {
-        return true;
+        return;
     }
     to->clamp_u = use.mode[0] == aiTextureMapMode_Clamp;
     to->clamp_v = use.mode[1] == aiTextureMapMode_Clamp;
     if (use.name.data[0] == '*') { /* inside the file */
         (void)snprintf(to->texture, sizeof to->texture, "%.15s", use.name.data);
-        return true;
+    } else {
+        model_picture_beside(model, to, request->path, use.name.data);
     }
-    return model_picture_beside(to, request->path, 0, use.name.data, request->error);
 }
 
 /* glTF says how its alpha is meant; other formats have an opacity. */
@@ -91,8 +91,8 @@ static void copy_opacity(const struct aiMaterial *from, double alpha, struct mod
     }
 }
 
-static bool copy_material(const struct model_request *request, const struct aiMaterial *from,
-                          struct model_material *to)
+static void copy_material(const struct model_request *request, const struct aiMaterial *from,
+                          struct model *model, struct model_material *to)
 {
     struct aiString name;
     struct aiColor4D color = {1, 1, 1, 1};
@@ -108,7 +108,7 @@ static bool copy_material(const struct model_request *request, const struct aiMa
         to->two_sided = two_sided != 0;
     }
     copy_opacity(from, (double)color.a, to);
-    return copy_texture(request, from, to);
+    copy_texture(request, from, model, to);
 }
 
 /* ---- Meshes ---- */
@@ -396,13 +396,12 @@ static bool copy_pictures(const struct walk *walk)
     return ok || model_request_fail(walk->request, "out of memory", "");
 }
 
-static bool copy_materials(const struct walk *walk)
+static void copy_materials(const struct walk *walk)
 {
-    bool ok = true;
-    for (size_t i = 0; ok && i < walk->model->material_count; i++) {
-        ok = copy_material(walk->request, walk->scene->mMaterials[i], &walk->model->materials[i]);
+    for (size_t i = 0; i < walk->model->material_count; i++) {
+        copy_material(walk->request, walk->scene->mMaterials[i], walk->model,
+                      &walk->model->materials[i]);
     }
-    return ok;
 }
 
 bool model_copy_scene(const struct model_request *request, const struct aiScene *scene,
@@ -430,7 +429,10 @@ bool model_copy_scene(const struct model_request *request, const struct aiScene 
     if (request->content == MODEL_ALL && scene->mNumAnimations > 0) {
         walk.animation = scene->mAnimations[0];
     }
-    return copy_node(&walk, scene->mRootNode, place) && (materials == 0 || copy_materials(&walk)) &&
+    if (materials > 0) {
+        copy_materials(&walk);
+    }
+    return copy_node(&walk, scene->mRootNode, place) &&
            (request->content != MODEL_ALL || copy_pictures(&walk));
 }
 

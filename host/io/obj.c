@@ -14,7 +14,7 @@
 #define ONE 65536
 
 struct obj_parser {
-    const char *name;
+    const char *name, *end; /* of the text */
     struct text_error *error;
     int line;
     uint32_t material; /* of the faces that follow */
@@ -236,9 +236,23 @@ static bool add_polygon(struct obj_parser *parser, size_t first_triangle)
     return true;
 }
 
-/* A fan around the first corner, until all positions are known. */
+bool obj_is_edge(struct line line)
+{
+    struct token token;
+    int corners = 0;
+    while (corners < 3 && line_token(&line, &token)) {
+        corners++;
+    }
+    return corners == 1 || corners == 2;
+}
+
+/* A fan around the first corner, until all positions are known. An edge at the end of the text is a
+   face of which something is missing. */
 static bool parse_face(struct obj_parser *parser, struct line *line)
 {
+    if (obj_is_edge(*line) && line->end != parser->end) {
+        return true;
+    }
     const size_t first_triangle = parser->source->triangle_count;
     struct token token;
     uint32_t first = 0, previous = 0;
@@ -399,7 +413,8 @@ static bool parse_all(struct obj_parser *parser, const char *text, size_t length
 bool obj_parse_source(const char *name, const char *text, size_t length, struct obj_source *source,
                       struct text_error *error)
 {
-    struct obj_parser parser = {.name = name, .error = error, .source = source};
+    struct obj_parser parser = {
+        .name = name, .end = text + length, .error = error, .source = source};
     if (source->full) { /* the material of faces before any usemtl */
         struct line nothing = {text, text, 0};
         if (!parse_material(&parser, &nothing)) {

@@ -10,6 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "lines.h"
 #include "obj.h"
 
 #define OBJ_ABSENT    UINT32_MAX        /* a corner without this attribute */
@@ -81,6 +82,10 @@ struct obj_source {
  */
 bool obj_parse_source(const char *name, const char *text, size_t length, struct obj_source *source,
                       struct text_error *error);
+
+/* Whether what is left of a face's line are one or two corners, as programs write edges: such faces
+   are passed over. */
+bool obj_is_edge(struct line line);
 
 void obj_source_free(struct obj_source *source);
 
