@@ -43,7 +43,7 @@ static int widest_view(const double (*p)[3], size_t count)
     return widest;
 }
 
-/* False: the polygon is a point, or not finite. */
+/* False: the polygon is a point, or its size is not finite. */
 static bool project(const double (*p)[3], size_t count, struct corner *ring)
 {
     const int axis = widest_view(p, count), u = (axis + 1) % 3, v = (axis + 2) % 3;
