@@ -291,7 +291,7 @@ static void other_formats(void **state)
     assert_true(contains("t.h", "{131072, 0, 0}")); /* the node's scale */
     assert_true(contains("t.h", "{255, 137, 0}"));  /* linear .25 is 137 in sRGB */
     assert_compiles("t.h", "t");
-    static const char stl[] = "solid t\nfacet normal 9 9 9\nouter loop\nvertex 0 0 0\n"
+    static const char stl[] = " solid t\nfacet normal 9 9 9\nouter loop\nvertex 0 0 0\n"
                               "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid t\n";
     write_text("t.stl", stl);
     assert_int_equal(run("mesh t.stl -o t.h"), 0);

@@ -153,6 +153,8 @@ static void what_obj_has_besides_is_named(void **state)
                              "the picture C:/pictures/other.ppm, which is not there");
     write_text("l.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n");
     assert_left_out("l.obj", "1 face of less than 3 corners");
+    write_text("l.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 3e9 0\nvt 1 1\nf 1/1 2/2 3/2\n");
+    assert_left_out("l.obj", "1 vertex's texture coordinates beyond 32767");
 }
 
 static void a_cloud_of_points_is_called_so(void **state)

@@ -65,11 +65,16 @@ static void normalise(double vector[3])
     }
 }
 
-static bool check_vertex(struct model_vertex *vertex)
+/* Texture coordinates that are no place of a picture become 0, and count as lost. */
+static bool check_vertex(struct model_vertex *vertex, size_t *lost)
 {
-    if (!is_in_range(vertex->position, 3) || !is_in_range(vertex->normal, 3) ||
-        !is_in_range(vertex->uv, 2)) {
+    if (!is_in_range(vertex->position, 3) || !is_in_range(vertex->normal, 3)) {
         return false;
+    }
+    if (!(fabs(vertex->uv[0]) <= MODEL_MAX_UV && fabs(vertex->uv[1]) <= MODEL_MAX_UV)) {
+        vertex->uv[0] = 0.0;
+        vertex->uv[1] = 0.0;
+        (*lost)++;
     }
     normalise(vertex->normal);
     for (int i = 0; i < 3; i++) { /* -0 becomes 0: they are the same place */
@@ -114,14 +119,17 @@ bool model_check(const char *path, struct model *model, struct text_error *error
         text_error_set(error, path, 0, "a morph target is not a number, or beyond 1e9");
         return false;
     }
+    size_t lost = 0;
     for (size_t i = 0; i < model->vertex_count; i++) {
-        if (!check_vertex(&model->vertices[i]) ||
+        if (!check_vertex(&model->vertices[i], &lost) ||
             model->vertices[i].material >= model->material_count ||
             model->vertices[i].node > model->node_count) {
             text_error_set(error, path, 0, "vertex %zu is not a number, or beyond 1e9", i + 1);
             return false;
         }
     }
+    model_leave_out(model, lost, "vertex's texture coordinates beyond 32767",
+                    "vertices' texture coordinates beyond 32767");
     for (size_t i = 0; i < model->triangle_count; i++) {
         const uint32_t *corner = model->triangles[i];
         for (int j = 0; j < 3; j++) {

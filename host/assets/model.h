@@ -15,6 +15,7 @@
 #define MODEL_MAX_TRIANGLES ((size_t)1 << 21)
 #define MODEL_MAX_MATERIALS ((size_t)4096)
 #define MODEL_MAX_VALUE     1e9 /* of a coordinate, so that areas and their sums stay finite */
+#define MODEL_MAX_UV        32767.0
 
 struct model_material {
     char name[64];         /* cut where it is longer */
