@@ -122,6 +122,26 @@ static void animations_that_move_nothing_are_named(void **state)
     assert_left_out("a.gltf", "1 animation");
 }
 
+/* The second triangle has a vertex that is not there. */
+static void triangles_that_are_passed_over_are_named(void **state)
+{
+    (void)state;
+    need_library();
+    write_text("i.gltf",
+               "{\"asset\":{\"version\":\"2.0\"},\"scene\":0," NODE
+               ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+               "\"buffers\":[{\"uri\":\"i.bin\",\"byteLength\":42}],\"bufferViews\":[{"
+               "\"buffer\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":36,"
+               "\"byteLength\":6}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"
+               "\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]},{\"bufferView\":1,"
+               "\"componentType\":5121,\"count\":6,\"type\":\"SCALAR\"}]}");
+    char bytes[42];
+    memcpy(bytes, numbers, 36);
+    memcpy(bytes + 36, "\0\1\2\0\1\3", 6);
+    write_bytes("i.bin", bytes, sizeof bytes);
+    assert_left_out("i.gltf", "1 triangle with an index out of range");
+}
+
 static void what_obj_has_besides_is_named(void **state)
 {
     (void)state;
@@ -335,6 +355,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_gltf_has_besides_is_named),
         cmocka_unit_test(animations_that_move_nothing_are_named),
+        cmocka_unit_test(triangles_that_are_passed_over_are_named),
         cmocka_unit_test(what_obj_has_besides_is_named),
         cmocka_unit_test(a_cloud_of_points_is_called_so),
         cmocka_unit_test(pictures_are_placed_as_the_file_says),

@@ -165,6 +165,10 @@ bool model_check_ply(const char *path, const char *text, size_t length, struct m
 bool model_check_gltf(const char *path, const char *text, size_t length, struct model *model,
                       struct text_error *error);
 
+/* How many triangles the meshes of a glTF or GLB file say that they have; 0 where that is not said.
+ */
+size_t model_gltf_triangles(const char *text, size_t length);
+
 /* Materials of an MTL file by name: colour (Kd), opacity (d) and texture (map_Kd) of those that the
    model has. Statements that are not known are passed over, as their number grows. */
 bool model_parse_mtl(const char *path, const char *text, size_t length, struct model *model,

@@ -106,6 +106,60 @@ static bool check_root(const char *path, struct json root, struct model *model,
     return check_extensions(path, root, error);
 }
 
+/* ---- Triangles ---- */
+
+/* An element of a long array that is asked for in order, mostly. */
+struct walk {
+    struct json array, at;
+    size_t index;
+};
+
+static struct json walk_to(struct walk *walk, size_t index)
+{
+    if (walk->at.at == NULL || index < walk->index) {
+        walk->at = json_first(walk->array, NULL);
+        walk->index = 0;
+    }
+    for (; walk->at.at != NULL && walk->index < index; walk->index++) {
+        walk->at = json_next(walk->at, NULL);
+    }
+    return walk->at;
+}
+
+/* Of a primitive of separate triangles; others are not counted: SIZE_MAX. */
+static size_t count_primitive(struct walk *accessors, struct json primitive)
+{
+    enum { TRIANGLES = 4 };
+    const struct json indices = json_member(primitive, "indices");
+    const struct json positions = json_member(json_member(primitive, "attributes"), "POSITION");
+    const struct json accessor =
+        walk_to(accessors, json_index(indices.at != NULL ? indices : positions, SIZE_MAX));
+    return json_index(json_member(primitive, "mode"), TRIANGLES) == TRIANGLES && accessor.at != NULL
+               ? json_index(json_member(accessor, "count"), 0) / 3
+               : SIZE_MAX;
+}
+
+size_t model_gltf_triangles(const char *text, size_t length)
+{
+    const bool is_binary = length >= HEADER + CHUNK && memcmp(text, "glTF", 4) == 0;
+    const size_t start = is_binary ? HEADER + CHUNK : 0;
+    const struct json root = json_text(text + start, length - start);
+    struct walk accessors = {.array = json_member(root, "accessors")};
+    struct json mesh = json_first(json_member(root, "meshes"), NULL);
+    size_t sum = 0;
+    for (; mesh.at != NULL; mesh = json_next(mesh, NULL)) {
+        struct json primitive = json_first(json_member(mesh, "primitives"), NULL);
+        for (; primitive.at != NULL; primitive = json_next(primitive, NULL)) {
+            const size_t count = count_primitive(&accessors, primitive);
+            if (count == SIZE_MAX) {
+                return 0;
+            }
+            sum += count;
+        }
+    }
+    return sum;
+}
+
 /* ---- The file ---- */
 
 static bool check_json(const char *path, const char *json, size_t length, struct model *model,
