@@ -83,16 +83,27 @@ static void one_triangle(void **state)
     assert_null(mesh.positions);
 }
 
-static void polygons_are_fans(void **state)
+static void convex_polygons_are_fans(void **state)
 {
     (void)state;
-    struct obj_mesh mesh = parse(SQUARE "v 0.5 2 0\nf 1 2 3 4 5\nf 5 4 3\n");
+    struct obj_mesh mesh = parse(SQUARE "v 0.5 2 0\nf 1 2 3 5 4\nf 5 4 3\n");
     assert_int_equal(mesh.vertex_count, 5);
     assert_int_equal(mesh.triangle_count, 4);
     assert_triangle(&mesh, 0, 0, 1, 2);
     assert_triangle(&mesh, 1, 0, 2, 3);
     assert_triangle(&mesh, 2, 0, 3, 4);
-    assert_triangle(&mesh, 3, 4, 3, 2);
+    assert_triangle(&mesh, 3, 3, 4, 2);
+    obj_free(&mesh);
+}
+
+/* An arrow head, whose fan about its first corner would leave it; its corners follow. */
+static void concave_polygons_stay_inside(void **state)
+{
+    (void)state;
+    struct obj_mesh mesh = parse("f 1 2 3 4\nv 1 3 0\nv 0 0 0\nv -1 3 0\nv 0 2 0\n");
+    assert_int_equal(mesh.triangle_count, 2);
+    assert_triangle(&mesh, 0, 3, 0, 1);
+    assert_triangle(&mesh, 1, 1, 2, 3);
     obj_free(&mesh);
 }
 
@@ -271,7 +282,8 @@ static void line_ends(void **state)
     assert_int_equal(mesh.triangle_count, 1);
     assert_vec3(mesh.positions[1], ONE, 0, 0);
     obj_free(&mesh);
-    assert_error("v 0 0 \\\n 0\n# \\\nf 1 \\\n 1\n", "x.obj:4: a face needs 3 corners or more");
+    assert_error("v 0 0 \\\n 0\n# \\\nf 1 \\\n x 1\n",
+                 "x.obj:4: 'x' is not a corner (v, v/vt, v//vn or v/vt/vn)");
 }
 
 static void very_long_lines(void **state)
@@ -317,11 +329,32 @@ static void bad_indices(void **state)
     assert_error(SQUARE "f 1/-1 2 3\n", "x.obj:5: '1/-1' has an index out of range");
 }
 
+/* Programs leave the slashes of what they leave out. */
+static void corners_that_end_in_slashes(void **state)
+{
+    (void)state;
+    struct obj_mesh mesh = parse(SQUARE "vt 0 0\nf 1/ 2/ 3/\nf 1// 2// 3//\nf 1/1/ 2 3\n");
+    assert_int_equal(mesh.vertex_count, 4);
+    assert_triangle(&mesh, 0, 0, 1, 2);
+    assert_triangle(&mesh, 1, 0, 1, 2);
+    assert_triangle(&mesh, 2, 3, 1, 2);
+    obj_free(&mesh);
+}
+
+static void edges_are_passed_over(void **state)
+{
+    (void)state;
+    struct obj_mesh mesh = parse(SQUARE "f 4 3\nf 1 2 3\nf 4\n");
+    assert_int_equal(mesh.vertex_count, 3);
+    assert_int_equal(mesh.triangle_count, 1);
+    obj_free(&mesh);
+    assert_error(SQUARE "f 1 2\n", "x.obj: has no faces");
+}
+
 static void bad_corners(void **state)
 {
     (void)state;
-    const char *const corners[] = {"x",   "/1",  "1/", "1/1/", "1//",  "1/1/1/1",
-                                   "1.5", "1e0", "//", "/",    "1///1"};
+    const char *const corners[] = {"x", "/1", "1/1/1/1", "1.5", "1e0", "//", "/", "1///1", "1///"};
     for (size_t i = 0; i < ARRAY_LENGTH(corners); i++) {
         char text[200], expected[200];
         (void)snprintf(text, sizeof text, SQUARE "vt 0 0\nvn 0 0 1\nf 1 2 %s\n", corners[i]);
@@ -329,7 +362,7 @@ static void bad_corners(void **state)
                        "x.obj:7: '%s' is not a corner (v, v/vt, v//vn or v/vt/vn)", corners[i]);
         assert_error(text, expected);
     }
-    assert_error(SQUARE "f 1 2\n", "x.obj:5: a face needs 3 corners or more");
+    assert_error(SQUARE "f 1 2", "x.obj:5: a face needs 3 corners or more");
     assert_error(SQUARE "f\n", "x.obj:5: a face needs 3 corners or more");
 }
 
@@ -559,7 +592,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_triangle),
-        cmocka_unit_test(polygons_are_fans),
+        cmocka_unit_test(convex_polygons_are_fans),
+        cmocka_unit_test(concave_polygons_stay_inside),
         cmocka_unit_test(negative_indices_count_back),
         cmocka_unit_test(faces_may_come_first),
         cmocka_unit_test(triples_become_vertices),
@@ -573,6 +607,8 @@ int main(void)
         cmocka_unit_test(line_ends),
         cmocka_unit_test(very_long_lines),
         cmocka_unit_test(bad_indices),
+        cmocka_unit_test(corners_that_end_in_slashes),
+        cmocka_unit_test(edges_are_passed_over),
         cmocka_unit_test(bad_corners),
         cmocka_unit_test(bad_numbers),
         cmocka_unit_test(files_that_are_no_meshes),

@@ -13,7 +13,7 @@
 /* ---- A small glTF ---- */
 
 /* Accessors of the file's data: of a triangle, of two keys, of one joint, of one target. */
-enum { POSITION, UV, TIMES, WEIGHTS, INVERSE_BIND, JOINTS, JOINT_WEIGHTS, TARGET, CURVE };
+enum { POSITION, UV, TIMES, WEIGHTS, INVERSE_BIND, JOINTS, JOINT_WEIGHTS, TARGET };
 
 static const float numbers[] = {
     0, 0, 0, 1, 0, 0, 0, 1, 0,                             /* positions */
@@ -111,23 +111,35 @@ static void what_gltf_has_besides_is_named(void **state)
     assert_left_out("m.gltf", "1 picture of other things than colour, 1 picture's mirrored repeat");
 }
 
-#define MOVES(way, output, kind)                                                                   \
-    "\"animations\":[{\"samplers\":[{\"input\":2,\"output\":" output ",\"interpolation\":\"" kind  \
-    "\"}],\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"" way "\"}}]}]"
-
 static void animations_that_move_nothing_are_named(void **state)
 {
     (void)state;
     need_library();
-    write_model("a.gltf", "}", MOVES("translation", "8", "CUBICSPLINE") "," NODE);
-    assert_left_out("a.gltf", "curves between keys (CUBICSPLINE)");
-    write_model("a.gltf", "}", MOVES("translation", "0", "STEP") "," NODE);
-    assert_left_out("a.gltf", "steps between keys (STEP)");
     write_model("a.gltf", "}",
                 "\"animations\":[{\"samplers\":[{\"input\":2,\"output\":0}],\"channels\":[{"
                 "\"sampler\":0,\"target\":{\"node\":1,\"path\":\"translation\"}}]}],"
                 "\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[{\"mesh\":0},{\"name\":\"empty\"}]");
     assert_left_out("a.gltf", "1 animation");
+}
+
+/* The second triangle has a vertex that is not there. */
+static void triangles_that_are_passed_over_are_named(void **state)
+{
+    (void)state;
+    need_library();
+    write_text("i.gltf",
+               "{\"asset\":{\"version\":\"2.0\"},\"scene\":0," NODE
+               ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+               "\"buffers\":[{\"uri\":\"i.bin\",\"byteLength\":42}],\"bufferViews\":[{"
+               "\"buffer\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":36,"
+               "\"byteLength\":6}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"
+               "\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]},{\"bufferView\":1,"
+               "\"componentType\":5121,\"count\":6,\"type\":\"SCALAR\"}]}");
+    char bytes[42];
+    memcpy(bytes, numbers, 36);
+    memcpy(bytes + 36, "\0\1\2\0\1\3", 6);
+    write_bytes("i.bin", bytes, sizeof bytes);
+    assert_left_out("i.gltf", "1 triangle with an index out of range");
 }
 
 static void what_obj_has_besides_is_named(void **state)
@@ -154,9 +166,15 @@ static void what_obj_has_besides_is_named(void **state)
     write_text("two.mtl", "newmtl b\nd 0.8\nTr 0.6\n");
     assert_left_out("k.obj", "1 picture of other things than colour");
     assert_true(contains("l.h", "b: 1 triangles, colour 255 255 255, 80 % opaque\n"));
+    assert_int_equal(run("model k.obj -o l.h --preview k.ppm"), 0);
+    assert_false(contains("messages", "nothing of the mesh is seen"));
     write_text("two.mtl", "newmtl b\nmap_Kd C:\\pictures\\other.ppm\n");
-    assert_refused("model k.obj -o bad.h", "qtri model: two.mtl:2: there is no picture "
-                                           "C:/pictures/other.ppm; --plain does without\n");
+    assert_left_out("k.obj", "1 picture of other things than colour, "
+                             "the picture C:/pictures/other.ppm, which is not there");
+    write_text("l.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n");
+    assert_left_out("l.obj", "1 face of less than 3 corners");
+    write_text("l.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 3e9 0\nvt 1 1\nf 1/1 2/2 3/2\n");
+    assert_left_out("l.obj", "1 vertex's texture coordinates beyond 32767");
 }
 
 static void a_cloud_of_points_is_called_so(void **state)
@@ -214,6 +232,34 @@ static void skins_rest_where_their_joints_are(void **state)
         const double *shift = model.shifts[model.vertices[i].shift]; /* 0, x, y: turned as well */
         assert_true(fabs(shift[0] - (expected[i][0] - 7)) < 1e-5);
         assert_true(fabs(shift[1] - expected[i][1]) < 1e-5);
+    }
+    model_free(&model);
+}
+
+/* A quarter turn about z, then (5, 6, 7); the library turns the translation, too. */
+static void nodes_of_gltf_1_stand_where_the_file_says(void **state)
+{
+    (void)state;
+    struct model model;
+    need_library();
+    write_text(
+        "one.gltf",
+        "{\"asset\":{\"version\":\"1.0\"},\"scene\":\"s\",\"scenes\":{\"s\":{\"nodes\":[\"n\"]}},"
+        "\"nodes\":{\"n\":{\"meshes\":[\"m\"],\"translation\":[5,6,7],"
+        "\"rotation\":[0,0,0.70710678,0.70710678]}},\"meshes\":{\"m\":{\"primitives\":[{"
+        "\"attributes\":{\"POSITION\":\"p\"},\"mode\":4}]}},\"accessors\":{\"p\":{"
+        "\"bufferView\":\"v\",\"byteOffset\":0,\"componentType\":5126,\"count\":3,"
+        "\"type\":\"VEC3\"}},\"bufferViews\":{\"v\":{\"buffer\":\"b\",\"byteOffset\":0,"
+        "\"byteLength\":36}},\"buffers\":{\"b\":{\"uri\":\"t.bin\",\"byteLength\":308,"
+        "\"type\":\"arraybuffer\"}},\"animations\":{\"a\":{}}}");
+    assert_left_out("one.gltf", "1 animation of glTF 1");
+    read_model("one.gltf", &model);
+    assert_int_equal(model.vertex_count, 3);
+    for (size_t i = 0; i < 3; i++) {
+        static const double expected[3][3] = {{5, 6, 7}, {5, 7, 7}, {4, 6, 7}};
+        for (int axis = 0; axis < 3; axis++) {
+            assert_true(fabs(model.vertices[i].position[axis] - expected[i][axis]) < 1e-5);
+        }
     }
     model_free(&model);
 }
@@ -309,10 +355,12 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_gltf_has_besides_is_named),
         cmocka_unit_test(animations_that_move_nothing_are_named),
+        cmocka_unit_test(triangles_that_are_passed_over_are_named),
         cmocka_unit_test(what_obj_has_besides_is_named),
         cmocka_unit_test(a_cloud_of_points_is_called_so),
         cmocka_unit_test(pictures_are_placed_as_the_file_says),
         cmocka_unit_test(skins_rest_where_their_joints_are),
+        cmocka_unit_test(nodes_of_gltf_1_stand_where_the_file_says),
         cmocka_unit_test(targets_are_mixed_by_their_weights),
         cmocka_unit_test(targets_are_left_out_where_there_is_no_place),
     };

@@ -168,7 +168,9 @@ static void copy_pixels(const qtri_surface *surface, struct picture *picture, si
             pixel[0] = color.r;
             pixel[1] = color.g;
             pixel[2] = color.b;
-            *drawn += surface->depth[y * surface->depth_pitch + x] != UINT16_MAX ? 1 : 0;
+            /* What is seen through leaves depth alone; the first pixel is background. */
+            *drawn += surface->depth[y * surface->depth_pitch + x] != UINT16_MAX ||
+                      memcmp(pixel, picture->rgb, 3) != 0;
         }
     }
 }

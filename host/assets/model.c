@@ -65,11 +65,16 @@ static void normalise(double vector[3])
     }
 }
 
-static bool check_vertex(struct model_vertex *vertex)
+/* Texture coordinates that are no place of a picture become 0, and count as lost. */
+static bool check_vertex(struct model_vertex *vertex, size_t *lost)
 {
-    if (!is_in_range(vertex->position, 3) || !is_in_range(vertex->normal, 3) ||
-        !is_in_range(vertex->uv, 2)) {
+    if (!is_in_range(vertex->position, 3) || !is_in_range(vertex->normal, 3)) {
         return false;
+    }
+    if (!(fabs(vertex->uv[0]) <= MODEL_MAX_UV && fabs(vertex->uv[1]) <= MODEL_MAX_UV)) {
+        vertex->uv[0] = 0.0;
+        vertex->uv[1] = 0.0;
+        (*lost)++;
     }
     normalise(vertex->normal);
     for (int i = 0; i < 3; i++) { /* -0 becomes 0: they are the same place */
@@ -114,14 +119,17 @@ bool model_check(const char *path, struct model *model, struct text_error *error
         text_error_set(error, path, 0, "a morph target is not a number, or beyond 1e9");
         return false;
     }
+    size_t lost = 0;
     for (size_t i = 0; i < model->vertex_count; i++) {
-        if (!check_vertex(&model->vertices[i]) ||
+        if (!check_vertex(&model->vertices[i], &lost) ||
             model->vertices[i].material >= model->material_count ||
             model->vertices[i].node > model->node_count) {
             text_error_set(error, path, 0, "vertex %zu is not a number, or beyond 1e9", i + 1);
             return false;
         }
     }
+    model_leave_out(model, lost, "vertex's texture coordinates beyond 32767",
+                    "vertices' texture coordinates beyond 32767");
     for (size_t i = 0; i < model->triangle_count; i++) {
         const uint32_t *corner = model->triangles[i];
         for (int j = 0; j < 3; j++) {
@@ -405,18 +413,18 @@ static bool take_picture(struct model_material *material, const char *beside, co
     return true;
 }
 
-bool model_picture_beside(struct model_material *material, const char *beside, int line,
-                          const char *name, struct text_error *error)
+void model_picture_beside(struct model *model, struct model_material *material, const char *beside,
+                          const char *name)
 {
     const char *slash = strrchr(name, '/');
-    if (take_picture(material, beside, name) ||
-        (slash != NULL && take_picture(material, beside, slash + 1))) {
-        return true;
+    if (!take_picture(material, beside, name) &&
+        (slash == NULL || !take_picture(material, beside, slash + 1))) {
+        char words[200];
+        (void)snprintf(words, sizeof words, "the picture %.150s, which is not there", name);
+        if (strstr(model->left_out, words) == NULL) {
+            model_leave_out_words(model, words);
+        }
     }
-    char path[1024];
-    (void)model_path_beside(path, sizeof path, beside, name);
-    text_error_set(error, beside, line, "there is no picture %s; --plain does without", path);
-    return false;
 }
 
 void model_leave_out_words(struct model *model, const char *words)

@@ -15,6 +15,7 @@
 #define MODEL_MAX_TRIANGLES ((size_t)1 << 21)
 #define MODEL_MAX_MATERIALS ((size_t)4096)
 #define MODEL_MAX_VALUE     1e9 /* of a coordinate, so that areas and their sums stay finite */
+#define MODEL_MAX_UV        32767.0
 
 struct model_material {
     char name[64];         /* cut where it is longer */
@@ -97,7 +98,7 @@ void model_free(struct model *model);
 /* How much of a file is wanted. */
 enum model_content {
     MODEL_SHAPE,     /* one white material, at rest */
-    MODEL_MATERIALS, /* colours and textures, which must be there */
+    MODEL_MATERIALS, /* colours and textures */
     MODEL_ALL        /* the pictures inside and the first animation as well */
 };
 
@@ -164,6 +165,10 @@ bool model_check_ply(const char *path, const char *text, size_t length, struct m
 bool model_check_gltf(const char *path, const char *text, size_t length, struct model *model,
                       struct text_error *error);
 
+/* How many triangles the meshes of a glTF or GLB file say that they have; 0 where that is not said.
+ */
+size_t model_gltf_triangles(const char *text, size_t length);
+
 /* Materials of an MTL file by name: colour (Kd), opacity (d) and texture (map_Kd) of those that the
    model has. Statements that are not known are passed over, as their number grows. */
 bool model_parse_mtl(const char *path, const char *text, size_t length, struct model *model,
@@ -173,9 +178,9 @@ bool model_parse_mtl(const char *path, const char *text, size_t length, struct m
 bool model_path_beside(char *out, size_t size, const char *beside, const char *name);
 
 /* Sets the material's picture: what is at `name` or, where that is the name on another computer,
-   beside the file `beside`. False with *error set, of a line unless it is 0: there is none. */
-bool model_picture_beside(struct model_material *material, const char *beside, int line,
-                          const char *name, struct text_error *error);
+   beside the file `beside`. One that is not there is left out. */
+void model_picture_beside(struct model *model, struct model_material *material, const char *beside,
+                          const char *name);
 
 /* Numbers finite and below MODEL_MAX_VALUE, normals of length 1 or none, indices in range. */
 bool model_check(const char *path, struct model *model, struct text_error *error);

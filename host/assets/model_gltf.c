@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "json.h"
 #include "model.h"
 
 enum { HEADER = 12, CHUNK = 8 };
@@ -36,58 +37,16 @@ static uint64_t read_32(const char *bytes)
     return value;
 }
 
-/* The first place of a word, or NULL: text need not end in 0. */
-static const char *find(const char *text, size_t length, const char *word)
+static bool check_extensions(const char *path, struct json root, struct text_error *error)
 {
-    const size_t size = strlen(word);
-    for (size_t i = 0; size <= length && i <= length - size; i++) {
-        if (memcmp(text + i, word, size) == 0) {
-            return text + i;
-        }
-    }
-    return NULL;
-}
-
-/* The end of what begins at `from` with a bracket or a brace, or `end`: texts may hold any. */
-static const char *skip(const char *from, const char *end)
-{
-    int depth = 0;
-    bool is_text = false;
-    for (; from < end; from++) {
-        if (is_text) {
-            const bool is_escape = *from == '\\' && from + 1 < end;
-            is_text = is_escape || *from != '"';
-            from += is_escape ? 1 : 0;
-        } else if (*from == '"') {
-            is_text = true;
-        } else if (*from == '[' || *from == '{') {
-            depth++;
-        } else if ((*from == ']' || *from == '}') && --depth == 0) {
-            return from + 1;
-        }
-    }
-    return end;
-}
-
-/* The list of a name: from its bracket to `*end`. NULL: there is none. */
-static const char *find_list(const char *json, size_t length, const char *name, const char **end)
-{
-    const char *at = find(json, length, name);
-    const char *list = at != NULL ? memchr(at, '[', (size_t)(json + length - at)) : NULL;
-    *end = list != NULL ? skip(list, json + length) : NULL;
-    return list;
-}
-
-static bool check_extensions(const char *path, const char *json, size_t length,
-                             struct text_error *error)
-{
-    const char *end;
-    const char *list = find_list(json, length, "\"extensionsRequired\"", &end);
-    for (size_t i = 0; list != NULL && i < sizeof needed / sizeof needed[0]; i++) {
-        if (find(list, (size_t)(end - list), needed[i].name) != NULL) {
-            text_error_set(error, path, 0, "%s (%s), which cannot be read: export it without",
-                           needed[i].problem, needed[i].name);
-            return false;
+    struct json name = json_first(json_member(root, "extensionsRequired"), NULL);
+    for (; name.at != NULL; name = json_next(name, NULL)) {
+        for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++) {
+            if (json_is(name, needed[i].name)) {
+                text_error_set(error, path, 0, "%s (%s), which cannot be read: export it without",
+                               needed[i].problem, needed[i].name);
+                return false;
+            }
         }
     }
     return true;
@@ -107,54 +66,98 @@ static bool is_read(const char *name)
 }
 
 /* Extensions by their names, as far as those are plain. */
-static void leave_out_extensions(const char *json, size_t length, struct model *model)
+static void leave_out_extensions(struct json root, struct model *model)
 {
-    const char *end;
-    const char *at = find_list(json, length, "\"extensionsUsed\"", &end);
-    while (at != NULL && (at = memchr(at, '"', (size_t)(end - at))) != NULL) {
+    struct json used = json_first(json_member(root, "extensionsUsed"), NULL);
+    for (; used.at != NULL; used = json_next(used, NULL)) {
+        const char *end = json_skip(used.at, used.end);
         char name[64];
-        size_t used = 0;
-        for (at++; at < end && *at != '"'; at++) {
-            at += *at == '\\' && at + 1 < end ? 1 : 0;
-            const bool is_plain = *at > ' ' && *at <= '~';
-            if (used + 1 < sizeof name) {
-                name[used++] = (char)(is_plain ? *at : '?');
-            }
+        size_t length = 0;
+        for (const char *at = used.at + 1; at + 1 < end && length + 1 < sizeof name; at++) {
+            at += *at == '\\' && at + 2 < end ? 1 : 0;
+            name[length++] = *at > ' ' && *at <= '~' ? *at : '?';
         }
-        name[used] = '\0';
-        if (!is_read(name)) {
+        name[length] = '\0';
+        if (*used.at == '"' && !is_read(name)) {
             model_leave_out_words(model, name);
         }
-        at += at < end ? 1 : 0;
     }
 }
 
-static size_t count_scenes(const char *json, size_t length)
+/* `name`: of an object, NULL: of an array. */
+static size_t count_values(struct json whole, struct json *name)
 {
-    const char *end;
-    const char *list = find_list(json, length, "\"scenes\"", &end);
     size_t count = 0;
-    if (list != NULL) {
-        const char *scene = list + 1;
-        while (scene < end && (scene = memchr(scene, '{', (size_t)(end - scene))) != NULL) {
-            scene = skip(scene, end);
-            count++;
-        }
+    for (struct json at = json_first(whole, name); at.at != NULL; at = json_next(at, name)) {
+        count++;
     }
     return count;
 }
 
-static void leave_out(const char *json, size_t length, struct model *model)
+static bool check_root(const char *path, struct json root, struct model *model,
+                       struct text_error *error)
 {
-    const size_t scenes = count_scenes(json, length);
-    leave_out_extensions(json, length, model);
+    struct json name;
+    const size_t scenes = count_values(json_member(root, "scenes"), NULL);
+    leave_out_extensions(root, model);
     model_leave_out(model, scenes > 1 ? scenes - 1 : 0, "further scene", "further scenes");
-    if (find(json, length, "\"CUBICSPLINE\"") != NULL) {
-        model_leave_out_words(model, "curves between keys (CUBICSPLINE)");
+    model_leave_out(model, count_values(json_member(root, "animations"), &name),
+                    "animation of glTF 1", "animations of glTF 1");
+    return check_extensions(path, root, error);
+}
+
+/* ---- Triangles ---- */
+
+/* An element of a long array that is asked for in order, mostly. */
+struct walk {
+    struct json array, at;
+    size_t index;
+};
+
+static struct json walk_to(struct walk *walk, size_t index)
+{
+    if (walk->at.at == NULL || index < walk->index) {
+        walk->at = json_first(walk->array, NULL);
+        walk->index = 0;
     }
-    if (find(json, length, "\"STEP\"") != NULL) {
-        model_leave_out_words(model, "steps between keys (STEP)");
+    for (; walk->at.at != NULL && walk->index < index; walk->index++) {
+        walk->at = json_next(walk->at, NULL);
     }
+    return walk->at;
+}
+
+/* Of a primitive of separate triangles; others are not counted: SIZE_MAX. */
+static size_t count_primitive(struct walk *accessors, struct json primitive)
+{
+    enum { TRIANGLES = 4 };
+    const struct json indices = json_member(primitive, "indices");
+    const struct json positions = json_member(json_member(primitive, "attributes"), "POSITION");
+    const struct json accessor =
+        walk_to(accessors, json_index(indices.at != NULL ? indices : positions, SIZE_MAX));
+    return json_index(json_member(primitive, "mode"), TRIANGLES) == TRIANGLES && accessor.at != NULL
+               ? json_index(json_member(accessor, "count"), 0) / 3
+               : SIZE_MAX;
+}
+
+size_t model_gltf_triangles(const char *text, size_t length)
+{
+    const bool is_binary = length >= HEADER + CHUNK && memcmp(text, "glTF", 4) == 0;
+    const size_t start = is_binary ? HEADER + CHUNK : 0;
+    const struct json root = json_text(text + start, length - start);
+    struct walk accessors = {.array = json_member(root, "accessors")};
+    struct json mesh = json_first(json_member(root, "meshes"), NULL);
+    size_t sum = 0;
+    for (; mesh.at != NULL; mesh = json_next(mesh, NULL)) {
+        struct json primitive = json_first(json_member(mesh, "primitives"), NULL);
+        for (; primitive.at != NULL; primitive = json_next(primitive, NULL)) {
+            const size_t count = count_primitive(&accessors, primitive);
+            if (count == SIZE_MAX) {
+                return 0;
+            }
+            sum += count;
+        }
+    }
+    return sum;
 }
 
 /* ---- The file ---- */
@@ -169,8 +172,7 @@ static bool check_json(const char *path, const char *json, size_t length, struct
     if (end == 0 || json[end - 1] != '}') {
         return fail(error, path, "ends before its last brace: the file is incomplete");
     }
-    leave_out(json, length, model);
-    return check_extensions(path, json, length, error);
+    return check_root(path, json_text(json, length), model, error);
 }
 
 static bool check_glb(const char *path, const char *bytes, size_t length, struct model *model,
@@ -185,8 +187,7 @@ static bool check_glb(const char *path, const char *bytes, size_t length, struct
     if (json > length - HEADER - CHUNK) {
         return fail(error, path, "its first chunk is longer than the file");
     }
-    leave_out(bytes + HEADER + CHUNK, (size_t)json, model);
-    return check_extensions(path, bytes + HEADER + CHUNK, (size_t)json, error);
+    return check_root(path, json_text(bytes + HEADER + CHUNK, (size_t)json), model, error);
 }
 
 bool model_check_gltf(const char *path, const char *text, size_t length, struct model *model,

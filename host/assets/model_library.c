@@ -61,6 +61,21 @@ static const struct aiScene *import(const struct model_request *request)
     return scene;
 }
 
+/* The library passes over triangles whose indices are out of range. */
+static void leave_out_triangles(const struct model_request *request, const struct aiScene *scene,
+                                struct model *model)
+{
+    size_t read = 0;
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        read += scene->mMeshes[i]->mNumFaces;
+    }
+    const size_t said = request->format[0] == 'g' && request->content == MODEL_ALL
+                            ? model_gltf_triangles(request->text, request->length)
+                            : 0;
+    model_leave_out(model, said > read ? said - read : 0, "triangle with an index out of range",
+                    "triangles with an index out of range");
+}
+
 static bool read_scene(const struct model_request *request, struct model *model)
 {
     const struct aiScene *scene = import(request);
@@ -73,6 +88,7 @@ static bool read_scene(const struct model_request *request, struct model *model)
         return false;
     }
     model_list_left_out(scene, request->content == MODEL_ALL, model);
+    leave_out_triangles(request, scene, model);
     return true;
 }
 

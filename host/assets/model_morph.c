@@ -90,10 +90,36 @@ static void set_weights(const struct aiMesh *mesh, const struct aiMeshMorphKey *
     }
 }
 
-static bool add_track(struct model *model, const struct aiMesh *mesh,
-                      const struct aiMeshMorphAnim *channel, double per_second, unsigned first)
+/* The keys of a curve's weights from `first` on; false when memory runs out. */
+static bool set_curve(const struct motion_curve *curve, unsigned first, size_t count,
+                      struct model_key *keys)
 {
-    const size_t count = channel != NULL && channel->mNumKeys > 0 ? channel->mNumKeys : 1;
+    struct motion_moment *moments = malloc((count + 1) * sizeof *moments);
+    double *weights = malloc((curve->width + 1) * sizeof *weights);
+    const bool ok = moments != NULL && weights != NULL;
+    if (ok) {
+        (void)motion_curve_moments(curve, moments);
+    }
+    for (size_t i = 0; ok && i < count; i++) {
+        motion_curve_at(curve, moments[i].time, moments[i].is_before, weights);
+        for (unsigned j = 0; j < MODEL_TRACK_WEIGHTS && first + j < curve->width; j++) {
+            keys[i].position[j] = weights[first + j];
+        }
+        keys[i].time = moments[i].time;
+    }
+    free(weights);
+    free(moments);
+    return ok;
+}
+
+static bool add_track(struct model *model, const struct aiMesh *mesh,
+                      const struct aiMeshMorphAnim *channel, const struct motion_curve *curve,
+                      double per_second, unsigned first)
+{
+    const bool moves = channel != NULL && channel->mNumKeys > 0;
+    const size_t count = curve != NULL ? motion_curve_moments(curve, NULL)
+                         : moves       ? channel->mNumKeys
+                                       : 1;
     struct model_node *tracks =
         realloc(model->tracks, (model->track_count + 1) * sizeof *model->tracks);
     struct model_key *keys = motion_append_keys(model, count);
@@ -102,9 +128,15 @@ static bool add_track(struct model *model, const struct aiMesh *mesh,
         return false;
     }
     for (size_t i = 0; i < count; i++) {
-        const bool moves = channel != NULL && channel->mNumKeys > 0;
-        set_weights(mesh, moves ? &channel->mKeys[i] : NULL, first, &keys[i]);
-        keys[i].time = moves ? channel->mKeys[i].mTime / per_second : 0.0;
+        const bool has_key = moves && curve == NULL;
+        set_weights(mesh, has_key ? &channel->mKeys[i] : NULL, first, &keys[i]);
+        keys[i].time = has_key ? channel->mKeys[i].mTime : 0.0;
+    }
+    if (curve != NULL && !set_curve(curve, first, count, keys)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        keys[i].time /= per_second;
     }
     const size_t kept = motion_thin_keys(keys, count);
     model->key_count -= count - kept;
@@ -116,7 +148,8 @@ static bool add_track(struct model *model, const struct aiMesh *mesh,
 }
 
 bool morph_add(struct model *model, const struct aiMesh *mesh,
-               const struct aiMeshMorphAnim *channel, double per_second)
+               const struct aiMeshMorphAnim *channel, const struct motion_curve *curve,
+               double per_second)
 {
     struct model_morph *morphs =
         model->morph_count < UINT16_MAX
@@ -132,7 +165,7 @@ bool morph_add(struct model *model, const struct aiMesh *mesh,
     morph->first_track = model->track_count;
     bool ok = true;
     for (unsigned i = 0; ok && i < mesh->mNumAnimMeshes; i += MODEL_TRACK_WEIGHTS) {
-        ok = add_track(model, mesh, channel, per_second, i);
+        ok = add_track(model, mesh, channel, curve, per_second, i);
     }
     return ok;
 }

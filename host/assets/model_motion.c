@@ -255,33 +255,70 @@ bool motion_add_rest(struct model *model, const struct aiMatrix4x4 *matrix, uint
     return add_node(model, 1, node, factor);
 }
 
-static int compare_keys(const void *a, const void *b)
+static int compare_moments(const void *a, const void *b)
 {
-    const struct model_key *x = a;
-    const struct model_key *y = b;
-    return (x->time > y->time) - (x->time < y->time);
+    const struct motion_moment *x = a;
+    const struct motion_moment *y = b;
+    return x->time != y->time ? (x->time > y->time) - (x->time < y->time)
+                              : (int)y->is_before - (int)x->is_before;
 }
 
-/* The times of all keys of a channel, each once. */
-static size_t merge_times(const struct aiNodeAnim *channel, struct model_key *keys)
+/* What moves a node: the library's keys, and curves in the place of some of them. */
+struct channel {
+    const struct aiNodeAnim *keys;
+    const struct motion_curve *curves[MOTION_WEIGHTS]; /* NULL: straight lines between the keys */
+};
+
+/* The times at which a channel wants keys, each once; how many there are. NULL: no memory. */
+static struct motion_moment *merge_moments(const struct channel *channel, size_t *count)
 {
-    size_t count = 0, distinct = 0;
-    for (unsigned i = 0; i < channel->mNumPositionKeys; i++) {
-        keys[count++].time = channel->mPositionKeys[i].mTime;
+    const struct aiNodeAnim *keys = channel->keys;
+    size_t all = (size_t)keys->mNumPositionKeys + keys->mNumRotationKeys + keys->mNumScalingKeys;
+    for (int i = 0; i < MOTION_WEIGHTS; i++) {
+        all += channel->curves[i] != NULL ? motion_curve_moments(channel->curves[i], NULL) : 0;
     }
-    for (unsigned i = 0; i < channel->mNumRotationKeys; i++) {
-        keys[count++].time = channel->mRotationKeys[i].mTime;
+    struct motion_moment *moments = calloc(all + 1, sizeof *moments);
+    if (moments == NULL) {
+        return NULL;
     }
-    for (unsigned i = 0; i < channel->mNumScalingKeys; i++) {
-        keys[count++].time = channel->mScalingKeys[i].mTime;
+    all = 0;
+    for (unsigned i = 0; i < keys->mNumPositionKeys; i++) {
+        moments[all++].time = keys->mPositionKeys[i].mTime;
     }
-    qsort(keys, count, sizeof *keys, compare_keys);
-    for (size_t i = 0; i < count; i++) {
-        if (i == 0 || keys[i].time > keys[distinct - 1].time) {
-            keys[distinct++].time = keys[i].time;
+    for (unsigned i = 0; i < keys->mNumRotationKeys; i++) {
+        moments[all++].time = keys->mRotationKeys[i].mTime;
+    }
+    for (unsigned i = 0; i < keys->mNumScalingKeys; i++) {
+        moments[all++].time = keys->mScalingKeys[i].mTime;
+    }
+    for (int i = 0; i < MOTION_WEIGHTS; i++) {
+        all += channel->curves[i] != NULL ? motion_curve_moments(channel->curves[i], &moments[all])
+                                          : 0;
+    }
+    qsort(moments, all, sizeof *moments, compare_moments);
+    *count = 0;
+    for (size_t i = 0; i < all; i++) {
+        if (i == 0 || compare_moments(&moments[i], &moments[*count - 1]) != 0) {
+            moments[(*count)++] = moments[i];
         }
     }
-    return distinct;
+    return moments;
+}
+
+/* *key is at rest. */
+static void channel_at(const struct channel *channel, const struct motion_moment *moment,
+                       struct model_key *key)
+{
+    const struct aiNodeAnim *keys = channel->keys;
+    double *values[] = {key->position, key->orientation, key->scale};
+    vector_at(keys->mPositionKeys, keys->mNumPositionKeys, moment->time, key->position);
+    vector_at(keys->mScalingKeys, keys->mNumScalingKeys, moment->time, key->scale);
+    quaternion_at(keys->mRotationKeys, keys->mNumRotationKeys, moment->time, key->orientation);
+    for (int i = 0; i < MOTION_WEIGHTS; i++) {
+        if (channel->curves[i] != NULL) {
+            motion_curve_at(channel->curves[i], moment->time, moment->is_before, values[i]);
+        }
+    }
 }
 
 /* Far less than a pixel, or a 16-bit position, shows. */
@@ -323,27 +360,28 @@ size_t motion_thin_keys(struct model_key *keys, size_t count)
 }
 
 bool motion_add_channel(struct model *model, const struct aiAnimation *animation,
-                        const struct aiNodeAnim *channel, const struct aiMatrix4x4 *rest,
-                        uint16_t *node, double *factor)
+                        const struct aiNodeAnim *keys, const struct motion_curves *curves,
+                        const struct aiMatrix4x4 *rest, uint16_t *node, double *factor)
 {
     const double per_second = animation->mTicksPerSecond > 0.0 ? animation->mTicksPerSecond : 25.0;
-    const size_t most =
-        (size_t)channel->mNumPositionKeys + channel->mNumRotationKeys + channel->mNumScalingKeys;
-    struct model_key *keys = motion_append_keys(model, most);
-    if (keys == NULL) {
+    struct channel channel = {.keys = keys};
+    size_t count = 0;
+    for (int i = 0; i < MOTION_WEIGHTS; i++) {
+        channel.curves[i] = motion_curve_of(curves, keys->mNodeName.data, (enum motion_path)i);
+    }
+    struct motion_moment *moments = merge_moments(&channel, &count);
+    struct model_key *made = moments != NULL ? motion_append_keys(model, count) : NULL;
+    for (size_t i = 0; made != NULL && i < count; i++) {
+        rest_key(rest, &made[i]);
+        channel_at(&channel, &moments[i], &made[i]);
+        made[i].time = moments[i].time / per_second;
+    }
+    free(moments);
+    if (made == NULL) {
         return false;
     }
-    const size_t count = merge_times(channel, keys);
-    for (size_t i = 0; i < count; i++) {
-        const double time = keys[i].time;
-        rest_key(rest, &keys[i]);
-        vector_at(channel->mPositionKeys, channel->mNumPositionKeys, time, keys[i].position);
-        vector_at(channel->mScalingKeys, channel->mNumScalingKeys, time, keys[i].scale);
-        quaternion_at(channel->mRotationKeys, channel->mNumRotationKeys, time, keys[i].orientation);
-        keys[i].time = time / per_second;
-    }
-    const size_t kept = motion_thin_keys(keys, count);
-    model->key_count -= most - kept;
+    const size_t kept = motion_thin_keys(made, count);
+    model->key_count -= count - kept;
     return add_node(model, kept, node, factor);
 }
 

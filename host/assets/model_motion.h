@@ -6,6 +6,7 @@
 #define QTRI_HOST_ASSETS_MODEL_MOTION_H
 
 #include "model.h"
+#include "model_curves.h"
 
 /* What node or track, which are of the model's keys, have at a time. */
 struct model_key motion_key_at(const struct model *model, const struct model_node *node,
@@ -34,7 +35,7 @@ bool motion_moves(const struct aiNodeAnim *channel);
 bool motion_add_rest(struct model *model, const struct aiMatrix4x4 *matrix, uint16_t *node,
                      double *factor);
 bool motion_add_channel(struct model *model, const struct aiAnimation *animation,
-                        const struct aiNodeAnim *channel, const struct aiMatrix4x4 *rest,
-                        uint16_t *node, double *factor);
+                        const struct aiNodeAnim *channel, const struct motion_curves *curves,
+                        const struct aiMatrix4x4 *rest, uint16_t *node, double *factor);
 
 #endif

@@ -172,7 +172,8 @@ static bool parse_texture(struct mtl_parser *parser, struct line *line)
         }
         name[i] = (char)(c == '\\' ? '/' : c);
     }
-    return model_picture_beside(parser->material, parser->path, parser->line, name, parser->error);
+    model_picture_beside(parser->model, parser->material, parser->path, name);
+    return true;
 }
 
 /* Statements of what no model has, of a material that the model has. */
@@ -330,7 +331,7 @@ static bool build(const struct obj_source *source, bool with_materials, struct m
 
 /* Faces, and what the parser passes over. */
 struct obj_count {
-    size_t faces, lines, points, curved;
+    size_t faces, edges, lines, points, curved;
 };
 
 static void count_statements(const char *text, size_t length, struct obj_count *count)
@@ -342,7 +343,9 @@ static void count_statements(const char *text, size_t length, struct obj_count *
     while (lines_next(&reader, &line)) {
         struct token keyword = {text, 0};
         (void)line_token(&line, &keyword);
-        count->faces += token_equals(&keyword, "f") || token_equals(&keyword, "fo") ? 1 : 0;
+        const bool is_face = token_equals(&keyword, "f") || token_equals(&keyword, "fo");
+        count->faces += is_face ? 1 : 0;
+        count->edges += is_face && obj_is_edge(line) ? 1 : 0;
         count->lines += token_equals(&keyword, "l") ? 1 : 0;
         count->points += token_equals(&keyword, "p") ? 1 : 0;
         count->curved += token_equals(&keyword, "curv") || token_equals(&keyword, "curv2") ||
@@ -369,6 +372,8 @@ bool model_parse_obj(const char *path, const char *text, size_t length, bool wit
         ok = false;
     }
     if (ok) {
+        model_leave_out(model, count.edges, "face of less than 3 corners",
+                        "faces of less than 3 corners");
         model_leave_out(model, count.lines, "line", "lines");
         model_leave_out(model, count.points, "statement of points", "statements of points");
         model_leave_out(model, count.curved, "curve or curved surface",

@@ -54,13 +54,24 @@ static bool is_binary_stl(const char *text, size_t length)
            (uint64_t)length - 84 < 50 * count + 50;
 }
 
-static bool is_json(const char *text, size_t length)
+static size_t skip_space(const char *text, size_t length, size_t at)
 {
-    size_t at = begins(text, length, "\xEF\xBB\xBF") ? 3 : 0;
     while (at < length &&
            (text[at] == ' ' || text[at] == '\n' || text[at] == '\r' || text[at] == '\t')) {
         at++;
     }
+    return at;
+}
+
+static bool is_text_stl(const char *text, size_t length)
+{
+    const size_t at = skip_space(text, length, 0);
+    return begins(text + at, length - at, "solid");
+}
+
+static bool is_json(const char *text, size_t length)
+{
+    const size_t at = skip_space(text, length, begins(text, length, "\xEF\xBB\xBF") ? 3 : 0);
     return at < length && text[at] == '{';
 }
 
@@ -73,7 +84,7 @@ static const char *sniff(const char *text, size_t length)
     if (begins(text, length, "ply\n") || begins(text, length, "ply\r")) {
         return "ply";
     }
-    if (is_binary_stl(text, length) || begins(text, length, "solid")) {
+    if (is_binary_stl(text, length) || is_text_stl(text, length)) {
         return "stl";
     }
     return is_json(text, length) ? "gltf" : "obj";

@@ -60,20 +60,20 @@ bool model_find_picture(const struct aiMaterial *material, struct model_picture_
     return false;
 }
 
-static bool copy_texture(const struct model_request *request, const struct aiMaterial *from,
-                         struct model_material *to)
+static void copy_texture(const struct model_request *request, const struct aiMaterial *from,
+                         struct model *model, struct model_material *to)
 {
     struct model_picture_use use;
     if (!model_find_picture(from, &use)) {
-        return true;
+        return;
     }
     to->clamp_u = use.mode[0] == aiTextureMapMode_Clamp;
     to->clamp_v = use.mode[1] == aiTextureMapMode_Clamp;
     if (use.name.data[0] == '*') { /* inside the file */
         (void)snprintf(to->texture, sizeof to->texture, "%.15s", use.name.data);
-        return true;
+    } else {
+        model_picture_beside(model, to, request->path, use.name.data);
     }
-    return model_picture_beside(to, request->path, 0, use.name.data, request->error);
 }
 
 /* glTF says how its alpha is meant; other formats have an opacity. */
@@ -91,8 +91,8 @@ static void copy_opacity(const struct aiMaterial *from, double alpha, struct mod
     }
 }
 
-static bool copy_material(const struct model_request *request, const struct aiMaterial *from,
-                          struct model_material *to)
+static void copy_material(const struct model_request *request, const struct aiMaterial *from,
+                          struct model *model, struct model_material *to)
 {
     struct aiString name;
     struct aiColor4D color = {1, 1, 1, 1};
@@ -108,7 +108,7 @@ static bool copy_material(const struct model_request *request, const struct aiMa
         to->two_sided = two_sided != 0;
     }
     copy_opacity(from, (double)color.a, to);
-    return copy_texture(request, from, to);
+    copy_texture(request, from, model, to);
 }
 
 /* ---- Meshes ---- */
@@ -125,6 +125,8 @@ struct walk {
     const struct model_request *request;
     const struct aiScene *scene;
     const struct aiAnimation *animation; /* NULL: none, or it is not wanted */
+    struct motion_curves curves;         /* of the animation */
+    struct json nodes;                   /* of glTF 1, by the names that the library has */
     struct model *model;
 };
 
@@ -293,18 +295,45 @@ static const struct aiNodeAnim *channel_of(const struct walk *walk, const struct
     return NULL;
 }
 
+/* Curves may lead away from keys that are alike. */
+static bool moves(const struct walk *walk, const struct aiNodeAnim *channel)
+{
+    bool found = motion_moves(channel);
+    for (int i = 0; !found && i < MOTION_WEIGHTS; i++) {
+        const struct motion_curve *curve =
+            motion_curve_of(&walk->curves, channel->mNodeName.data, (enum motion_path)i);
+        found = curve != NULL && curve->is_cubic;
+    }
+    return found;
+}
+
+/* The library turns and scales a translation of glTF 1 as well. */
+static struct aiMatrix4x4 matrix_of(const struct walk *walk, const struct aiNode *node)
+{
+    struct aiMatrix4x4 matrix = node->mTransformation;
+    const struct json as_written = json_member(walk->nodes, node->mName.data);
+    const struct json translation = json_member(as_written, "translation");
+    if (translation.at != NULL && json_member(as_written, "matrix").at == NULL) {
+        matrix.a4 = (ai_real)json_number(json_element(translation, 0), 0.0);
+        matrix.b4 = (ai_real)json_number(json_element(translation, 1), 0.0);
+        matrix.c4 = (ai_real)json_number(json_element(translation, 2), 0.0);
+    }
+    return matrix;
+}
+
 /* A node that moves has a space of its own; another stands in that of what moves it. */
 static bool enter(const struct walk *walk, const struct aiNode *node, struct place *place)
 {
     const struct aiNodeAnim *channel = channel_of(walk, node);
-    if (channel == NULL || !has_mesh(node) || !motion_moves(channel)) {
-        aiMultiplyMatrix4(&place->fixed, &node->mTransformation);
+    if (channel == NULL || !has_mesh(node) || !moves(walk, channel)) {
+        const struct aiMatrix4x4 matrix = matrix_of(walk, node);
+        aiMultiplyMatrix4(&place->fixed, &matrix);
         return true;
     }
     if ((aiMatrix4IsIdentity(&place->fixed) ||
          motion_add_rest(walk->model, &place->fixed, &place->node, &place->factor)) &&
-        motion_add_channel(walk->model, walk->animation, channel, &node->mTransformation,
-                           &place->node, &place->factor)) {
+        motion_add_channel(walk->model, walk->animation, channel, &walk->curves,
+                           &node->mTransformation, &place->node, &place->factor)) {
         aiIdentityMatrix4(&place->fixed);
         return true;
     }
@@ -324,6 +353,12 @@ static const struct aiMeshMorphAnim *morph_channel_of(const struct walk *walk,
     return NULL;
 }
 
+static double ticks_per_second(const struct aiAnimation *animation)
+{
+    return animation != NULL && animation->mTicksPerSecond > 0.0 ? animation->mTicksPerSecond
+                                                                 : 25.0;
+}
+
 /* The meshes of a node that have as many targets share their weights. */
 static bool copy_meshes(const struct walk *walk, const struct aiNode *node, const struct turn *turn)
 {
@@ -334,9 +369,11 @@ static bool copy_meshes(const struct walk *walk, const struct aiNode *node, cons
         const unsigned own = is_all ? morph_targets(mesh) : 0;
         const bool has_targets = own > 0 && morph_reserve(walk->model, mesh);
         if (has_targets && own != targets) {
-            const double ticks = walk->animation != NULL ? walk->animation->mTicksPerSecond : 0.0;
+            const struct motion_curve *curve =
+                motion_curve_of(&walk->curves, node->mName.data, MOTION_WEIGHTS);
             if (!morph_add(walk->model, mesh, morph_channel_of(walk, node),
-                           ticks > 0.0 ? ticks : 25.0)) {
+                           curve != NULL && curve->width >= own ? curve : NULL,
+                           ticks_per_second(walk->animation))) {
                 return model_request_fail(walk->request, "out of memory", "");
             }
             targets = own;
@@ -396,19 +433,18 @@ static bool copy_pictures(const struct walk *walk)
     return ok || model_request_fail(walk->request, "out of memory", "");
 }
 
-static bool copy_materials(const struct walk *walk)
+static void copy_materials(const struct walk *walk)
 {
-    bool ok = true;
-    for (size_t i = 0; ok && i < walk->model->material_count; i++) {
-        ok = copy_material(walk->request, walk->scene->mMaterials[i], &walk->model->materials[i]);
+    for (size_t i = 0; i < walk->model->material_count; i++) {
+        copy_material(walk->request, walk->scene->mMaterials[i], walk->model,
+                      &walk->model->materials[i]);
     }
-    return ok;
 }
 
 bool model_copy_scene(const struct model_request *request, const struct aiScene *scene,
                       struct model *model)
 {
-    struct walk walk = {request, scene, NULL, model};
+    struct walk walk = {.request = request, .scene = scene, .model = model};
     struct place place = {.factor = 1.0};
     size_t vertices = 0, triangles = 0;
     const size_t materials = request->content != MODEL_SHAPE ? scene->mNumMaterials : 0;
@@ -427,11 +463,23 @@ bool model_copy_scene(const struct model_request *request, const struct aiScene 
     model->vertex_count = 0;
     model->triangle_count = 0;
     aiIdentityMatrix4(&place.fixed);
+    if (strcmp(request->format, "gltf") == 0) {
+        walk.nodes = json_member(json_text(request->text, request->length), "nodes");
+    }
     if (request->content == MODEL_ALL && scene->mNumAnimations > 0) {
         walk.animation = scene->mAnimations[0];
     }
-    return copy_node(&walk, scene->mRootNode, place) && (materials == 0 || copy_materials(&walk)) &&
-           (request->content != MODEL_ALL || copy_pictures(&walk));
+    bool ok = walk.animation == NULL || request->format[0] != 'g' ||
+              motion_curves_read(request->path, request->text, request->length,
+                                 ticks_per_second(walk.animation), &walk.curves, model) ||
+              model_request_fail(request, "out of memory", "");
+    if (materials > 0) {
+        copy_materials(&walk);
+    }
+    ok = ok && copy_node(&walk, scene->mRootNode, place) &&
+         (request->content != MODEL_ALL || copy_pictures(&walk));
+    motion_curves_free(&walk.curves);
+    return ok;
 }
 
 #endif

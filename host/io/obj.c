@@ -14,7 +14,7 @@
 #define ONE 65536
 
 struct obj_parser {
-    const char *name;
+    const char *name, *end; /* of the text */
     struct text_error *error;
     int line;
     uint32_t material; /* of the faces that follow */
@@ -190,7 +190,7 @@ static bool parse_corner(struct obj_parser *parser, const struct token *token,
     for (int i = 0; i < OBJ_ATTRIBUTES; i++) {
         const char *slash = memchr(at, '/', (size_t)(end - at));
         struct token text = {at, (size_t)((slash != NULL ? slash : end) - at)};
-        bool left_out = i == OBJ_UV && text.length == 0 && slash != NULL; /* v//vn */
+        bool left_out = i > OBJ_POSITION && text.length == 0; /* v//vn; some write v/ v// v/vt/ */
         if (!left_out &&
             !parse_index(parser, token, (enum obj_attribute)i, &text, &corner->index[i])) {
             return false;
@@ -222,9 +222,38 @@ static bool add_triangle(struct obj_parser *parser, uint32_t a, uint32_t b, uint
     return true;
 }
 
-/* A fan around the first corner. */
+static bool add_polygon(struct obj_parser *parser, size_t first_triangle)
+{
+    struct obj_source *source = parser->source;
+    struct obj_polygon *grown = array_grow(source->polygons, source->polygon_count,
+                                           &source->polygon_capacity, sizeof *grown);
+    if (grown == NULL) {
+        return fail(parser, "out of memory");
+    }
+    source->polygons = grown;
+    grown[source->polygon_count].first = (uint32_t)first_triangle;
+    grown[source->polygon_count++].count = (uint32_t)(source->triangle_count - first_triangle);
+    return true;
+}
+
+bool obj_is_edge(struct line line)
+{
+    struct token token;
+    int corners = 0;
+    while (corners < 3 && line_token(&line, &token)) {
+        corners++;
+    }
+    return corners == 1 || corners == 2;
+}
+
+/* A fan around the first corner, until all positions are known. An edge at the end of the text is a
+   face of which something is missing. */
 static bool parse_face(struct obj_parser *parser, struct line *line)
 {
+    if (obj_is_edge(*line) && line->end != parser->end) {
+        return true;
+    }
+    const size_t first_triangle = parser->source->triangle_count;
     struct token token;
     uint32_t first = 0, previous = 0;
     int corners = 0; /* 0, 1, 2: and then "more" */
@@ -244,7 +273,11 @@ static bool parse_face(struct obj_parser *parser, struct line *line)
         previous = vertex;
         corners += corners < 3 ? 1 : 0;
     }
-    return corners == 3 || fail(parser, "a face needs 3 corners or more");
+    if (corners < 3) {
+        return fail(parser, "a face needs 3 corners or more");
+    }
+    return parser->source->triangle_count == first_triangle + 1 ||
+           add_polygon(parser, first_triangle);
 }
 
 /* ---- Statements ---- */
@@ -373,13 +406,15 @@ static bool parse_all(struct obj_parser *parser, const char *text, size_t length
     if (parser->source->triangle_count == 0) {
         return fail(parser, "has no faces");
     }
-    return check_forward_references(parser);
+    return check_forward_references(parser) &&
+           (obj_triangulate(parser->source) || fail(parser, "out of memory"));
 }
 
 bool obj_parse_source(const char *name, const char *text, size_t length, struct obj_source *source,
                       struct text_error *error)
 {
-    struct obj_parser parser = {.name = name, .error = error, .source = source};
+    struct obj_parser parser = {
+        .name = name, .end = text + length, .error = error, .source = source};
     if (source->full) { /* the material of faces before any usemtl */
         struct line nothing = {text, text, 0};
         if (!parse_material(&parser, &nothing)) {

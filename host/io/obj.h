@@ -43,11 +43,11 @@ struct obj_scale {
 
 /*
  * Parses `length` bytes of OBJ text: v, vt, vn and f with any mix of v, v/vt, v//vn, v/vt/vn,
- * negative indices, polygons (fans), comments, line continuations; o g s usemtl mtllib and other
- * known statements are passed over. Faces may name elements that follow them. A vertex that no face
- * names is left out, and a file without faces is an error. Messages give the line on which a
- * continued statement begins. Returns true with *mesh filled (free with obj_free), or false
- * with *error set and nothing to free.
+ * negative indices, polygons (polygon.h), comments, line continuations; o g s usemtl mtllib and
+ * other known statements, and faces of one or two corners, are passed over. Faces may name elements
+ * that follow them. A vertex that no face names is left out, and a file without faces is an error.
+ * Messages give the line on which a continued statement begins. Returns true with *mesh filled
+ * (free with obj_free), or false with *error set and nothing to free.
  */
 bool obj_parse(const char *name, const char *text, size_t length, struct obj_mesh *mesh,
                struct text_error *error);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "array.h"
+#include "polygon.h"
 
 #define ONE 65536
 
@@ -27,6 +28,7 @@ void obj_source_free(struct obj_source *source)
     free_names(&source->libraries);
     free(source->vertices);
     free(source->triangles);
+    free(source->polygons);
     free(source->table.slots);
     memset(source, 0, sizeof *source);
 }
@@ -97,6 +99,41 @@ bool obj_add_corner(struct obj_source *source, const struct obj_corner *corner, 
     }
     *vertex = *slot - 1;
     return true;
+}
+
+/* ---- Polygons ---- */
+
+/* Of a fan, whose triangles have the corners 0, n, n + 1. */
+static bool triangulate(struct obj_source *source, const struct obj_polygon *polygon)
+{
+    const size_t count = polygon->count + (size_t)2;
+    uint32_t(*triangles)[3] = &source->triangles[polygon->first];
+    uint32_t *vertices = malloc(count * sizeof *vertices);
+    double(*corners)[3] = malloc(count * sizeof *corners);
+    bool ok = vertices != NULL && corners != NULL;
+    for (size_t i = 0; ok && i < count; i++) {
+        vertices[i] = i < 2 ? triangles[0][i] : triangles[i - 2][2];
+        const uint32_t position = source->vertices[vertices[i]].index[OBJ_POSITION];
+        memcpy(corners[i], source->lists[OBJ_POSITION].items[position], sizeof corners[i]);
+    }
+    ok = ok && polygon_triangulate((const double(*)[3])corners, count, triangles);
+    for (size_t i = 0; ok && i < polygon->count; i++) {
+        for (int j = 0; j < 3; j++) {
+            triangles[i][j] = vertices[triangles[i][j]];
+        }
+    }
+    free(corners);
+    free(vertices);
+    return ok;
+}
+
+bool obj_triangulate(struct obj_source *source)
+{
+    bool ok = true;
+    for (size_t i = 0; ok && i < source->polygon_count; i++) {
+        ok = triangulate(source, &source->polygons[i]);
+    }
+    return ok;
 }
 
 /* ---- Scaling ---- */

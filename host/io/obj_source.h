@@ -10,6 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "lines.h"
 #include "obj.h"
 
 #define OBJ_ABSENT    UINT32_MAX        /* a corner without this attribute */
@@ -39,6 +40,11 @@ struct obj_name {
     int line;
 };
 
+/* A face of more than three corners: its triangles, one behind the other. */
+struct obj_polygon {
+    uint32_t first, count;
+};
+
 #define OBJ_MAX_NAMES 4096 /* of either kind; they are found one by one */
 
 struct obj_names {
@@ -58,6 +64,8 @@ struct obj_source {
     size_t vertex_count, vertex_capacity;
     uint32_t (*triangles)[3];
     size_t triangle_count, triangle_capacity;
+    struct obj_polygon *polygons;
+    size_t polygon_count, polygon_capacity;
     struct obj_table table;
     struct obj_list colors; /* one for each position, 0..1; white where the file gives none */
     bool has_colors;
@@ -75,10 +83,17 @@ struct obj_source {
 bool obj_parse_source(const char *name, const char *text, size_t length, struct obj_source *source,
                       struct text_error *error);
 
+/* Whether what is left of a face's line are one or two corners, as programs write edges: such faces
+   are passed over. */
+bool obj_is_edge(struct line line);
+
 void obj_source_free(struct obj_source *source);
 
 /* The vertex of a corner, new or known. False when memory runs out. */
 bool obj_add_corner(struct obj_source *source, const struct obj_corner *corner, uint32_t *vertex);
+
+/* Cuts polygons, which are fans, into triangles that cover them. False when memory runs out. */
+bool obj_triangulate(struct obj_source *source);
 
 /* Scales the positions that faces name and rounds them to Q16.16. False where one does not fit. */
 bool obj_scale_positions(struct obj_source *source, const struct obj_scale *scale);

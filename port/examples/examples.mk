@@ -40,20 +40,22 @@ $(foreach e,$(EXAMPLES),$(eval $(call example_rules,$e,$(call example_target,$e)
 
 $(BUILD)/obj/port/examples/%.o: INCLUDES += -Ihost
 
+mesh_host   := $(BUILD)/obj/port/examples/mesh/mesh.o
+mesh_boards := $(patsubst %,$(BOARD_DIR)/%/port/examples/mesh/mesh.o,$(example_target_lcd) $(RP2040_TARGET))
+
 # Eight frames are drawn: once all the way round.
 ifneq ($(MODEL),)
 MODEL_FLAGS := -DQTRI_EXAMPLE_MODEL -DQTRI_EXAMPLE_STEP=45 -I$(EXAMPLE_DIR)/mesh
-mesh_objects := $(BUILD)/obj/port/examples/mesh/mesh.o $(BOARD_DIR)/$(example_target_lcd)/port/examples/mesh/mesh.o
-$(mesh_objects): $(EXAMPLE_DIR)/mesh/model.h
-$(BUILD)/obj/port/examples/mesh/mesh.o: INCLUDES += $(MODEL_FLAGS)
-$(BOARD_DIR)/$(example_target_lcd)/port/examples/mesh/mesh.o: private BOARD_EXTRA := $(MODEL_FLAGS)
+$(mesh_host) $(mesh_boards): $(EXAMPLE_DIR)/mesh/model.h
+$(mesh_host): INCLUDES += $(MODEL_FLAGS)
+$(mesh_boards): private BOARD_EXTRA := $(MODEL_FLAGS)
 
 $(EXAMPLE_DIR)/mesh/model.h: $(BUILD)/qtri $(wildcard $(MODEL) $(SKIN)) $(EXAMPLE_DIR)/mesh/asked
 	$(BUILD)/qtri model $(MODEL_ASKED) -o $@
 endif
 
 # What the example's objects were made with.
-$(BUILD)/obj/port/examples/mesh/mesh.o $(BOARD_DIR)/$(example_target_lcd)/port/examples/mesh/mesh.o: $(EXAMPLE_DIR)/mesh/asked
+$(mesh_host) $(mesh_boards): $(EXAMPLE_DIR)/mesh/asked
 $(EXAMPLE_DIR)/mesh/asked: FORCE
 	@mkdir -p $(@D)
 	@echo '$(MODEL_ASKED)' | cmp -s - $@ || echo '$(MODEL_ASKED)' >$@

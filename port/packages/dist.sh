@@ -3,11 +3,13 @@
 # Makes from the tree what is handed out in other shapes:   dist.sh FOLDER
 #   FOLDER/single/qtri.h qtri.c      the amalgamation: core and panels in two files
 #   FOLDER/arduino/qtri/             a library for the Arduino IDE, as the Library Manager wants it
-# QTRI_URL is where the library can be had, for library.properties; else the checkout's origin, where it is https.
+# Where the library can be had, for library.properties: QTRI_URL, or what the manifests say (url.sh), or the checkout's
+# origin, where it is https.
 set -eu
 out=${1:?usage: dist.sh FOLDER}
 version=$(sh port/packages/version.sh)
-url=${QTRI_URL:-$(git config --get remote.origin.url 2>/dev/null | grep '^https://' || true)}
+url=${QTRI_URL:-$(sh port/packages/url.sh)}
+url=${url:-$(git config --get remote.origin.url 2>/dev/null | grep '^https://' || true)}
 part=$out.part
 rm -rf "$part"
 mkdir -p "$part/single" "$part/arduino/qtri"

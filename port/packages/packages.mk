@@ -34,4 +34,4 @@ dist: ## Make build/dist: the library as one qtri.h and qtri.c, and as a library
 dist-arduino: ## Make build/dist/arduino/qtri, and check what the Library Manager asks for: QTRI_URL=https://...
 	@sh port/packages/dist.sh $(DIST)
 	@grep -q '^url=https://' $(DIST)/arduino/qtri/library.properties || \
-	    { echo "library.properties: no url: make dist-arduino QTRI_URL=https://..."; exit 1; }
+	    { echo "library.properties: no url: sh port/packages/url.sh https://..., or QTRI_URL=https://..."; exit 1; }

@@ -135,6 +135,14 @@ done
 for field in name version author maintainer sentence paragraph category architectures includes; do
     grep -q "^$field=." "$arduino/library.properties" || fail "library.properties: no $field"
 done
+# An address is written into the manifests once, however often; without one they have none.
+mkdir "$work/url" && cp library.json idf_component.yml "$work/url/"
+for url in https://a.example/b/qtri https://c.example/d/qtri-2; do
+    (cd "$work/url" && sh "$root/port/packages/url.sh" $url && [ "$(sh "$root/port/packages/url.sh")" = $url ] &&
+        [ "$(grep -c "$url.git" library.json idf_component.yml | tr '\n' ' ')" = "library.json:1 idf_component.yml:1 " ] &&
+        { ! command -v jq >/dev/null || [ "$(jq -r .repository.url library.json)" = $url.git ]; }) || fail "url.sh $url"
+done
+sh port/packages/url.sh http://a.example/b 2>/dev/null && fail "url.sh took what is not https"
 if has g++ "Arduino sketches"; then
     quiet "Arduino, the display" gcc -std=c11 -Ihost -c -o "$work/glue-display.o" tests/packages/glue/display.c
     quiet "Arduino, LVGL" gcc -std=c11 -Itests/packages/lvgl -c -o "$work/lvgl.o" tests/packages/lvgl/lvgl.c
@@ -220,6 +228,12 @@ if has cmake "CMake, ESP-IDF, Pico SDK and Zephyr"; then
         *) continue ;;
         esac
         [ "$(grep -c "D$off=0" "$commands")" = "$(grep -c '"file":' "$commands")" ] || fail "cmake, $way: $off=0 does not reach all files"
+    done
+    # The Pico's project as port/README.md builds it, with a model and without.
+    for model in "" "$work/model.h"; do
+        quiet "Pico, configured" env PICO_SDK_PATH="$root/tests/packages/pico" cmake -S port/packages/pico -B "$work/pico" \
+            -DMODEL="$model" -DGLUE_LIBRARIES="$(printf %s "$glue_libraries" | sed "s:build/:$root/build/:g; s/ /;/g")" &&
+            quiet "Pico, built" cmake --build "$work/pico" -j "$jobs" && quiet "Pico, runs" timeout 60 "$work/pico/mesh"
     done
 fi
 finish $status

@@ -17,6 +17,12 @@ says idf_component.yml 'version:' "$(sed -n 's/^version: "\(.*\)"$/\1/p' idf_com
 says CHANGELOG.md 'the first heading' "$(sed -n 's/^## \([^ ]*\).*/\1/p' CHANGELOG.md | head -n 1)"
 says CHANGELOG.md 'a heading' "$(sed -n 's/^## \([^ ]*\).*/\1/p' CHANGELOG.md | grep -Fx "$version" | head -n 1)"
 
+# One address, or none: port/packages/url.sh writes it.
+url=$(sh port/packages/url.sh)
+[ "$(sed -n 's/^ *"repository": .*"url": "\(.*\)\.git".*/\1/p' library.json)" = "$url" ] &&
+    [ "$(sed -n 's/^repository: "\(.*\)\.git"$/\1/p' idf_component.yml)" = "$url" ] ||
+    { echo "library.json, idf_component.yml: not one address (port/packages/url.sh)"; status=1; }
+
 # The options of the Kconfig files are those of config.h.
 options=$(sed -n 's/^#define \(QTRI_WITH_[A-Z0-9_]*\) 1$/\1/p' core/include/qtri/config.h | sort)
 [ "$options" = "$(sed -n 's/^config \(QTRI_WITH_.*\)/\1/p' Kconfig | sort)" ] ||

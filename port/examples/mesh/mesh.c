@@ -16,6 +16,10 @@
 #ifndef QTRI_EXAMPLE_STEP
 #define QTRI_EXAMPLE_STEP 3
 #endif
+/* For vertices and lists: a model that wants more is drawn slower, with the same pixels. */
+#ifndef QTRI_EXAMPLE_MESH_BYTES
+#define QTRI_EXAMPLE_MESH_BYTES 131072
+#endif
 
 #ifdef QTRI_EXAMPLE_MODEL
 #include "model.h"
@@ -38,10 +42,13 @@ static void set_pose(qtri_transform *pose, q16 angle)
 
 enum { WIDTH = 320, HEIGHT = 240, ROWS = 16 };
 
+#define WANTED_BYTES MODEL_BYTES(HEIGHT, ROWS)
+#define MESH_BYTES   (WANTED_BYTES < QTRI_EXAMPLE_MESH_BYTES ? WANTED_BYTES : QTRI_EXAMPLE_MESH_BYTES)
+
 const char example_name[] = "mesh";
 
 static uint8_t band_memory[QTRI_FRAME_BYTES_DOUBLE(WIDTH, ROWS, QTRI_RGB565_BYTES)];
-static uint8_t mesh_memory[MODEL_BYTES(HEIGHT, ROWS)];
+static uint8_t mesh_memory[MESH_BYTES];
 static qtri_prepared prepared[MODEL_PARTS];
 
 /* Each part of the model has its share of the memory. */
@@ -50,14 +57,16 @@ static void share_memory(void)
     uint8_t *memory = mesh_memory;
     for (int32_t i = 0; i < MODEL_PARTS; i++) {
         const qtri_mesh *mesh = &model[i].mesh;
-        const size_t bytes =
+        const size_t wanted =
             QTRI_PREPARED_BYTES(mesh->vertex_count, mesh->triangle_count, HEIGHT, ROWS);
+        const size_t bytes = (size_t)((uint64_t)wanted * MESH_BYTES / WANTED_BYTES);
         qtri_prepared_init(&prepared[i], memory, bytes);
         memory += bytes;
     }
 }
 
-/* Node 0 is turned by the example, the others as the model's keys say. */
+/* Node 0 is turned by the example, the others as the model's keys say. Drawing looks at the poses
+   again: they stay. */
 static void prepare(const qtri_frame *frame, const qtri_view *view, q16 angle, q16 time)
 {
 #ifdef MODEL_NODES
@@ -72,7 +81,7 @@ static void prepare(const qtri_frame *frame, const qtri_view *view, q16 angle, q
     set_pose(&poses[0], angle);
     qtri_poses_compose(poses, poses, model_parents, MODEL_NODES);
 #else
-    qtri_transform poses[1];
+    static qtri_transform poses[1];
     (void)time;
     set_pose(&poses[0], angle);
 #endif
