@@ -22,7 +22,7 @@ enum {
 };
 
 /* a b / 2^30, to nearest, |a| <= 2^31, |b| <= 2^30. */
-static inline int32_t mul_q30(int32_t a, int32_t b)
+QTRI_NOINLINE static int32_t mul_q30(int32_t a, int32_t b)
 {
     return (int32_t)((qtri_mul_s32(a, b) + ((int64_t)1 << 29)) >> 30);
 }
@@ -96,7 +96,7 @@ static uint32_t shifted(const qtri_large_attribute *a, int32_t x)
 }
 
 /* a x + b y of Q30 with `more` bits, and whether 31 bits hold it. */
-static bool set_bend(int32_t *out, int32_t a, int32_t x, int32_t b, int32_t y, int32_t more)
+QTRI_NOINLINE static bool set_bend(int32_t *out, int32_t a, int32_t x, int32_t b, int32_t y, int32_t more)
 {
     const int64_t bend = (qtri_mul_s32(a, x) + qtri_mul_s32(b, y)) >> (30 - more);
     *out = (int32_t)bend;
