@@ -96,7 +96,8 @@ static uint32_t shifted(const qtri_large_attribute *a, int32_t x)
 }
 
 /* a x + b y of Q30 with `more` bits, and whether 31 bits hold it. */
-QTRI_NOINLINE static bool set_bend(int32_t *out, int32_t a, int32_t x, int32_t b, int32_t y, int32_t more)
+QTRI_NOINLINE static bool set_bend(int32_t *out, int32_t a, int32_t x, int32_t b, int32_t y,
+                                   int32_t more)
 {
     const int64_t bend = (qtri_mul_s32(a, x) + qtri_mul_s32(b, y)) >> (30 - more);
     *out = (int32_t)bend;
