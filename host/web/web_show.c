@@ -94,22 +94,25 @@ static bool show(const struct asset *asset)
     return ok;
 }
 
-int web_show(int argc, char **argv)
+static bool run(void *given, struct text_error *error)
 {
-    struct mesh_options options;
-    struct text_error error;
+    struct mesh_options *options = given;
     struct model model;
     struct asset asset;
-    bool ok = mesh_options_parse(argc, argv, true, &options) &&
-              mesh_read(&options, options.plain ? MODEL_SHAPE : MODEL_ALL, &model, &error);
-    if (ok) {
-        ok = model_make(&options, &model, &asset, &error);
-        model_free(&model);
+    if (!mesh_read(options, options->plain ? MODEL_SHAPE : MODEL_ALL, &model, error)) {
+        return false;
     }
+    bool ok = model_make(options, &model, &asset, error);
+    model_free(&model);
     if (ok) {
         ok = show(&asset);
         asset_free(&asset);
     }
     (void)fflush(stdout);
-    return ok ? 0 : 1;
+    return ok;
+}
+
+int web_show(int argc, char **argv)
+{
+    return mesh_options_run(argc, argv, true, run);
 }
