@@ -42,8 +42,8 @@ static uint32_t bound_of(const qtri_large_job *job)
     return (uint32_t)1 << (qtri_large_chord_bound_log2(job) + QTRI_LARGE_COLOR_UP);
 }
 
-/* How large r^2 range may be for attribute i: F is off by less than 3/2 of the bound of colours, .09
-   to .38 of a step, 3/4 of packed ones, whose steps are rounded, and 2^-5 texel of coordinates. */
+/* How large r^2 range may be for attribute i: F is off by less than 3/2 of the bound of colours
+   (.09 to .38 of a step), 3/4 of packed ones, whose steps are rounded; by 2^-5 texel else. */
 static uint64_t limit_of(const qtri_large_job *job, int i)
 {
     return i < job->first_color ? (uint64_t)1 << job->axis[i].shift >> 3
