@@ -48,7 +48,7 @@ static const char program_show[] =
     " *                          band_memory, sizeof band_memory);\n"
     " *         for (int i = 0; i < $_PARTS; i++) {\n"
     " *             const size_t bytes = QTRI_PREPARED_BYTES(\n"
-    " *                 @[i].mesh.vertex_count, @[i].mesh.triangle_count, 240, 16);\n"
+    " *                 @[i].mesh->vertex_count, @[i].mesh->triangle_count, 240, 16);\n"
     " *             qtri_prepared_init(&prepared[i], memory, bytes);\n"
     " *             memory += bytes;\n"
     " *         }\n"
@@ -93,7 +93,7 @@ static const char program_weights[] =
     " *             qtri_position16 *shape = shapes;\n"
     " *             for (int i = 0; i < $_PARTS; i++) {\n"
     " *                 const int32_t targets = @_first_targets[i + 1] - @_first_targets[i];\n"
-    " *                 meshes[i] = @[i].mesh;\n"
+    " *                 meshes[i] = *@[i].mesh;\n"
     " *                 if (targets > 0) {\n"
     " *                     qtri_morph_targets(shape, meshes[i].positions16,\n"
     " *                                        &@_targets[@_first_targets[i]],\n"
@@ -111,7 +111,7 @@ static const char program_memory[] = " *     static qtri_mesh meshes[$_PARTS];\n
 static void write_prepare(const struct asset *asset, const char *name, const char *capitals,
                           FILE *out)
 {
-    char node[120] = "0", mesh[120] = "meshes[i]";
+    char node[120] = "0", mesh[120] = "&meshes[i]";
     if (asset->node_count > 0) {
         (void)snprintf(node, sizeof node, "%s[i].node", name);
     }
@@ -121,7 +121,7 @@ static void write_prepare(const struct asset *asset, const char *name, const cha
     fprintf(out,
             " *             for (int i = 0; i < %s_PARTS; i++) {\n"
             " *                 qtri_prepare_mesh(&prepared[i], &screen.frame, &view, &pose[%s],\n"
-            " *                                   &%s, &%s[i].material);\n"
+            " *                                   %s, &%s[i].material);\n"
             " *             }\n",
             capitals, node, mesh, name);
 }
@@ -326,12 +326,16 @@ static void write_data(const struct asset *asset, const char *name, const char *
     if (asset->track_count > 0) {
         write_targets(asset, name, capitals, linkage, out);
     }
-    fprintf(out, "%sconst qtri_part %s[%s_PARTS] = {\n", linkage, name, capitals);
+    fprintf(out, "static const qtri_mesh %s_meshes[%s_PARTS] = {\n", name, capitals);
     for (size_t i = 0; i < asset->count; i++) {
         const struct asset_writer writer = {out, name, i, asset->count};
-        fputs("    {\n    {\n", out);
+        fputs("    {\n", out);
         asset_write_mesh(&writer, &asset->parts[i].mesh);
         fputs("    },\n", out);
+    }
+    fprintf(out, "};\n\n%sconst qtri_part %s[%s_PARTS] = {\n", linkage, name, capitals);
+    for (size_t i = 0; i < asset->count; i++) {
+        fprintf(out, "    {\n        &%s_meshes[%zu],\n", name, i);
         write_material(&asset->parts[i], name, out);
         fprintf(out, "        %d, /* node */\n    },\n", asset->parts[i].material.node);
     }

@@ -8,6 +8,7 @@ window_example := $(or $(EXAMPLE),$(if $(filter-out %.obj,$(MODEL)),mesh))
 window_scene   := $(or $(SCENE),$(filter %.obj,$(MODEL)))
 
 WINDOW_DIR := $(BUILD)/window
+window_program = $(WINDOW_DIR)/$(if $(window_example),example-$(window_example),scene)
 SDL_CFLAGS  = $(shell pkg-config --cflags sdl2)
 SDL_LIBS    = $(shell pkg-config --libs sdl2)
 window_screen := $(call objects,host/window/screen.c)
@@ -28,6 +29,5 @@ window: ## Look at it in a window: SCENE=host/scenes/09-floor.scene, MODEL=cow.o
 	@pkg-config --exists sdl2 2>/dev/null || { echo 'window: SDL2 is not installed, or pkg-config: apt-get install libsdl2-dev pkg-config' >&2; exit 1; }
 	@[ -n '$(window_example)$(window_scene)' ] || { echo 'window: what is to be seen? SCENE=FILE, MODEL=FILE or EXAMPLE=$(firstword $(EXAMPLES)) ($(EXAMPLES))' >&2; exit 2; }
 	@[ -z '$(window_example)' ] || [ -n '$(filter $(window_example),$(EXAMPLES))' ] || { echo 'window: EXAMPLE is one of $(EXAMPLES)' >&2; exit 2; }
-	@$(if $(window_example), \
-	    $(MAKE) -s $(WINDOW_DIR)/example-$(window_example) && $(WINDOW_DIR)/example-$(window_example) $(example_display_$(window_example)), \
-	    $(MAKE) -s $(WINDOW_DIR)/scene && $(WINDOW_DIR)/scene $(window_scene) --folder $(WINDOW_DIR))
+	@$(MAKE) -s $(window_program)
+	@$(window_program) $(if $(window_example),$(example_display_$(window_example)),$(window_scene) --folder $(WINDOW_DIR))

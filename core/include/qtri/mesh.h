@@ -116,7 +116,7 @@ typedef struct qtri_mesh {
 
 /* A mesh and how it looks: what `qtri model` makes of a file is an array of parts. */
 typedef struct qtri_part {
-    qtri_mesh mesh;
+    const qtri_mesh *mesh;
     qtri_material material;
     int16_t node; /* the pose that moves it, where parts move by themselves; else 0 */
 } qtri_part;

@@ -56,7 +56,7 @@ static void share_memory(void)
 {
     uint8_t *memory = mesh_memory;
     for (int32_t i = 0; i < MODEL_PARTS; i++) {
-        const qtri_mesh *mesh = &model[i].mesh;
+        const qtri_mesh *mesh = model[i].mesh;
         const size_t wanted =
             QTRI_PREPARED_BYTES(mesh->vertex_count, mesh->triangle_count, HEIGHT, ROWS);
         const size_t bytes = (size_t)((uint64_t)wanted * MESH_BYTES / WANTED_BYTES);
@@ -86,7 +86,7 @@ static void prepare(const qtri_frame *frame, const qtri_view *view, q16 angle, q
     set_pose(&poses[0], angle);
 #endif
     for (int32_t i = 0; i < MODEL_PARTS; i++) {
-        qtri_prepare_mesh(&prepared[i], frame, view, &poses[model[i].node], &model[i].mesh,
+        qtri_prepare_mesh(&prepared[i], frame, view, &poses[model[i].node], model[i].mesh,
                           &model[i].material);
     }
 }

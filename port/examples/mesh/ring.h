@@ -20,6 +20,7 @@ enum {
     }
 #define MODEL_RADIUS Q16(1.5)
 
+static qtri_mesh ring;
 static qtri_part model[MODEL_PARTS];
 static qtri_texture skin;
 
@@ -78,13 +79,13 @@ static void make_model(void)
 {
     make_ring();
     make_texture();
-    qtri_mesh *mesh = &model[0].mesh;
-    mesh->positions = positions;
-    mesh->normals = normals;
-    mesh->uvs = uvs;
-    mesh->triangles = (const uint16_t(*)[3])triangles;
-    mesh->vertex_count = VERTICES;
-    mesh->triangle_count = TRIANGLES;
+    ring.positions = positions;
+    ring.normals = normals;
+    ring.uvs = uvs;
+    ring.triangles = (const uint16_t(*)[3])triangles;
+    ring.vertex_count = VERTICES;
+    ring.triangle_count = TRIANGLES;
+    model[0].mesh = &ring;
     model[0].material = qtri_material_default();
     model[0].material.texture = &skin;
     skin.texels = texels;
