@@ -363,6 +363,7 @@ static void animations(void **state)
     assert_int_equal(run("render turn.scene -o a --frames 0"), 2);
     assert_int_equal(run("render turn.scene -o a --frames 2 --dump"), 2);
     assert_int_equal(run("render - -o a --frames 2"), 2);
+    assert_int_equal(run("render turn.scene -o a.gif --frames 2"), 2);
     assert_int_equal(run("render turn.scene -o a --at 1.5"), 2);
     assert_int_equal(run("render turn.scene -o no/such/folder/x.png --frames 2"), 1);
     write_file("bad.scene", "rotate 1/(1-2*$t) 0 0 1\n");

@@ -89,9 +89,25 @@ static const struct option all[] = {
     {"--large", OPTION_FLAG, AT(large), {NULL}},
 };
 
+/* What others write, and would get .ppm behind it. */
+static bool is_other_format(const char *name)
+{
+    static const char *const endings[] = {".gif", ".jpg", ".jpeg", ".bmp", ".mp4", ".webp"};
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++) {
+        if (file_name_ends_in(name, endings[i])) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static bool check(const struct option_command *command, void *given)
 {
     const struct options *options = given;
+    if (is_other_format(options->output)) {
+        return options_complain(command, "pictures are .ppm, .png, .apng or .y4m, not ",
+                                options->output);
+    }
     if (options->frames > 0 && options->dump) {
         return options_complain(command, "--dump is for one picture, not for --frames", "");
     }
