@@ -45,18 +45,12 @@ static void report(const struct mesh_options *options, const struct asset *asset
 static bool run(void *given, struct text_error *error)
 {
     struct mesh_options *options = given;
-    struct model model;
     struct asset asset;
-    if (!mesh_read(options, options->plain ? MODEL_SHAPE : MODEL_ALL, &model, error)) {
+    if (!model_make(options, &asset, error)) {
         return false;
     }
-    bool ok = model_make(options, &model, &asset, error);
-    model_free(&model);
-    if (!ok) {
-        return false;
-    }
-    ok = mesh_check_budget(options, &asset, error) && mesh_write_preview(options, &asset, error) &&
-         write_c(options, &asset, error);
+    const bool ok = mesh_check_budget(options, &asset, error) &&
+                    mesh_write_preview(options, &asset, error) && write_c(options, &asset, error);
     if (ok && asset.blended_count > 0) {
         fprintf(stderr, "%s: left out: partial opacity of %zu picture%s\n", options->input,
                 asset.blended_count, asset.blended_count == 1 ? "" : "s");

@@ -6,6 +6,7 @@
 
 #include "../assets/asset_model.h"
 #include "mesh_faces.h"
+#include "mesh_make.h"
 
 /* Materials that name no picture have the one of --texture. */
 static bool set_skin(const struct mesh_options *options, struct model *model,
@@ -32,8 +33,8 @@ static bool set_skin(const struct mesh_options *options, struct model *model,
     return true;
 }
 
-bool model_make(const struct mesh_options *options, struct model *model, struct asset *asset,
-                struct text_error *error)
+static bool make(const struct mesh_options *options, struct model *model, struct asset *asset,
+                 struct text_error *error)
 {
     const struct asset_options wanted = {
         .compact = options->compact,
@@ -63,4 +64,15 @@ bool model_make(const struct mesh_options *options, struct model *model, struct 
         return false;
     }
     return true;
+}
+
+bool model_make(struct mesh_options *options, struct asset *asset, struct text_error *error)
+{
+    struct model model;
+    if (!mesh_read(options, options->plain ? MODEL_SHAPE : MODEL_ALL, &model, error)) {
+        return false;
+    }
+    const bool ok = make(options, &model, asset, error);
+    model_free(&model);
+    return ok;
 }

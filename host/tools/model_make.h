@@ -5,9 +5,8 @@
 #include "../assets/asset.h"
 #include "mesh_options.h"
 
-/* All that the header of `qtri model` holds, of a model that mesh_read has read: its materials are
-   merged. What is left out is said on standard error. False with *error set. */
-bool model_make(const struct mesh_options *options, struct model *model, struct asset *asset,
-                struct text_error *error);
+/* Reads the model and makes all that the header of `qtri model` holds; its materials are merged.
+   What is left out is said on standard error. False with *error set. */
+bool model_make(struct mesh_options *options, struct asset *asset, struct text_error *error);
 
 #endif

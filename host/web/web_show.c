@@ -6,7 +6,6 @@
 #include <stdlib.h>
 
 #include "../assets/asset_model.h"
-#include "../tools/mesh_make.h"
 #include "../tools/model_make.h"
 #include "web.h"
 
@@ -96,14 +95,8 @@ static bool show(const struct asset *asset)
 
 static bool run(void *given, struct text_error *error)
 {
-    struct mesh_options *options = given;
-    struct model model;
     struct asset asset;
-    if (!mesh_read(options, options->plain ? MODEL_SHAPE : MODEL_ALL, &model, error)) {
-        return false;
-    }
-    bool ok = model_make(options, &model, &asset, error);
-    model_free(&model);
+    bool ok = model_make(given, &asset, error);
     if (ok) {
         ok = show(&asset);
         asset_free(&asset);
