@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/file.h"
 #include "../io/file_identity.h"
 
 bool model_create(struct model *model, size_t vertices, size_t triangles, size_t materials)
@@ -393,19 +394,11 @@ void model_fit(struct model *model, double size)
     }
 }
 
-bool model_path_beside(char *out, size_t size, const char *beside, const char *name)
-{
-    const char *slash = strrchr(beside, '/');
-    int folder = slash == NULL || name[0] == '/' ? 0 : (int)(slash - beside) + 1;
-    int length = snprintf(out, size, "%.*s%s", folder, beside, name);
-    return length >= 0 && (size_t)length < size;
-}
-
 /* Whether there is such a file; then it is the material's. */
 static bool take_picture(struct model_material *material, const char *beside, const char *name)
 {
     char path[sizeof material->texture];
-    if (!model_path_beside(path, sizeof path, beside, name) ||
+    if (!file_path_beside(path, sizeof path, beside, name) ||
         file_inspect(path, NULL) == FILE_MISSING) {
         return false;
     }

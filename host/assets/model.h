@@ -174,9 +174,6 @@ size_t model_gltf_triangles(const char *text, size_t length);
 bool model_parse_mtl(const char *path, const char *text, size_t length, struct model *model,
                      struct text_error *error);
 
-/* FOLDER OF `beside`/name in `out`, or `name` where it is absolute. False if that does not fit. */
-bool model_path_beside(char *out, size_t size, const char *beside, const char *name);
-
 /* Sets the material's picture: what is at `name` or, where that is the name on another computer,
    beside the file `beside`. One that is not there is left out. */
 void model_picture_beside(struct model *model, struct model_material *material, const char *beside,

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "../io/file.h"
+#include "model.h"
 
 /* ---- Buffers ---- */
 
@@ -83,7 +84,7 @@ static bool read_beside(struct gltf *file, const char *at, const char *end)
     struct file_content content;
     struct text_error error;
     (void)snprintf(name, sizeof name, "%.*s", (int)(end - at < 1000 ? end - at : 1000), at);
-    if (!model_path_beside(path, sizeof path, file->path, name) ||
+    if (!file_path_beside(path, sizeof path, file->path, name) ||
         !file_read(path, &content, &error)) {
         return false;
     }
@@ -261,7 +262,7 @@ static bool add_curve(struct gltf *file, struct json animation, struct json chan
 }
 
 bool motion_curves_read(const char *path, const char *text, size_t length, double per_second,
-                        struct motion_curves *curves, struct model *model)
+                        struct motion_curves *curves)
 {
     struct gltf file = open_gltf(path, text, length);
     const struct json animation = json_element(json_member(file.root, "animations"), 0);
@@ -271,8 +272,6 @@ bool motion_curves_read(const char *path, const char *text, size_t length, doubl
          ok && channel.at != NULL; channel = json_next(channel, NULL)) {
         ok = add_curve(&file, animation, channel, per_second, curves);
     }
-    model_leave_out(model, curves->lost, "curve or steps between keys",
-                    "curves or steps between keys");
     free(file.bytes);
     return ok;
 }

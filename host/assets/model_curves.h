@@ -6,8 +6,10 @@
 #ifndef QTRI_HOST_ASSETS_MODEL_CURVES_H
 #define QTRI_HOST_ASSETS_MODEL_CURVES_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "json.h"
-#include "model.h"
 
 enum motion_path { MOTION_POSITION, MOTION_ORIENTATION, MOTION_SCALE, MOTION_WEIGHTS };
 
@@ -29,11 +31,11 @@ struct motion_curves {
 
 /*
  * Those of the file's first animation, with times in units of 1/per_second. Those that cannot be
- * read are left out of *model, where they are straight lines. False when memory runs out; either
- * way *curves is to be freed.
+ * read are counted, and are straight lines. False when memory runs out; either way *curves is to be
+ * freed.
  */
 bool motion_curves_read(const char *path, const char *text, size_t length, double per_second,
-                        struct motion_curves *curves, struct model *model);
+                        struct motion_curves *curves);
 void motion_curves_free(struct motion_curves *curves);
 
 /* NULL: there is none. `name` is the library's. */

@@ -241,7 +241,7 @@ static bool read_mtl(const char *obj, int line, const char *name, struct model *
 {
     char path[1024];
     struct file_content file;
-    if (!model_path_beside(path, sizeof path, obj, name)) {
+    if (!file_path_beside(path, sizeof path, obj, name)) {
         text_error_set(error, obj, line, "the name of the materials is too long");
         return false;
     }
@@ -261,7 +261,7 @@ static bool is_beside(const char *obj, const struct token *name)
 {
     char path[1024], text[1024];
     (void)snprintf(text, sizeof text, "%.*s", (int)name->length, name->text);
-    return model_path_beside(path, sizeof path, obj, text) &&
+    return file_path_beside(path, sizeof path, obj, text) &&
            file_inspect(path, NULL) != FILE_MISSING;
 }
 

@@ -471,8 +471,10 @@ bool model_copy_scene(const struct model_request *request, const struct aiScene 
     }
     bool ok = walk.animation == NULL || request->format[0] != 'g' ||
               motion_curves_read(request->path, request->text, request->length,
-                                 ticks_per_second(walk.animation), &walk.curves, model) ||
+                                 ticks_per_second(walk.animation), &walk.curves) ||
               model_request_fail(request, "out of memory", "");
+    model_leave_out(model, walk.curves.lost, "curve or steps between keys",
+                    "curves or steps between keys");
     if (materials > 0) {
         copy_materials(&walk);
     }

@@ -75,12 +75,6 @@ bool file_read(const char *path, struct file_content *content, struct text_error
     return failure == 0;
 }
 
-bool file_name_ends_in(const char *name, const char *end)
-{
-    size_t length = strlen(name), tail = strlen(end);
-    return length > tail && strcmp(name + length - tail, end) == 0;
-}
-
 /* "folder/.qtri-PID-ATTEMPT.part" for a target of any name in that folder. */
 static char *temporary_name(const char *path, int attempt)
 {

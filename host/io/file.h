@@ -28,6 +28,9 @@ bool file_read(const char *path, struct file_content *content, struct text_error
 /* Whether a name ends in `end`, .png for example, and is more than that. */
 bool file_name_ends_in(const char *name, const char *end);
 
+/* FOLDER OF `beside`/name in `out`, or `name` where it is absolute. False if that does not fit. */
+bool file_path_beside(char *out, size_t size, const char *beside, const char *name);
+
 /* "-", a device, a pipe: what cannot be replaced as a whole. */
 bool file_is_stream(const char *path);
 

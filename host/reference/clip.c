@@ -113,6 +113,20 @@ bool ref_clip_line(struct ref_vertex end[2], const struct ref_window *window, lo
     return end[0].w > 0 && end[1].w > 0;
 }
 
+struct ref_vertex ref_vertex_of(const struct ref_matrix *to_clip, const struct scene_vertex *in,
+                                const int32_t color[3])
+{
+    double p[4];
+
+    ref_from_q16(in->position, 4, p);
+    ref_matrix_transform(to_clip, p, p);
+    struct ref_vertex out = {p[0], p[1], p[2], p[3], {0}};
+    for (int c = 0; c < 3; c++)
+        out.attribute[c] = 255.0 * ref_unit_from_q16(color[c]);
+    ref_from_q16(in->uv, 2, &out.attribute[REF_U]);
+    return out;
+}
+
 bool ref_vertex_is_finite(const struct ref_vertex *v)
 {
     return isfinite(v->x) && isfinite(v->y) && isfinite(v->z) && isfinite(v->w);

@@ -10,6 +10,8 @@
 #ifndef QTRI_HOST_REFERENCE_CLIP_H
 #define QTRI_HOST_REFERENCE_CLIP_H
 
+#include "../io/scene.h"
+#include "matrix.h"
 #include "primitive.h"
 
 #define REF_CLIP_PLANES    6
@@ -30,6 +32,10 @@ void ref_clip_triangle(const struct ref_vertex vertex[3], const struct ref_windo
 
 /* The same for a line, in place; false if nothing is left. */
 bool ref_clip_line(struct ref_vertex end[2], const struct ref_window *window, long double guard);
+
+/* A vertex of a scene in clip space, in this colour. */
+struct ref_vertex ref_vertex_of(const struct ref_matrix *to_clip, const struct scene_vertex *in,
+                                const int32_t color[3]);
 
 /* Whether every coordinate is a finite number. */
 bool ref_vertex_is_finite(const struct ref_vertex *vertex);

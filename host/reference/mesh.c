@@ -10,20 +10,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-struct ref_vertex ref_vertex_of(const struct ref_matrix *to_clip, const struct scene_vertex *in,
-                                const int32_t color[3])
-{
-    double p[4];
-
-    ref_from_q16(in->position, 4, p);
-    ref_matrix_transform(to_clip, p, p);
-    struct ref_vertex out = {p[0], p[1], p[2], p[3], {0}};
-    for (int c = 0; c < 3; c++)
-        out.attribute[c] = 255.0 * ref_unit_from_q16(color[c]);
-    ref_from_q16(in->uv, 2, &out.attribute[REF_U]);
-    return out;
-}
-
 void ref_draw_triangle(struct ref_target *target, const struct ref_triangle *triangle)
 {
     for (int i = 0; i < 3; i++)

@@ -8,10 +8,6 @@
 #include "matrix.h"
 #include "target.h"
 
-/* A vertex of a scene in clip space, in this colour. */
-struct ref_vertex ref_vertex_of(const struct ref_matrix *to_clip, const struct scene_vertex *in,
-                                const int32_t color[3]);
-
 /* Draws a triangle the way the target asks for: homogeneous, snapped or as an outline. */
 void ref_draw_triangle(struct ref_target *target, const struct ref_triangle *triangle);
 

@@ -3,7 +3,6 @@
 
 #include "blend.h"
 #include "clip.h"
-#include "mesh.h"
 #include "snap.h"
 #include "stroke_cover.h"
 

@@ -4,6 +4,7 @@
  */
 #include "reference.h"
 #include "blend.h"
+#include "clip.h"
 #include "light.h"
 #include "matrix.h"
 #include "mesh.h"

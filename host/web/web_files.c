@@ -124,12 +124,6 @@ bool file_read(const char *path, struct file_content *content, struct text_error
     return true;
 }
 
-bool file_name_ends_in(const char *name, const char *end)
-{
-    const size_t length = strlen(name), tail = strlen(end);
-    return length > tail && strcmp(name + length - tail, end) == 0;
-}
-
 bool file_is_stream(const char *path)
 {
     return strcmp(path, "-") == 0;
