@@ -141,20 +141,22 @@ static bool set_polynomial(qtri_large_attribute *a, const qtri_large_job *job,
     return more == 0 || qtri_mul_u32(most, (uint32_t)job->t.pixels) < (uint64_t)1 << 29;
 }
 
-/* Pieces start at multiples of 2^this pixels of a row: chords that are off by half of the bound,
-   curve m^2 / 4; of packed colours by 1/4. */
+/* Chords of n pixels whose middles are off by half of the bound, curve n^2 / 8; of packed colours
+   by 1/4. */
 static void set_length(qtri_large_job *job)
 {
-    const uint32_t limit = bound_of(job) * (job->rounds ? 1 : 2);
-    uint32_t curve = 0;
+    const uint32_t limit = bound_of(job) * (job->rounds ? 2 : 4);
+    uint32_t curve = 1;
     for (int i = job->first_color; i < job->count; i++) {
-        curve |= qtri_magnitude32(job->a[i].along.quadratic.right_right) >> job->quadratic_more;
+        const uint32_t own =
+            qtri_magnitude32(job->a[i].along.quadratic.right_right) >> job->quadratic_more;
+        curve = own > curve ? own : curve;
     }
-    int32_t log2 = QTRI_LARGE_RUN_LOG2;
-    while (log2 > 0 && curve > limit >> 2 * log2) {
-        log2--;
+    uint32_t n = QTRI_LARGE_RUN;
+    while (n > 1 && n * n > limit / curve) {
+        n--;
     }
-    job->quadratic_log2 = (uint8_t)log2;
+    job->quadratic_length = n;
 }
 
 bool qtri_large_set_quadratics(qtri_large_job *job)
@@ -204,14 +206,17 @@ static inline int32_t value_at(const qtri_large_job *job, const qtri_large_attri
     return (int32_t)(f->at + row * (uint32_t)down + along * (uint32_t)right);
 }
 
-/* Colours of a piece of n pixels, along chords. */
+/* Colours of a piece of n pixels, along chords. Pixel k of one through both ends is right_right
+   k (n - k) too high: half of the most of that, at n / 2, is taken off. */
 static inline void set_chords(qtri_large_job *job, int32_t right, int32_t down, int32_t n)
 {
     uint32_t at[QTRI_LARGE_ATTRIBUTES], step[QTRI_LARGE_ATTRIBUTES];
     for (int i = job->first_color; i < job->count; i++) {
         const qtri_large_attribute *a = &job->a[i];
         uint32_t slope;
-        const int32_t value = value_at(job, a, right, down, n, &slope);
+        const int32_t start = value_at(job, a, right, down, n, &slope);
+        const int32_t value = start - (int32_t)times(a->along.quadratic.right_right, n * n >> 2,
+                                                     job->quadratic_more + 1);
         at[i] = (uint32_t)(value >> QTRI_LARGE_COLOR_UP) + a->start;
         step[i] = (uint32_t)((int32_t)slope >> QTRI_LARGE_COLOR_UP);
         qtri_large_clamp_chord(a, &at[i], &step[i], n);
@@ -224,11 +229,11 @@ int32_t qtri_large_quadratic_piece(qtri_large_job *job)
     qtri_large *t = &job->t;
     qtri_large_piece *piece = &job->piece[0];
     if (t->is_new) { /* pieces are counted from the row's left end, which no scissor moves */
-        t->x = t->row_left + ((t->x0 - t->row_left) >> job->quadratic_log2 << job->quadratic_log2);
+        t->x = t->x0 - (int32_t)((uint32_t)(t->x0 - t->row_left) % job->quadratic_length);
         t->is_new = false;
     }
     const int32_t x = t->x;
-    const int32_t n = qtri_least32((int32_t)1 << job->quadratic_log2, t->row_right - x);
+    const int32_t n = qtri_least32((int32_t)job->quadratic_length, t->row_right - x);
     const int32_t right = x - (t->corner_x[0] >> 8), down = t->y - (t->corner_y[0] >> 8);
     if (job->first_color != 0) {
         const qtri_large_attribute *u = &job->a[0], *v = &job->a[1];
