@@ -92,14 +92,13 @@ static bool leaves_range(const qtri_large *t)
     return false;
 }
 
-/* Values have 2^39 at most: depth in quarters. */
-static void set_depth_ramp(qtri_large *t, bool is_true)
+/* By the weights in use. Values have 2^39 at most: depth in quarters. */
+static void set_depth_ramp(qtri_large *t)
 {
     int64_t f_q8[3];
     for (int i = 0; i < 3; i++) {
         f_q8[i] = (int64_t)t->in->depth_16p16[i] << 6;
     }
-    qtri_large_use_weights(t, is_true);
     qtri_large_ramp_init(&t->ramp_z, t, f_q8, -2);
 }
 
@@ -110,10 +109,11 @@ static void set_depth_ramp(qtri_large *t, bool is_true)
  */
 static void set_depth(qtri_large *t)
 {
-    set_depth_ramp(t, t->is_true);
+    set_depth_ramp(t);
     if (t->is_true && leaves_range(t)) {
         if (t->options->samples) {
-            set_depth_ramp(t, false);
+            qtri_large_use_weights(t, false);
+            set_depth_ramp(t);
         } else {
             t->clamps_depth = true;
         }

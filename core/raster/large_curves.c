@@ -448,10 +448,19 @@ void qtri_large_set_planes(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
     int64_t q_q8[3];
-    if (!qtri_large_set_linear(job, q_q8) && !qtri_large_set_quadratics(job)) {
-        qtri_large_set_curved(job, q_q8);
-        set_lengths(job);
+    if (qtri_large_set_linear(job, q_q8)) {
+        return;
     }
+    if (qtri_large_is_quadratic(job)) {
+        /* Colours where vertices are snapped to, so that they stay within those of the vertices. */
+        qtri_large_use_weights(t, t->is_true && job->first_color != 0);
+        if (qtri_large_set_quadratics(job)) {
+            return;
+        }
+    }
+    qtri_large_use_weights(t, t->is_true);
+    qtri_large_set_curved(job, q_q8);
+    set_lengths(job);
 }
 
 int32_t qtri_large_next_uv(qtri_large *t)

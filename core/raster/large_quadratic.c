@@ -156,17 +156,17 @@ static void set_length(qtri_large_job *job)
     while (n > 1 && n * n > limit / curve) {
         n--;
     }
-    job->quadratic_length = n;
+    job->quadratic_length = (uint8_t)n;
+}
+
+bool qtri_large_is_quadratic(const qtri_large_job *job)
+{
+    return job->t.pixels <= PIXELS_MAX && !qtri_large_has_levels(job) && is_near(job);
 }
 
 bool qtri_large_set_quadratics(qtri_large_job *job)
 {
     const uint32_t *q = job->q_at;
-    if (job->t.pixels > PIXELS_MAX || qtri_large_has_levels(job) || !is_near(job)) {
-        return false;
-    }
-    /* Colours where vertices are snapped to, so that they stay within those of the vertices. */
-    qtri_large_use_weights(&job->t, job->t.is_true && job->first_color != 0);
     /* Of sides below 2^n, 2 n - 14: F is off by less than 2^16 for what coefficients are. */
     const int32_t more = 50 - 2 * qtri_clz32((uint32_t)job->t.pixels);
     job->quadratic_more = (uint8_t)qtri_greatest32(more, 0);
@@ -233,7 +233,7 @@ int32_t qtri_large_quadratic_piece(qtri_large_job *job)
         t->is_new = false;
     }
     const int32_t x = t->x;
-    const int32_t n = qtri_least32((int32_t)job->quadratic_length, t->row_right - x);
+    const int32_t n = qtri_least32(job->quadratic_length, t->row_right - x);
     const int32_t right = x - (t->corner_x[0] >> 8), down = t->y - (t->corner_y[0] >> 8);
     if (job->first_color != 0) {
         const qtri_large_attribute *u = &job->a[0], *v = &job->a[1];

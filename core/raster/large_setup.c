@@ -60,7 +60,6 @@ static bool find_weights(qtri_large *t, bool is_true)
     const int32_t rest_x = v[0].rest[0] & kept, rest_y = v[0].rest[1] & kept;
     /* 1/256 pixel, and what is true of positions besides, 2^-24 */
     int32_t snapped[2][2], rest[2][2];
-    int64_t d[2][2];
     uint64_t all = 0;
     for (int i = 0; i < 2; i++) {
         snapped[i][0] = t->corner_x[i + 1] - t->corner_x[0];
@@ -68,8 +67,9 @@ static bool find_weights(qtri_large *t, bool is_true)
         rest[i][0] = (v[i + 1].rest[0] & kept) - rest_x;
         rest[i][1] = (v[i + 1].rest[1] & kept) - rest_y;
         for (int k = 0; k < 2; k++) {
-            d[i][k] = (int64_t)snapped[i][k] * 65536 + rest[i][k];
-            all |= qtri_magnitude64(d[i][k]);
+            const int64_t d = (int64_t)snapped[i][k] * 65536 + rest[i][k];
+            w->b[1 - i][1 - k] = d;
+            all |= qtri_magnitude64(d);
         }
     }
     /* 2^14 times the area; that of snapped vertices is exact. */
@@ -85,8 +85,8 @@ static bool find_weights(qtri_large *t, bool is_true)
     const int32_t y = (128 - (t->corner_y[0] & 255)) * 65536 - rest_y;
     for (int i = 0; i < 2; i++) {
         int64_t *b = w->b[1 - i];
-        b[0] = scaled(d[i][1], up, r, (area < 0) != (i == 0));
-        b[1] = scaled(d[i][0], up, r, (area < 0) == (i == 0));
+        b[0] = scaled(b[0], up, r, (area < 0) != (i == 0));
+        b[1] = scaled(b[1], up, r, (area < 0) == (i == 0));
         b[2] = along(b[0], x) + along(b[1], y);
     }
     w->fraction = 56 + up - zeros;
@@ -436,7 +436,6 @@ bool qtri_large_set_linear(qtri_large_job *job, int64_t q_q8[3])
 
 void qtri_large_set_curved(qtri_large_job *job, const int64_t q_q8[3])
 {
-    qtri_large_use_weights(&job->t, job->t.is_true);
     qtri_large_plane_init(&job->q, &job->t, q_q8, 0);
     job->q_up = (uint8_t)room_above(job);
     qtri_large_plane_init(&job->q, &job->t, q_q8, job->q_up);

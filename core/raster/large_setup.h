@@ -149,7 +149,9 @@ int32_t qtri_large_chord_bound_log2(const qtri_large_job *job);
 /* In large_curves.c: sets job->is_level, and steps along the row if it is; planes are the row's. */
 bool qtri_large_begin_level(qtri_large_job *job);
 
-/* In large_quadratic.c: quadratics of all attributes; false: they do not serve. Then pieces. */
+/* In large_quadratic.c: whether all attributes are close to quadratics; quadratics of them, by the
+   weights in use; false: they do not serve. Then pieces. */
+bool qtri_large_is_quadratic(const qtri_large_job *job);
 bool qtri_large_set_quadratics(qtri_large_job *job);
 int32_t qtri_large_quadratic_piece(qtri_large_job *job);
 

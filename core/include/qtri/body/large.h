@@ -229,7 +229,7 @@ typedef struct qtri_large_job {
     qtri_large_plane q;
     bool is_curved;                               /* planes are times q */
     bool is_quadratic;                            /* attributes are quadratics */
-    uint32_t quadratic_length;                    /* pixels of a piece of these */
+    uint8_t quadratic_length;                     /* pixels of a piece of these */
     uint8_t quadratic_more;                       /* bits of their coefficients of second order */
     bool may_be_level;                            /* q hardly changes along rows: by `steep` */
     uint32_t steep;                               /* 2^-16 a pixel */
