@@ -308,9 +308,9 @@ help: ## List these targets; V=1 with any of them shows commands in full
 
 # Boards: firmware for emulated microcontrollers, its targets among them `test-boards` ----------------
 
+-include host/bench/bench.mk
 -include port/boards/boards.mk
 -include host/generate/generate.mk
--include host/bench/bench.mk
 -include host/verify/verify.mk
 -include host/report/report.mk
 -include port/packages/packages.mk
