@@ -18,9 +18,9 @@ alone make -s "$build/bench/scenes/bench_meshes.c" "$build/libqtri.a" MAKEFLAGS=
 sh port/packages/dist.sh "$work/dist" >"$work/log" 2>&1 || { cat "$work/log"; finish 1; }
 
 # NAME LIBRARY COMMAND...: how each builds, the slowest first. `one` is the library as one file, `all` its own files,
-# `make` what make has built, with which all are compared; `board` the library of the benchmarks for a core of that name, by
+# `make` what make has built, with which all are compared; `linux` the library of test-boards; `board` the library of the benchmarks for a core of that name, by
 # clang as one file, and the program a firmware.
-usual='cortex-m0plus-Os cortex-m3 gcc-O3 big-endian-O1 32-bit-O2 clang-Os gcc-Os tcc'
+usual='cortex-m0plus-Os cortex-m3 gcc-O3 32-bit-O2 big-endian-O2 clang-Os gcc-Os tcc'
 cat >"$work/list" <<'END'
 make make gcc -O2
 cortex-m0plus-Os board arm-none-eabi-gcc -mcpu=cortex-m0plus -Os
@@ -36,7 +36,7 @@ clang-O2 one clang -O2
 clang-Os one clang -Os -funsigned-char
 clang-O1 one clang -O1 -flto
 gcc-Os one gcc -Os
-big-endian-O1 one powerpc-linux-gnu-gcc -O1 -static
+big-endian-O2 linux powerpc-linux-gnu-gcc -O2 -static
 gcc-O1 one gcc -O1 -funsigned-char
 clang-O0 one clang -O0
 gcc-O0 one gcc -O0
@@ -73,6 +73,10 @@ one)
     library=$work/$name.o
     ;;
 all) library=$(echo core/*/*.c) ;;
+linux)
+    make -s "${BUILD:-build}/boards/linux_powerpc/firmware.elf" MAKEFLAGS= >"$work/$name.log" && rm "$work/$name.log" || exit 1
+    library=$(ls core/*/*.c | sed "s|\(.*\)c\$|${BUILD:-build}/boards/linux_powerpc/\1o|")
+    ;;
 make) library=${BUILD:-build}/libqtri.a ;;
 esac
 "$@" -o "$work/$name.program" "$meshes" tests/check/same.c $states $here/bench_host_board.c $here/bench_world.c \
