@@ -37,7 +37,10 @@ ARCHIVES := $(HELPERS) $(HOST) $(LIBRARY)
 INCLUDES := -Icore/include -Iport/include
 $(BUILD)/obj/tests/%.o: INCLUDES += -Icore -Ihost
 $(BUILD)/obj/core/%.o:  INCLUDES += $(CORE_FLAGS)
-$(BUILD)/obj/core/draw/pipeline%.o $(BUILD)/obj/tests/test_pipeline%.o $(BUILD)/obj/tests/support/small%.o: INCLUDES += $(PIPELINE_FLAGS)
+$(BUILD)/obj/core/draw/pipeline%.o $(BUILD)/obj/core/raster/pipelines_%.o $(BUILD)/obj/core/raster/line_pipelines.o \
+$(BUILD)/obj/tests/test_pipeline%.o: INCLUDES += $(PIPELINE_FLAGS)
+$(BUILD)/obj/tests/test_pipeline_small.o $(BUILD)/obj/tests/support/small%.o $(BUILD)/obj/tests/support/line_narrow.o: \
+INCLUDES += $(TEST_PIPELINE_FLAGS)
 
 
 include host/assets/assets.mk
@@ -55,9 +58,10 @@ PLAIN_C99 := -U__GNUC__ -fno-strict-aliasing
 SLOW_IN_MEMORY := test_core_perspective test_core_vec test_core_mat
 
 # Minutes to compile there: the pipelines' other tests draw by the same body. For threads and fuzzing what makes
-# pipelines is compiled without optimisation.
+# pipelines is compiled without optimisation, for other sanitizers those of tests that draw little by them.
 SLOW_TO_SANITIZE := test_pipeline_random
-UNOPTIMIZED      := PIPELINE_FLAGS=-O0
+UNOPTIMIZED_TEST := TEST_PIPELINE_FLAGS=-O0
+UNOPTIMIZED      := PIPELINE_FLAGS=-O0 $(UNOPTIMIZED_TEST)
 
 # Cores that multiply 32 by 32 bits to 32 and do not divide, see core/bits/bits.h.
 NARROW := -O1 -DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0
@@ -149,7 +153,7 @@ test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=te
 
 .PHONY: test-sanitized
 test-sanitized: ## Run them under the address and undefined-behaviour sanitizers
-	@$(MAKE) -s $(PARALLEL) BUILD=build/sanitize CFLAGS='$(SANITIZE)' TESTS='$(filter-out $(SLOW_TO_SANITIZE),$(TESTS))' test-plain
+	@$(MAKE) -s $(PARALLEL) BUILD=build/sanitize CFLAGS='$(SANITIZE)' $(UNOPTIMIZED_TEST) TESTS='$(filter-out $(SLOW_TO_SANITIZE),$(TESTS))' test-plain
 
 .PHONY: test-threads
 test-threads: ## Run the tests that have threads under the thread sanitizer
@@ -159,7 +163,7 @@ test-threads: ## Run the tests that have threads under the thread sanitizer
 .PHONY: test-memory
 test-memory: ## Run the tests of core and panels under clang's sanitizer for memory that was never written
 	@if sh tests/check/have_memory.sh; then \
-	    $(MAKE) -s $(PARALLEL) BUILD=build/memory CC=clang CFLAGS='$(SANITIZE_MEMORY)' CORE_FLAGS='$(PLAIN_C99)' \
+	    $(MAKE) -s $(PARALLEL) BUILD=build/memory CC=clang CFLAGS='$(SANITIZE_MEMORY)' CORE_FLAGS='$(PLAIN_C99)' $(UNOPTIMIZED_TEST) \
 	        TESTS='$(filter-out $(SLOW_IN_MEMORY),$(filter test_core_% test_panel_%,$(TESTS)))' test-plain; \
 	fi
 
@@ -194,7 +198,7 @@ PASTED := 09-floor-mipmapped 11-antialias-msaa 11-light-pixel 11-vertex-alpha 12
 $(BUILD)/pasted/%.o: host/scenes/%.scene $(BUILD)/qtri
 	@mkdir -p $(@D)
 	@$(BUILD)/qtri pipelines $< --name pasted_$(subst -,_,$*) >$(@:.o=.c)
-	$(call run,compile $@)$(CC) -std=c99 $(CFLAGS) $(PIPELINE_FLAGS) -Icore/include -c -o $@ $(@:.o=.c)
+	$(call run,compile $@)$(CC) -std=c99 $(CFLAGS) $(TEST_PIPELINE_FLAGS) -Icore/include -c -o $@ $(@:.o=.c)
 $(BUILD)/tests/test_tools_pipelines: $(PASTED:%=$(BUILD)/pasted/%.o)
 
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
@@ -308,9 +312,9 @@ help: ## List these targets; V=1 with any of them shows commands in full
 
 # Boards: firmware for emulated microcontrollers, its targets among them `test-boards` ----------------
 
+-include host/bench/bench.mk
 -include port/boards/boards.mk
 -include host/generate/generate.mk
--include host/bench/bench.mk
 -include host/verify/verify.mk
 -include host/report/report.mk
 -include port/packages/packages.mk

@@ -191,7 +191,7 @@ static void corners_equal_mesh(void **state)
     static full_mesh m;
     static qtri_corner corners[TRIANGLES * 3];
     uint64_t seed = 102;
-    for (int n = 0; n < 600; n++) {
+    for (int n = 0; n < random_cases(600); n++) {
         qtri_view view;
         qtri_transform pose;
         random_mesh(&m, &seed);
@@ -232,7 +232,7 @@ static void inside_a_box(void **state)
     enum { CUTS = 3 };
     uint64_t seed = 103;
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
-    for (int n = 0; n < 120; n++) {
+    for (int n = 0; n < random_cases(120); n++) {
         int count[HEIGHT][WIDTH] = {{0}};
         qtri_view view;
         qtri_transform pose;
@@ -287,7 +287,7 @@ static void flat_light_without_normals(void **state)
     static full_mesh m;
     uint64_t seed = 110;
     int total = 0;
-    for (int n = 0; n < 200; n++) {
+    for (int n = 0; n < random_cases(200); n++) {
         qtri_view view;
         qtri_transform pose;
         qtri_light light = {.towards = {random_any(&seed), random_any(&seed), 70000},
@@ -337,7 +337,7 @@ static void compact_equals_wide(void **state)
     uint64_t seed = 107;
     int different = 0;
     int total = 0;
-    for (int n = 0; n < 400; n++) {
+    for (int n = 0; n < random_cases(400); n++) {
         qtri_view view;
         qtri_transform pose;
         qtri_light light = {.towards = {random_any(&seed), random_any(&seed), 70000},
@@ -679,7 +679,7 @@ static void homogeneous(void **state)
 {
     (void)state;
     uint64_t seed = 105;
-    for (int n = 0; n < 2000; n++) {
+    for (int n = 0; n < random_cases(2000); n++) {
         canvas a = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
         canvas b = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
         qtri_view view;
@@ -746,7 +746,7 @@ static void garbage(void **state)
     static qtri_normal normals[12];
     uint64_t seed = 106;
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    for (int n = 0; n < 8000; n++) {
+    for (int n = 0; n < random_cases(8000); n++) {
         qtri_view view;
         qtri_transform pose;
         qtri_light light = {.ambient = 0};

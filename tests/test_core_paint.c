@@ -236,7 +236,7 @@ static void hard_edges(void **state)
     canvas c = canvas_new(&qtri_gray8, SIDE, SIDE);
     const qtri_rgb white = {255, 255, 255};
     const qtri_brush brush = qtri_brush_of(white);
-    for (int n = 0; n < 2000; n++) {
+    for (int n = 0; n < random_cases(2000); n++) {
         const shape h = random_shape(&seed, n % KINDS);
         clear(&c.surface, 0);
         paint(&c.surface, &h, &brush);
@@ -282,7 +282,7 @@ static void smooth_edges(void **state)
     const qtri_rgb white = {255, 255, 255};
     const qtri_brush brush = {white, 255, &qtri_ink_smooth};
     double worst[KINDS] = {0};
-    for (int n = 0; n < (long_run() ? 4000 : 360); n++) {
+    for (int n = 0; n < (long_run() ? 4000 : random_cases(360)); n++) {
         const shape h = random_shape(&seed, n % KINDS);
         clear(&c.surface, 0);
         paint(&c.surface, &h, &brush);
@@ -318,7 +318,7 @@ static void hollow_rows(void **state)
     canvas c = canvas_new(&qtri_gray8, SIDE, SIDE);
     const qtri_rgb white = {255, 255, 255};
     const qtri_brush brush = {white, 255, &qtri_ink_smooth};
-    for (int n = 0; n < 300; n++) {
+    for (int n = 0; n < random_cases(300); n++) {
         const int32_t width = QTRI_PX(random_in(&seed, 1, 3));
         const int32_t x = random_in(&seed, 0, QTRI_PX(20));
         const int32_t y = QTRI_PX(random_in(&seed, 0, 20));
@@ -366,7 +366,7 @@ static void bands(void **state)
 {
     (void)state;
     uint64_t seed = 3;
-    for (int n = 0; n < 1500; n++) {
+    for (int n = 0; n < random_cases(1500); n++) {
         const qtri_format *format = drawn_format(n);
         const shape h = random_shape(&seed, n % KINDS);
         const qtri_brush brush = random_brush(&seed);
@@ -399,7 +399,7 @@ static void mixes(void **state)
     (void)state;
     uint64_t seed = 4;
     double worst = 0;
-    for (int n = 0; n < 120; n++) {
+    for (int n = 0; n < random_cases(120); n++) {
         const qtri_format *format = drawn_format(n);
         qtri_brush brush = random_brush(&seed);
         brush.ink = &qtri_ink_blend;
@@ -437,7 +437,7 @@ static void whole_pixels(void **state)
 {
     (void)state;
     uint64_t seed = 5;
-    for (int n = 0; n < 200; n++) {
+    for (int n = 0; n < random_cases(200); n++) {
         const qtri_format *format = drawn_format(n);
         qtri_brush brush = random_brush(&seed);
         brush.alpha = 255;
@@ -502,7 +502,7 @@ static void common_sides(void **state)
     const qtri_rgb level = {100, 100, 100};
     const qtri_brush brush = {level, 128, &qtri_ink_blend};
     canvas c = canvas_new(&qtri_gray8, SIDE, SIDE);
-    for (int n = 0; n < 300; n++) {
+    for (int n = 0; n < random_cases(300); n++) {
         clear(&c.surface, 0);
         const qtri_point a = {random_in(&seed, 0, 255), random_in(&seed, 0, 255)};
         const qtri_point d = {QTRI_PX(SIDE) - random_in(&seed, 0, 255),
@@ -528,7 +528,7 @@ static void any_arguments(void **state)
     (void)state;
     uint64_t seed = 7;
     canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
-    for (int n = 0; n < 30000; n++) {
+    for (int n = 0; n < random_cases(30000); n++) {
         shape h = random_shape(&seed, n % KINDS);
         int32_t *const value[] = {
             &h.box.x0_24p8,     &h.box.y0_24p8,     &h.box.x1_24p8,    &h.box.y1_24p8,

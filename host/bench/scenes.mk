@@ -46,8 +46,12 @@ $(SCENE_DIR)/models: FORCE
 scene_run = timeout $3 $(call bench_emulator,$1) -display none -monitor none -serial stdio -kernel $2 </dev/null >$(2:.elf=.part) && \
             grep -q '^end$$' $(2:.elf=.part) && mv $(2:.elf=.part) $(2:.elf=.txt)
 
-# One program for each core. $1: core, $2: its board, $3: its objects.
+# The library and a program for each core. $1: core, $2: its board, $3: its objects. Boards and gates use this library, too.
+# A compiler's cache would keep objects without their stacks and calls.
 define scene_rules
+$(SCENE_DIR)/$1/libqtri.a: $(filter $(SCENE_DIR)/$1/core/%,$3)
+	@rm -f $$@ && $(patsubst %gcc,%ar,$(firstword $(call bench_cc,$1))) rc $$@ $$^
+
 $(SCENE_DIR)/$1/bench.elf: $3 port/boards/$2/$2.ld
 	$$(call run,link $$@)$(call scene_link,$1) -Wl,-Map=$$(@:.elf=.map) -T port/boards/$2/$2.ld -o $$@ $3 -lgcc
 
@@ -55,7 +59,7 @@ $(SCENE_DIR)/$1/port/boards/common/memory.o: private SCENE_EXTRA := -fno-tree-lo
 
 $(SCENE_DIR)/$1/%.o: %.c host/bench/bench.mk host/bench/scenes.mk
 	@mkdir -p $$(@D)
-	@$$(call scene_compile,$1,$$<) $$(SCENE_EXTRA) -MMD -MP -c -o $$@ $$<
+	@CCACHE_DISABLE=1 $$(call scene_compile,$1,$$<) $$(SCENE_EXTRA) -MMD -MP -c -o $$@ $$<
 
 $(SCENE_DIR)/$1/%.o: %.S
 	@mkdir -p $$(@D)

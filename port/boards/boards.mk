@@ -25,13 +25,12 @@ board_panel_lm3s6965evb := SSD0323
 # Runs the examples only (port/examples/examples.mk), in rp2040js.
 RP2040_TARGET := rp2040_cortex-m0plus
 
-# -mno-unaligned-access: the start-up code makes unaligned access a fault, as on an M0+.
-core_cc_cortex    := arm-none-eabi-gcc -mthumb -mno-unaligned-access
+core_cc_cortex     := arm-none-eabi-gcc -mthumb
 core_cc_arm926ej-s := arm-none-eabi-gcc -marm -mcpu=arm926ej-s
 core_cc_rv32imc   := riscv64-unknown-elf-gcc -march=rv32imc -mabi=ilp32 -idirafter port/boards/common/libc
 core_cc_arm64     := aarch64-linux-gnu-gcc
 core_cc_powerpc   := powerpc-linux-gnu-gcc
-core_cc = $(if $(filter cortex-%,$1),$(core_cc_cortex) -mcpu=$1,$(core_cc_$1))
+core_cc = $(if $(filter cortex-%,$1),$(core_cc_cortex) -mcpu=$1 $(BENCH_FPU_$1),$(core_cc_$1))
 
 # An instruction takes 1 ns, so that they can be counted and repeat.
 BOARD_QEMU    := -display none -icount shift=0,sleep=off
@@ -57,8 +56,10 @@ BOARD_LINK     := -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings
 board_of = $(firstword $(subst _, ,$1))
 core_of  = $(lastword $(subst _, ,$1))
 
-# Programs: what runs on boards of each kind, and beside it the sources of the board itself.
-BOARD_LIBRARY  := $(wildcard core/*/*.c) tests/boards/board_scenes.c
+# The library is that of the benchmarks where they have the core. $1: core
+board_library = $(if $(filter cortex-% rv32%,$1),$(SCENE_DIR)/$1/libqtri.a)
+
+# Programs: what runs on boards of each kind, and beside it the sources of the board itself. $1: board, $2: core
 ATTITUDE       := tests/boards/attitude_samples.c
 board_program   = $(if $(board_show_$1),$(wildcard port/panels/*.c) tests/boards/display_program.c \
                   tests/boards/show_$(board_show_$1).c $(ATTITUDE),tests/boards/board_report.c) \
@@ -67,16 +68,17 @@ board_folder    = $(wildcard port/boards/$1/*.[cS])
 board_folder_linux       := tests/boards/board_host.c
 board_folder_lm3s6965evb := $(wildcard port/boards/lm3s6965evb/*.c) port/boards/mps2/startup.c
 board_folder_rp2040      := $(wildcard port/boards/rp2040/*.c port/panels/*.c) port/boards/mps2/startup.c
-board_sources   = $(BOARD_LIBRARY) $(call board_program,$1) $(or $(board_folder_$1),$(call board_folder,$1)) \
+board_sources   = $(if $(call board_library,$2),,$(wildcard core/*/*.c)) tests/boards/board_scenes.c $(call board_program,$1) $(or $(board_folder_$1),$(call board_folder,$1)) \
                   $(if $(filter linux,$1),,$(wildcard port/boards/common/*.c))
 
 # One firmware. $1: target, $2: board, $3: compiler.
 define board_rules
-$1_objects := $(addprefix $(BOARD_DIR)/$1/,$(addsuffix .o,$(basename $(call board_sources,$2))))
+$1_objects := $(addprefix $(BOARD_DIR)/$1/,$(addsuffix .o,$(basename $(call board_sources,$2,$(call core_of,$1)))))
+$1_library := $(call board_library,$(call core_of,$1))
 
-$(BOARD_DIR)/$1/firmware.elf: $$($1_objects) $(wildcard port/boards/$2/$2.ld)
+$(BOARD_DIR)/$1/firmware.elf: $$($1_objects) $$($1_library) $(wildcard port/boards/$2/$2.ld)
 	$$(call run,link $$@)$3 $(if $(filter linux,$2),-static,$(BOARD_LINK) -Wl,-Map=$$(@:.elf=.map) -T port/boards/$2/$2.ld) \
-	    $$($1_objects) $(if $(filter linux,$2),,-lgcc) -o $$@
+	    $$($1_objects) $$($1_library) $(if $(filter linux,$2),,-lgcc) -o $$@
 	@$(patsubst %gcc,%size,$(firstword $3)) $$@ >$$(@:.elf=.size)
 
 $(BOARD_DIR)/$1/port/boards/common/memory.o: private BOARD_EXTRA := -fno-tree-loop-distribute-patterns
@@ -98,13 +100,13 @@ $(foreach t,$(BOARD_TARGETS) $(DISPLAY_TARGETS) $(RP2040_TARGET),$(eval $(call \
 BOARD_HOST := $(BOARD_DIR)/host/board_host
 SHOW_HOSTS := $(foreach t,$(DISPLAY_TARGETS),$(BOARD_DIR)/host/show_$(call board_of,$t))
 
-board_host_objects = $(patsubst %.c,$(BOARD_DIR)/host/%.o,$(BOARD_LIBRARY) $1)
+board_host_objects = $(patsubst %.c,$(BOARD_DIR)/host/%.o,tests/boards/board_scenes.c $1) $(LIBRARY)
 $(BOARD_HOST): $(call board_host_objects,tests/boards/board_report.c tests/boards/board_print.c tests/boards/board_host.c)
 $(foreach t,$(DISPLAY_TARGETS),$(eval $(BOARD_DIR)/host/show_$(call board_of,$t): $(call \
     board_host_objects,tests/boards/display_host.c tests/boards/show_$(board_show_$(call board_of,$t)).c $(ATTITUDE))))
 
 $(BOARD_HOST) $(SHOW_HOSTS):
-	$(call run,link $@)$(CC) $^ -o $@
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) $^ -o $@
 
 $(BOARD_DIR)/host/%.o: %.c port/boards/boards.mk
 	@mkdir -p $(@D)

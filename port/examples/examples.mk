@@ -32,7 +32,7 @@ $(EXAMPLE_DIR)/$1/host: $(call objects,$(call example_sources,$1) port/examples/
 	$$(call run,link $$@)$$(CC) $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ -lm
 
 $(EXAMPLE_DIR)/$1/firmware.elf: $(filter-out $(BOARD_DIR)/$2/tests/%,$($2_objects)) \
-        $(patsubst %.c,$(BOARD_DIR)/$2/%.o,$(call example_sources,$1) port/examples/board.c)
+        $(patsubst %.c,$(BOARD_DIR)/$2/%.o,$(call example_sources,$1) port/examples/board.c) $($2_library)
 	@mkdir -p $$(@D)
 	$$(call run,link $$@)$(call core_cc,$(call core_of,$2)) $(BOARD_LINK) -T port/boards/$(call board_of,$2)/$(call board_of,$2).ld $$^ -lgcc -o $$@
 endef
@@ -80,9 +80,9 @@ RP2040_DIR      := $(EXAMPLE_DIR)/rp2040
 
 define rp2040_rules
 $(RP2040_DIR)/$1/firmware.elf: $(filter-out $(BOARD_DIR)/$(RP2040_TARGET)/tests/%,$($(RP2040_TARGET)_objects)) \
-        $(patsubst %.c,$(BOARD_DIR)/$(RP2040_TARGET)/%.o,$(call example_sources,$1) port/examples/board.c) port/boards/rp2040/rp2040.ld
+        $(patsubst %.c,$(BOARD_DIR)/$(RP2040_TARGET)/%.o,$(call example_sources,$1) port/examples/board.c) $($(RP2040_TARGET)_library) port/boards/rp2040/rp2040.ld
 	@mkdir -p $$(@D)
-	$$(call run,link $$@)$(call core_cc,$(call core_of,$(RP2040_TARGET))) $(BOARD_LINK) -T $$(filter %.ld,$$^) $$(filter %.o,$$^) -lgcc -o $$@
+	$$(call run,link $$@)$(call core_cc,$(call core_of,$(RP2040_TARGET))) $(BOARD_LINK) -T $$(filter %.ld,$$^) $$(filter-out %.ld,$$^) -lgcc -o $$@
 endef
 $(foreach e,$(RP2040_EXAMPLES),$(eval $(call rp2040_rules,$e)))
 

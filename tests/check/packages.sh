@@ -53,13 +53,14 @@ if has pkg-config "qtri.pc"; then
     pkg-config --exact-version="$(sh port/packages/version.sh)" qtri || fail "qtri.pc: its version"
 fi
 
-# The command of port/README.md, word for word, in a folder as it is after a checkout: all objects together are the
-# library, and an application with a board's start-up code links with them.
+# The command of port/README.md, word for word but for its -O2, which takes a minute, in a folder as it is after a checkout:
+# all objects together are the library, and an application with a board's start-up code links with them.
 
 if has arm-none-eabi-gcc "the command of port/README.md"; then
     board=$root/port/boards/mps2
     mkdir "$work/port" && ln -s "$root/core" "$root/port" "$work/port/"
-    awk '/^    arm-none-eabi-gcc / { found = 1 } found { print } found && !/\\$/ { exit }' port/README.md >"$work/port/command"
+    awk '/^    arm-none-eabi-gcc / { found = 1 } found { print } found && !/\\$/ { exit }' port/README.md |
+        sed 's/ -O2 / -O0 /' >"$work/port/command"
     grep -q 'core/\*/\*\.c port/panels/\*\.c$' "$work/port/command" || fail "port/README.md: there is no command that compiles the library"
     cd "$work/port" || finish 1
     quiet "the command of the README" sh -e ./command &&
@@ -84,13 +85,11 @@ quiet "amalgamation, application" gcc $flags -I"$single" -o "$single/app" tests/
 has clang "amalgamation" && quiet "amalgamation, clang" clang $flags -c -o "$single/clang.o" "$single/qtri.c"
 has tcc "amalgamation" && quiet "amalgamation, tcc" tcc -std=c99 -c -o "$single/tcc.o" "$single/qtri.c"
 if has arm-none-eabi-gcc "amalgamation"; then
-    quiet "amalgamation, Cortex-M0+" arm-none-eabi-gcc $flags -O1 -mcpu=cortex-m0plus -mthumb -ffreestanding -c -o "$single/arm.o" "$single/qtri.c"
     quiet "amalgamation, Cortex-M4" arm-none-eabi-gcc $flags -Os -mcpu=cortex-m4 -mthumb -ffreestanding -fsyntax-only "$single/qtri.c"
-fi
-# Constants without a name share one section: with the address of one, an application would link what it does not use.
-if has arm-none-eabi-gcc "amalgamation, constants"; then
-    for level in -O2 -Os; do
-        arm-none-eabi-gcc -std=c99 $level -mcpu=cortex-m0plus -mthumb -ffreestanding -ffunction-sections -fdata-sections -c -o "$single/arm.o" "$single/qtri.c" || fail "amalgamation, $level"
+    # Constants without a name share one section: with the address of one, an application would link what it does not use.
+    for level in "-O2 $flags" "-Os -std=c99"; do
+        quiet "amalgamation, Cortex-M0+, $level" arm-none-eabi-gcc $level -mcpu=cortex-m0plus -mthumb -ffreestanding \
+            -ffunction-sections -fdata-sections -c -o "$single/arm.o" "$single/qtri.c"
         held=$(arm-none-eabi-objdump -r -j .rodata "$single/arm.o" | awk '/R_ARM/ { print $3 }')
         [ -z "$held" ] || fail "amalgamation, $level: a constant without a name holds the address of $held"
     done
@@ -208,7 +207,8 @@ consumer()
 }
 
 if has cmake "CMake, ESP-IDF, Pico SDK and Zephyr"; then
-    quiet "cmake, configured" cmake -S . -B "$work/cmake" -DCMAKE_INSTALL_PREFIX="$work/cmake-prefix" &&
+    # What is installed is compiled without optimisation, as the levels of a Release are CMake's own and take a minute.
+    quiet "cmake, configured" cmake -S . -B "$work/cmake" -DCMAKE_INSTALL_PREFIX="$work/cmake-prefix" -DCMAKE_C_FLAGS_RELEASE=-O0 &&
         quiet "cmake, built" cmake --build "$work/cmake" -j "$jobs" --target install
     grep -q '^CMAKE_BUILD_TYPE:STRING=Release$' "$work/cmake/CMakeCache.txt" || fail "cmake: not a Release without a type of build"
     consumer package -DCMAKE_PREFIX_PATH="$work/cmake-prefix" -DWANTED="$(sh port/packages/version.sh)" &&

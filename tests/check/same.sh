@@ -3,9 +3,9 @@
 # The same pictures to the bit from every compiler, optimisation level, width of a pointer, signedness of char and byte
 # order: the benchmarks' scenes and the matrix of formats, depth tests, sources and geometries (host/bench), and random
 # states (tests/support/random_states.h), drawn by the library as each builds it. Emulated boards draw the random states
-# here, the others in check-budgets and check-matrix. tcc, a plain C99 compiler, also builds the command, whose pictures
-# are compared as files. SAME=all takes four minutes and draws with every build of the list below, SAME="tcc gcc-O1" with
-# some.
+# here, with the library of the benchmarks, and the others in check-budgets and check-matrix. tcc, a plain C99 compiler,
+# also builds the command, whose pictures are compared as files. SAME=all takes four minutes and draws with every build of
+# the list below, SAME="tcc gcc-O1" with some.
 gate=same
 . tests/check/files.sh
 need gcc clang tcc cmp
@@ -18,14 +18,15 @@ alone make -s "$build/bench/scenes/bench_meshes.c" "$build/libqtri.a" MAKEFLAGS=
 sh port/packages/dist.sh "$work/dist" >"$work/log" 2>&1 || { cat "$work/log"; finish 1; }
 
 # NAME LIBRARY COMMAND...: how each builds, the slowest first. `one` is the library as one file, `all` its own files,
-# `make` what make has built, with which all are compared; `board` one file, too, and the program a firmware.
-usual='cortex-m0plus-Os cortex-m3-O2 gcc-O3 big-endian-O1 32-bit-O2 clang-Os gcc-Os tcc'
+# `make` what make has built, with which all are compared; `linux` the library of test-boards; `board` the library of the benchmarks for a core of that name, by
+# clang as one file, and the program a firmware.
+usual='cortex-m0plus-Os cortex-m3 gcc-O3 32-bit-O2 big-endian-O2 clang-Os gcc-Os tcc'
 cat >"$work/list" <<'END'
 make make gcc -O2
 cortex-m0plus-Os board arm-none-eabi-gcc -mcpu=cortex-m0plus -Os
 cortex-m0plus-clang-Os board arm-none-eabi-gcc -mcpu=cortex-m0plus -Os
-cortex-m3-O2 board arm-none-eabi-gcc -mcpu=cortex-m3 -O2
-cortex-m0plus-O2 board arm-none-eabi-gcc -mcpu=cortex-m0plus -O2
+cortex-m3 board arm-none-eabi-gcc -mcpu=cortex-m3 -O2
+cortex-m0plus board arm-none-eabi-gcc -mcpu=cortex-m0plus -O2
 cortex-m3-Os board arm-none-eabi-gcc -mcpu=cortex-m3 -Os
 gcc-O3 one gcc -O3
 gcc-O2-flto all gcc -O2 -flto
@@ -35,7 +36,7 @@ clang-O2 one clang -O2
 clang-Os one clang -Os -funsigned-char
 clang-O1 one clang -O1 -flto
 gcc-Os one gcc -Os
-big-endian-O1 one powerpc-linux-gnu-gcc -O1 -static
+big-endian-O2 linux powerpc-linux-gnu-gcc -O2 -static
 gcc-O1 one gcc -O1 -funsigned-char
 clang-O0 one clang -O0
 gcc-O0 one gcc -O0
@@ -50,14 +51,14 @@ case $name in big-endian*) run=qemu-ppc ;; cortex*) run=qemu-system-arm ;; *) ru
 set -- "$@" -std=c99 -Icore/include -Ihost/bench
 states='tests/support/random_states.c tests/support/random_pictures.c'
 here=host/bench
-if [ $library = board ]; then # its emulated processor faults where access is unaligned
+if [ $library = board ]; then
     board=port/boards
-    set -- "$@" -mthumb -mno-unaligned-access -ffreestanding -fno-tree-loop-distribute-patterns
-    core=$work/dist/single/qtri.c
+    set -- "$@" -mthumb -ffreestanding -fno-tree-loop-distribute-patterns
+    core=${BUILD:-build}/bench/scenes/$name/libqtri.a
     case $name in *-clang-*) # a library by clang in firmware by gcc
+        core=$work/$name.o
         clang --target=arm-none-eabi -mcpu=cortex-m0plus -mthumb -Os -std=c99 -fshort-enums -ffreestanding -Icore/include \
-            -idirafter $board/common/libc -c -o "$work/$name.o" "$core" || exit 1
-        core=$work/$name.o ;;
+            -idirafter $board/common/libc -c -o "$core" "$work/dist/single/qtri.c" || exit 1 ;;
     esac
     "$@" -nostdlib -T $board/mps2/mps2.ld -o "$work/$name.program" tests/check/same_states.c $states $here/bench_print.c \
         $board/mps2/*.c $board/common/memory.c "$core" -lgcc &&
@@ -72,6 +73,10 @@ one)
     library=$work/$name.o
     ;;
 all) library=$(echo core/*/*.c) ;;
+linux)
+    make -s "${BUILD:-build}/boards/linux_powerpc/firmware.elf" MAKEFLAGS= >"$work/$name.log" && rm "$work/$name.log" || exit 1
+    library=$(ls core/*/*.c | sed "s|\(.*\)c\$|${BUILD:-build}/boards/linux_powerpc/\1o|")
+    ;;
 make) library=${BUILD:-build}/libqtri.a ;;
 esac
 "$@" -o "$work/$name.program" "$meshes" tests/check/same.c $states $here/bench_host_board.c $here/bench_world.c \
@@ -81,8 +86,10 @@ esac
 rm -f "$work/$name.program" "$work/$name.o"
 END
 [ "${SAME:=$usual}" != all ] || SAME='.*'
-grep -E "^($(echo "make $SAME" | tr ' ' '|')) " "$work/list" |
-    sed "s|^|$work $build/bench/scenes/bench_meshes.c |" | xargs -P "$jobs" -L 1 sh "$work/draw" || status=1
+grep -E "^($(echo "make $SAME" | tr ' ' '|')) " "$work/list" >"$work/asked"
+cores=$(awk '$2 == "board" && $1 !~ /clang/ { print $1 }' "$work/asked")
+[ -z "$cores" ] || ! command -v arm-none-eabi-gcc >/dev/null || core_libraries $cores || finish 1
+sed "s|^|$work $build/bench/scenes/bench_meshes.c |" "$work/asked" | xargs -P "$jobs" -L 1 sh "$work/draw" || status=1
 
 cat "$work"/*.skipped 2>/dev/null
 sed -n '/^states /,$p' "$work/make.pictures" >"$work/make.states"

@@ -6,7 +6,7 @@
 gate=stack
 . tests/check/files.sh
 need arm-none-eabi-gcc
-export CCACHE_DISABLE=1 # a cache keeps objects without their graphs, and an empty graph has no faults
+export CCACHE_DISABLE=1 # a cache keeps objects without their graphs
 
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -15,13 +15,14 @@ status=0
 # A name is a line `symbol` of a public header's declaration.
 cat core/include/qtri/*.h port/include/qtri_port/*.h | grep -oE '\b(qtri|q16)_[a-z0-9_]+\(' | tr -d '(' | sort -u >"$work/public"
 
-for build in 'cortex-m0plus -Os' 'cortex-m3 -O2'; do
-    folder=$work/$(echo "$build" | tr -d ' ')
-    mkdir "$folder"
-    c_files core port/panels | grep '\.c$' | xargs -P "$jobs" -n 8 sh -c 'folder=$1 flags=$2; shift 2; for file; do
-        arm-none-eabi-gcc -std=c99 -mcpu=$flags -mthumb -ffreestanding -Icore/include -Iport/include -fcallgraph-info=su \
-            -c -o "$folder/$(echo "${file%.c}" | tr / +).o" "$file" || exit 1; done' sh "$folder" "$build" || finish 1
-    cat "$folder"/*.ci | awk -F '"' -v build="$build" -v show="${STACK_SHOW:-}" -v public="$work/public" "$(cat tests/check/stack_calls.awk)"'
+core_libraries cortex-m0plus-Os cortex-m3 || finish 1
+for build in cortex-m0plus-Os cortex-m3; do
+    for file in port/panels/*.c; do
+        arm-none-eabi-gcc -std=c99 -mcpu=${build%-Os} $(case $build in *-Os) echo -Os ;; *) echo -O2 ;; esac) -mthumb -ffreestanding \
+            -Icore/include -Iport/include -fcallgraph-info=su -c -o "$work/$(basename "$file" .c).o" "$file" || finish 1
+    done
+    cat $(ls core/*/*.c | sed "s|^\(.*\)c\$|${BUILD:-build}/bench/scenes/$build/\1ci|") "$work"/*.ci >"$work/graphs" || finish 1
+    awk -F '"' -v build="$build" -v show="${STACK_SHOW:-}" -v public="$work/public" "$(cat tests/check/stack_calls.awk)"'
         BEGIN { while ((getline line < public) > 0) is_public[line] }
         function complain(text) { print build ": " text; bad = 1 }
         function way(t,   text, cut, next_t) {
@@ -47,6 +48,6 @@ for build in 'cortex-m0plus -Os' 'cortex-m3 -O2'; do
             for (key in targets) { n = split(targets[key], list, " "); for (i = 1; i <= n; i++) { m = split(expand(list[i]), each, " "); for (j = 1; j <= m; j++) listed[each[j]] } }
             for (t in frame) if (t ~ /:/ && !(t in called) && !(t in listed) && t !~ /[.](part|constprop|isra)[.]/) complain(t ": its address is taken, and no list has it")
             exit bad
-        }' || status=1
+        }' "$work/graphs" || status=1
 done
 finish $status

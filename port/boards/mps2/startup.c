@@ -18,10 +18,21 @@ static size_t words(const uint32_t *from, const uint32_t *to)
 
 #define PAINT 0xA5A5A5A5u
 
-/* Armv7-M B3.2.8: unaligned access faults, as on a Cortex-M0+, and so does division by zero. */
-#define SCB_CCR           (*(volatile uint32_t *)0xE000ED14u)
-#define CCR_UNALIGN_TRP   (1u << 3)
-#define CCR_DIV_0_TRP     (1u << 4)
+/*
+ * Armv7-M B3.2.8: unaligned access faults, as on a Cortex-M0+, unless the compiler may use it, and
+ * so does division by zero.
+ */
+#define SCB_CCR         (*(volatile uint32_t *)0xE000ED14u)
+#define CCR_UNALIGN_TRP (1u << 3)
+#define CCR_DIV_0_TRP   (1u << 4)
+#ifdef __ARM_FEATURE_UNALIGNED
+#define CCR_TRAPS CCR_DIV_0_TRP
+#else
+#define CCR_TRAPS (CCR_UNALIGN_TRP | CCR_DIV_0_TRP)
+#endif
+/* Armv7-M B3.2.20: coprocessors 10 and 11, whose registers the compiler uses on an M4F. */
+#define SCB_CPACR         (*(volatile uint32_t *)0xE000ED88u)
+#define CPACR_FPU         (0xFu << 20)
 #define FAULT_EXIT_STATUS 70
 
 static void fault(void)
@@ -68,7 +79,10 @@ void reset(void)
         bss_start[i] = 0;
     }
     paint_stack();
-    SCB_CCR |= CCR_UNALIGN_TRP | CCR_DIV_0_TRP;
+    SCB_CCR |= CCR_TRAPS;
+#ifdef __ARM_FP
+    SCB_CPACR |= CPACR_FPU;
+#endif
     board_init();
     board_exit(main());
 }
