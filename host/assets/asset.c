@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mesh_arrays.h"
+
 #define ONE 65536.0
 #define PI  3.14159265358979323846
 
@@ -41,16 +43,9 @@ struct draft {
 
 static void part_free(struct asset_part *part)
 {
-    free(part->positions);
-    free(part->normals);
-    free(part->uvs);
-    free(part->colors);
-    free(part->triangles);
-    free(part->positions16);
-    free(part->normals8);
-    free(part->uvs16);
-    free(part->triangles8);
-    free(part->planes);
+    for (enum mesh_array i = 0; i < MESH_ARRAYS; i++) {
+        mesh_array_free(&part->mesh, i);
+    }
     free(part->targets);
 }
 
@@ -294,141 +289,64 @@ static bool make_draft(struct draft *draft, const struct packing *packing,
 
 /* ---- The arrays of a part ---- */
 
-static bool make_wide(struct asset_part *part, const struct draft *draft,
-                      const struct packing *packing)
+/* The packed numbers of vertices from `first` on; true without an array that is not wanted. */
+static bool make_array(struct asset_part *part, const struct draft *draft, enum mesh_array which,
+                       int first, bool is_wanted)
 {
-    size_t count = draft->vertex_count;
-    part->positions = calloc(count, sizeof *part->positions);
-    part->normals = packing->options->normals ? calloc(count, sizeof *part->normals) : NULL;
-    if (part->positions == NULL || (packing->options->normals && part->normals == NULL)) {
-        return false;
+    const bool ok = !is_wanted || mesh_array_create(&part->mesh, which);
+    for (size_t i = 0; ok && is_wanted && i < draft->vertex_count; i++) {
+        mesh_array_put(&part->mesh, which, i, &draft->vertices[i].number[first]);
     }
-    for (size_t i = 0; i < count; i++) {
-        const int32_t *p = &draft->vertices[i].number[PACKED_POSITION];
-        const int32_t *n = &draft->vertices[i].number[PACKED_NORMAL];
-        const qtri_vec3 position = {p[0], p[1], p[2]};
-        const qtri_normal normal = {(int16_t)n[0], (int16_t)n[1], (int16_t)n[2]};
-        part->positions[i] = position;
-        if (part->normals != NULL) {
-            part->normals[i] = normal;
-        }
-    }
-    part->mesh.positions = part->positions;
-    part->mesh.normals = part->normals;
-    return true;
+    return ok;
 }
 
-static bool make_compact(struct asset_part *part, const struct draft *draft,
-                         const struct packing *packing)
+static bool make_vertices(struct asset_part *part, const struct draft *draft,
+                          const struct packing *packing)
 {
-    size_t count = draft->vertex_count;
-    part->positions16 = calloc(count, sizeof *part->positions16);
-    part->normals8 = packing->options->normals ? calloc(count, sizeof *part->normals8) : NULL;
-    if (part->positions16 == NULL || (packing->options->normals && part->normals8 == NULL)) {
-        return false;
+    const bool compact = packing->options->compact;
+    if (compact) {
+        part->mesh.origin.x = (q16)packing->origin[0];
+        part->mesh.origin.y = (q16)packing->origin[1];
+        part->mesh.origin.z = (q16)packing->origin[2];
+        part->mesh.extent = (q16)packing->extent;
     }
-    for (size_t i = 0; i < count; i++) {
-        const int32_t *p = &draft->vertices[i].number[PACKED_POSITION];
-        const int32_t *n = &draft->vertices[i].number[PACKED_NORMAL];
-        const qtri_position16 position = {(int16_t)p[0], (int16_t)p[1], (int16_t)p[2]};
-        const qtri_normal8 normal = {(int8_t)n[0], (int8_t)n[1], (int8_t)n[2]};
-        part->positions16[i] = position;
-        if (part->normals8 != NULL) {
-            part->normals8[i] = normal;
-        }
-    }
-    part->mesh.positions16 = part->positions16;
-    part->mesh.normals8 = part->normals8;
-    part->mesh.origin.x = (q16)packing->origin[0];
-    part->mesh.origin.y = (q16)packing->origin[1];
-    part->mesh.origin.z = (q16)packing->origin[2];
-    part->mesh.extent = (q16)packing->extent;
-    return true;
-}
-
-static bool make_wide_uvs(struct asset_part *part, const struct draft *draft)
-{
-    part->uvs = calloc(draft->vertex_count, sizeof *part->uvs);
-    for (size_t i = 0; part->uvs != NULL && i < draft->vertex_count; i++) {
-        const int32_t *uv = &draft->vertices[i].number[PACKED_UV];
-        const qtri_vec2 wide = {uv[0], uv[1]};
-        part->uvs[i] = wide;
-    }
-    part->mesh.uvs = part->uvs;
-    return part->uvs != NULL;
-}
-
-static bool make_compact_uvs(struct asset_part *part, const struct draft *draft)
-{
-    part->uvs16 = calloc(draft->vertex_count, sizeof *part->uvs16);
-    for (size_t i = 0; part->uvs16 != NULL && i < draft->vertex_count; i++) {
-        const int32_t *uv = &draft->vertices[i].number[PACKED_UV];
-        const qtri_uv16 narrow = {(int16_t)uv[0], (int16_t)uv[1]};
-        part->uvs16[i] = narrow;
-    }
-    part->mesh.uvs16 = part->uvs16;
-    return part->uvs16 != NULL;
-}
-
-static bool make_uvs(struct asset_part *part, const struct draft *draft,
-                     const struct packing *packing)
-{
-    if (!packing->uvs) {
-        return true;
-    }
-    return packing->compact_uvs ? make_compact_uvs(part, draft) : make_wide_uvs(part, draft);
-}
-
-static bool make_colors(struct asset_part *part, const struct draft *draft,
-                        const struct packing *packing)
-{
-    if (!packing->colors) {
-        return true;
-    }
-    part->colors = calloc(draft->vertex_count, sizeof *part->colors);
-    for (size_t i = 0; part->colors != NULL && i < draft->vertex_count; i++) {
-        const int32_t *c = &draft->vertices[i].number[PACKED_COLOR];
-        const qtri_rgb color = {(uint8_t)c[0], (uint8_t)c[1], (uint8_t)c[2]};
-        part->colors[i] = color;
-    }
-    part->mesh.colors = part->colors;
-    return part->colors != NULL;
+    return make_array(part, draft, compact ? MESH_POSITIONS16 : MESH_POSITIONS, PACKED_POSITION,
+                      true) &&
+           make_array(part, draft, compact ? MESH_NORMALS8 : MESH_NORMALS, PACKED_NORMAL,
+                      packing->options->normals) &&
+           make_array(part, draft, packing->compact_uvs ? MESH_UVS16 : MESH_UVS, PACKED_UV,
+                      packing->uvs) &&
+           make_array(part, draft, MESH_COLORS, PACKED_COLOR, packing->colors);
 }
 
 /* One colour of all vertices is the material's. */
 static void share_color(struct asset_part *part)
 {
-    bool is_one = part->colors != NULL;
+    const qtri_rgb *colors = part->mesh.colors;
+    bool is_one = colors != NULL;
     for (uint32_t i = 1; is_one && i < part->mesh.vertex_count; i++) {
-        is_one = memcmp(&part->colors[i], &part->colors[0], sizeof *part->colors) == 0;
+        is_one = memcmp(&colors[i], &colors[0], sizeof *colors) == 0;
     }
     if (is_one) {
-        part->material.color[0] = part->colors[0].r;
-        part->material.color[1] = part->colors[0].g;
-        part->material.color[2] = part->colors[0].b;
-        free(part->colors);
-        part->colors = NULL;
-        part->mesh.colors = NULL;
+        part->material.color[0] = colors[0].r;
+        part->material.color[1] = colors[0].g;
+        part->material.color[2] = colors[0].b;
+        mesh_array_free(&part->mesh, MESH_COLORS);
     }
 }
 
 static bool make_triangles(struct asset_part *part, const struct draft *draft,
                            const struct packing *packing)
 {
-    bool narrow = packing->options->compact && draft->vertex_count <= 256;
-    part->triangles = calloc(draft->triangle_count, sizeof *part->triangles);
-    part->triangles8 = calloc(draft->triangle_count, sizeof *part->triangles8);
-    if (part->triangles == NULL || part->triangles8 == NULL) {
-        return false;
+    const bool narrow = packing->options->compact && draft->vertex_count <= 256;
+    const enum mesh_array which = narrow ? MESH_TRIANGLES8 : MESH_TRIANGLES;
+    const bool ok = mesh_array_create(&part->mesh, which);
+    for (size_t i = 0; ok && i < draft->triangle_count; i++) {
+        const uint32_t *t = draft->triangles[i];
+        const int32_t corners[3] = {(int32_t)t[0], (int32_t)t[1], (int32_t)t[2]};
+        mesh_array_put(&part->mesh, which, i, corners);
     }
-    for (size_t i = 0; i < 3 * draft->triangle_count; i++) {
-        uint32_t corner = draft->triangles[i / 3][i % 3];
-        part->triangles[i / 3][i % 3] = (uint16_t)corner;
-        part->triangles8[i / 3][i % 3] = (uint8_t)corner;
-    }
-    part->mesh.triangles = narrow ? NULL : (const uint16_t(*)[3])part->triangles;
-    part->mesh.triangles8 = narrow ? (const uint8_t(*)[3])part->triangles8 : NULL;
-    return true;
+    return ok;
 }
 
 /* The targets of a morph as 16-bit positions, which wide meshes have none of. */
@@ -498,29 +416,29 @@ static void set_bounds(struct asset_part *part, const struct draft *draft,
     }
 }
 
+/* Planes of faces that pay. */
+static bool make_planes(struct asset_part *part, const struct packing *packing)
+{
+    qtri_face8 *planes = calloc(part->mesh.triangle_count, sizeof *planes);
+    if (planes != NULL && !packing->options->make_faces(&part->mesh, planes)) {
+        free(planes);
+    }
+    return planes != NULL;
+}
+
 static bool make_part(struct asset_part *part, const struct draft *draft,
                       const struct packing *packing, const struct model *model)
 {
     const bool has_targets = part->material.morph > 0 && packing->options->compact;
-    bool ok = (packing->options->compact ? make_compact(part, draft, packing)
-                                         : make_wide(part, draft, packing)) &&
-              make_uvs(part, draft, packing) && make_colors(part, draft, packing) &&
-              make_triangles(part, draft, packing) &&
-              (!has_targets || make_targets(part, draft, packing, model));
-    if (!ok) {
-        return false;
-    }
     part->mesh.vertex_count = (uint32_t)draft->vertex_count;
     part->mesh.triangle_count = (uint32_t)draft->triangle_count;
-    set_bounds(part, draft, packing);
-    if (packing->options->make_faces != NULL && !has_targets) { /* planes stay where they are */
-        part->planes = calloc(draft->triangle_count, sizeof *part->planes);
-        if (part->planes == NULL) {
-            return false;
-        }
-        (void)packing->options->make_faces(&part->mesh, part->planes);
+    if (!make_vertices(part, draft, packing) || !make_triangles(part, draft, packing) ||
+        (has_targets && !make_targets(part, draft, packing, model))) {
+        return false;
     }
-    return true;
+    set_bounds(part, draft, packing);
+    /* planes stay where they are */
+    return packing->options->make_faces == NULL || has_targets || make_planes(part, packing);
 }
 
 /* ---- The asset ---- */
