@@ -443,12 +443,6 @@ static bool make_part(struct asset_part *part, const struct draft *draft,
 
 /* ---- The asset ---- */
 
-static bool fail(struct text_error *error, const char *path, const char *problem)
-{
-    text_error_set(error, path, 0, "%s", problem);
-    return false;
-}
-
 /* Whether the model fits, and how its numbers are stored. */
 static bool set_packing(struct packing *packing, const char *path, const struct model *model,
                         struct text_error *error)
@@ -460,7 +454,8 @@ static bool set_packing(struct packing *packing, const char *path, const struct 
     packing->extent = 1.0;
     for (int i = 0; i < 3; i++) {
         if (box.low[i] < -MOST_POSITION || box.high[i] > MOST_POSITION) {
-            return fail(error, path, "reaches beyond 32767, Q16.16's end; --fit makes it smaller");
+            return text_error_set(error, path, 0,
+                                  "reaches beyond 32767, Q16.16's end; --fit makes it smaller");
         }
         packing->origin[i] = round((box.low[i] + box.high[i]) / 2.0 * ONE);
         /* So that the farthest is 32767 and not 32768, which would be held: half a unit off. */
@@ -472,7 +467,7 @@ static bool set_packing(struct packing *packing, const char *path, const struct 
         for (int j = 0; j < 2; j++) {
             double uv = model->vertices[i].uv[j];
             if (fabs(uv) > MOST_POSITION) {
-                return fail(error, path, "has a texture coordinate beyond 32767");
+                return text_error_set(error, path, 0, "has a texture coordinate beyond 32767");
             }
             double compact = round(uv * 16384.0);
             packing->compact_uvs =
@@ -493,7 +488,7 @@ static bool add_part(struct asset *asset, const char *path, const struct packing
         own.uvs = own.uvs && model->materials[material].texture[0] != '\0';
     }
     bool ok = make_draft(&draft, packing, model, material, &asset->error) ||
-              fail(error, path, "out of memory");
+              text_error_set(error, path, 0, "out of memory");
     if (ok && draft.vertex_count > MOST_VERTICES) {
         text_error_set(error, path, 0, "%zu vertices, and a mesh has up to 65536; see --simplify",
                        draft.vertex_count);
@@ -506,7 +501,8 @@ static bool add_part(struct asset *asset, const char *path, const struct packing
         if (packing->colors) {
             memset(part->material.color, 255, sizeof part->material.color);
         }
-        ok = make_part(part, &draft, packing, model) || fail(error, path, "out of memory");
+        ok = make_part(part, &draft, packing, model) ||
+             text_error_set(error, path, 0, "out of memory");
         if (ok && packing->options->merged) {
             share_color(part);
         }
@@ -521,7 +517,7 @@ static bool add_parts(struct asset *asset, const char *path, const struct packin
                       const struct model *model, struct text_error *error)
 {
     bool *used = calloc(model->material_count + 1, sizeof *used);
-    bool ok = used != NULL || fail(error, path, "out of memory");
+    bool ok = used != NULL || text_error_set(error, path, 0, "out of memory");
     size_t count = 0;
     for (size_t i = 0; ok && i < model->triangle_count; i++) {
         bool *flag = &used[model->vertices[model->triangles[i][0]].material];
@@ -529,10 +525,11 @@ static bool add_parts(struct asset *asset, const char *path, const struct packin
         *flag = true;
     }
     if (ok && count > 64) {
-        ok = fail(error, path,
-                  packing->options->merged
-                      ? "more than 64 parts that look or move differently; --plain makes it one"
-                      : "more than 64 materials; --colors makes one mesh of them");
+        ok = text_error_set(
+            error, path, 0, "%s",
+            packing->options->merged
+                ? "more than 64 parts that look or move differently; --plain makes it one"
+                : "more than 64 materials; --colors makes one mesh of them");
     }
     for (size_t i = 0; ok && i < model->material_count; i++) {
         if (used[i]) {
@@ -552,13 +549,14 @@ bool asset_make(const char *path, const struct model *model, const struct asset_
         return false;
     }
     asset->parts = calloc(model->material_count + 1, sizeof *asset->parts);
-    bool ok = asset->parts != NULL || fail(error, path, "out of memory");
+    bool ok = asset->parts != NULL || text_error_set(error, path, 0, "out of memory");
     if (ok) {
         ok = options->colors ? add_part(asset, path, &packing, model, -1, error)
                              : add_parts(asset, path, &packing, model, error);
     }
     if (ok && asset->count == 0) {
-        ok = fail(error, path, "is so small that no triangle is left; --fit makes it larger");
+        ok = text_error_set(error, path, 0,
+                            "is so small that no triangle is left; --fit makes it larger");
     }
     if (!ok) {
         asset_free(asset);

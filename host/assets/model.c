@@ -112,21 +112,20 @@ bool model_check(const char *path, struct model *model, struct text_error *error
 {
     for (size_t i = 0; i < model->key_count; i++) {
         if (!check_key(&model->keys[i])) {
-            text_error_set(error, path, 0, "a key of its animation is not a number, or beyond 1e9");
-            return false;
+            return text_error_set(error, path, 0,
+                                  "a key of its animation is not a number, or beyond 1e9");
         }
     }
     if (!check_shifts(model)) {
-        text_error_set(error, path, 0, "a morph target is not a number, or beyond 1e9");
-        return false;
+        return text_error_set(error, path, 0, "a morph target is not a number, or beyond 1e9");
     }
     size_t lost = 0;
     for (size_t i = 0; i < model->vertex_count; i++) {
         if (!check_vertex(&model->vertices[i], &lost) ||
             model->vertices[i].material >= model->material_count ||
             model->vertices[i].node > model->node_count) {
-            text_error_set(error, path, 0, "vertex %zu is not a number, or beyond 1e9", i + 1);
-            return false;
+            return text_error_set(error, path, 0, "vertex %zu is not a number, or beyond 1e9",
+                                  i + 1);
         }
     }
     model_leave_out(model, lost, "vertex's texture coordinates beyond 32767",
@@ -135,9 +134,8 @@ bool model_check(const char *path, struct model *model, struct text_error *error
         const uint32_t *corner = model->triangles[i];
         for (int j = 0; j < 3; j++) {
             if (corner[j] >= model->vertex_count) {
-                text_error_set(error, path, 0, "triangle %zu names a vertex that is not there",
-                               i + 1);
-                return false;
+                return text_error_set(error, path, 0,
+                                      "triangle %zu names a vertex that is not there", i + 1);
             }
         }
     }

@@ -26,8 +26,7 @@ struct mtl_parser {
 
 static bool fail(const struct mtl_parser *parser, const char *problem, const char *what)
 {
-    text_error_set(parser->error, parser->path, parser->line, "%s%s", problem, what);
-    return false;
+    return text_error_set(parser->error, parser->path, parser->line, "%s%s", problem, what);
 }
 
 /* What is left of the line, without space around it. */
@@ -242,12 +241,10 @@ static bool read_mtl(const char *obj, int line, const char *name, struct model *
     char path[1024];
     struct file_content file;
     if (!file_path_beside(path, sizeof path, obj, name)) {
-        text_error_set(error, obj, line, "the name of the materials is too long");
-        return false;
+        return text_error_set(error, obj, line, "the name of the materials is too long");
     }
     if (file_inspect(path, NULL) == FILE_MISSING) {
-        text_error_set(error, obj, line, "there is no file %s; --plain does without", path);
-        return false;
+        return text_error_set(error, obj, line, "there is no file %s; --plain does without", path);
     }
     if (!file_read(path, &file, error)) {
         return false;
@@ -363,8 +360,7 @@ bool model_parse_obj(const char *path, const char *text, size_t length, bool wit
     memset(model, 0, sizeof *model);
     count_statements(text, length, &count);
     if (count.faces == 0 && count.lines + count.points + count.curved > 0) {
-        text_error_set(error, path, 0, "has no faces, only lines, points or curves");
-        return false;
+        return text_error_set(error, path, 0, "has no faces, only lines, points or curves");
     }
     bool ok = obj_parse_source(path, text, length, &source, error);
     if (ok && !build(&source, with_materials, model)) {

@@ -16,8 +16,7 @@
 
 bool model_request_fail(const struct model_request *request, const char *problem, const char *what)
 {
-    text_error_set(request->error, request->path, 0, "%s%s", problem, what);
-    return false;
+    return text_error_set(request->error, request->path, 0, "%s%s", problem, what);
 }
 
 /* ---- Materials ---- */

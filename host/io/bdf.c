@@ -32,9 +32,8 @@ struct parser {
 
 static bool fail(struct parser *p, const char *sentence)
 {
-    text_error_set(p->error, p->name, p->line, "%s%s%s", p->keyword,
-                   p->keyword[0] != '\0' ? ": " : "", sentence);
-    return false;
+    return text_error_set(p->error, p->name, p->line, "%s%s%s", p->keyword,
+                          p->keyword[0] != '\0' ? ": " : "", sentence);
 }
 
 static bool integer(struct parser *p, int argument, int minimum, int maximum, int *value)
@@ -46,9 +45,9 @@ static bool integer(struct parser *p, int argument, int minimum, int maximum, in
     }
     const struct token *token = &p->argument[argument];
     if (number_parse_integer(token->text, token->length, minimum, maximum, &parsed) != NUMBER_OK) {
-        text_error_set(p->error, p->name, p->line, "%s: '%s' is not a whole number in %d..%d",
-                       p->keyword, token_quote(token, quoted), minimum, maximum);
-        return false;
+        return text_error_set(p->error, p->name, p->line,
+                              "%s: '%s' is not a whole number in %d..%d", p->keyword,
+                              token_quote(token, quoted), minimum, maximum);
     }
     *value = (int)parsed;
     return true;

@@ -30,17 +30,15 @@ static const char *const attribute_names[OBJ_ATTRIBUTES] = {"v", "vt", "vn"};
 
 static bool fail(const struct obj_parser *parser, const char *sentence)
 {
-    text_error_set(parser->error, parser->name, parser->line, "%s", sentence);
-    return false;
+    return text_error_set(parser->error, parser->name, parser->line, "%s", sentence);
 }
 
 static bool fail_token(const struct obj_parser *parser, const struct token *token,
                        const char *problem)
 {
     char quoted[TOKEN_QUOTE_SIZE];
-    text_error_set(parser->error, parser->name, parser->line, "'%s' %s", token_quote(token, quoted),
-                   problem);
-    return false;
+    return text_error_set(parser->error, parser->name, parser->line, "'%s' %s",
+                          token_quote(token, quoted), problem);
 }
 
 /* ---- v, vt, vn ---- */
@@ -382,10 +380,10 @@ static bool check_forward_references(struct obj_parser *parser)
     for (int i = 0; i < OBJ_ATTRIBUTES; i++) {
         size_t count = parser->source->lists[i].count;
         if (parser->forward[i].index > count) {
-            text_error_set(parser->error, parser->name, parser->forward[i].line,
-                           "index %lu is out of range: the file has %zu %s statements",
-                           (unsigned long)parser->forward[i].index, count, attribute_names[i]);
-            return false;
+            return text_error_set(parser->error, parser->name, parser->forward[i].line,
+                                  "index %lu is out of range: the file has %zu %s statements",
+                                  (unsigned long)parser->forward[i].index, count,
+                                  attribute_names[i]);
         }
     }
     return true;
