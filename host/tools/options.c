@@ -98,27 +98,38 @@ static bool take(const struct option_command *command, const struct option *opti
     return true;
 }
 
+/* A word that is no option goes to the first input that has none. */
+static bool take_input(const struct option_command *command, void *options, const char *word)
+{
+    const char **first = (const char **)(void *)((char *)options + command->input_at);
+    const char **second = (const char **)(void *)((char *)options + command->output_at);
+    const char **input = *first != NULL && command->has_pair ? second : first;
+    if (*input != NULL) {
+        fprintf(stderr, "qtri %s: one %s at a time, please: %s\n", command->name, command->input,
+                word);
+        return false;
+    }
+    *input = word;
+    return true;
+}
+
 static bool parse(const struct option_command *command, void *options, int argc, char **argv)
 {
-    const char **input = (const char **)(void *)((char *)options + command->input_at);
     struct option_words words = {argc, 0, argv};
-    for (const char *word = option_next(&words); word != NULL; word = option_next(&words)) {
-        const struct option *option = find(command, word);
+    bool ok = true, only_inputs = false; /* behind -- */
+    for (const char *word = option_next(&words); ok && word != NULL; word = option_next(&words)) {
+        const struct option *option = only_inputs ? NULL : find(command, word);
         if (option != NULL) {
-            if (!take(command, option, options, &words)) {
-                return false;
-            }
-        } else if (word[0] == '-' && word[1] != '\0') {
-            return options_complain(command, "unknown option ", word);
-        } else if (*input != NULL) {
-            fprintf(stderr, "qtri %s: one %s at a time, please: %s\n", command->name,
-                    command->input, word);
-            return false;
+            ok = take(command, option, options, &words);
+        } else if (!only_inputs && strcmp(word, "--") == 0) {
+            only_inputs = true;
+        } else if (!only_inputs && word[0] == '-' && word[1] != '\0') {
+            ok = options_complain(command, "unknown option ", word);
         } else {
-            *input = word;
+            ok = take_input(command, options, word);
         }
     }
-    return true;
+    return ok;
 }
 
 static const char *text_at(const void *options, size_t at)
