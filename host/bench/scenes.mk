@@ -121,11 +121,6 @@ antialias-lines: $(SMOOTH_TOOL) $(SMOOTH_CORES:%=$(SCENE_DIR)/%/bench.txt)
 # FUNCTIONS="qtri_large_next_row draw": also their disassembly, with how often each instruction ran.
 
 PROFILE_SCENES := $(or $(BENCH_SCENES),$(if $(filter %/spot.obj,$(SCENE_MODELS)),S4 S5 S7,S4k S5k S7k))
-PROFILE_TOOL   := $(SCENE_DIR)/profile
-
-$(PROFILE_TOOL): $(call objects,host/bench/profile.c)
-	@mkdir -p $(@D)
-	$(call run,link $@)$(CC) $(CFLAGS) -o $@ $^
 
 # The program of one scene: that of all, with another bench_program.o.
 profile_dir     := $(SCENE_DIR)/$(PROFILE_CORE)
@@ -150,11 +145,11 @@ ifeq ($(profile_present),)
 else
 	@$(MAKE) -s $(PARALLEL) profile-programs
 	@$(foreach scene,$(PROFILE_SCENES),echo; echo "== $(scene), $(PROFILE_CORE)"; \
-	    FUNCTIONS='$(FUNCTIONS)' sh host/bench/profile.sh $(profile_dir)/$(scene).elf $(PROFILE_TOOL) $(profile_prefix) \
+	    FUNCTIONS='$(FUNCTIONS)' sh host/bench/profile.sh $(profile_dir)/$(scene).elf $(profile_prefix) \
 	        $(call bench_emulator,$(PROFILE_CORE)) || exit 1;)
 endif
 
-profile-programs: $(PROFILE_TOOL) $(PROFILE_SCENES:%=$(profile_dir)/%.elf)
+profile-programs: $(PROFILE_SCENES:%=$(profile_dir)/%.elf)
 
 # Time on the host -----------------------------------------------------------------------------------
 # BASE=COMMIT builds that commit's benchmark as well, and times the scenes that both have in turn.
