@@ -71,7 +71,8 @@ static void write_array(const struct asset_writer *writer, const qtri_mesh *mesh
                         enum mesh_array which, const char *what)
 {
     const struct mesh_array_kind *kind = &mesh_array_kinds[which];
-    const bool is_of_numbers = which == MESH_TRIANGLES || which == MESH_TRIANGLES8;
+    const bool is_of_numbers =
+        which == MESH_TRIANGLES || which == MESH_TRIANGLES8 || which == MESH_NEIGHBOURS;
     struct array array;
     char name[160];
     name_of(name, writer->name, writer->part, writer->count, what);
@@ -133,6 +134,7 @@ void asset_write_mesh(const struct asset_writer *writer, const qtri_mesh *mesh)
                                            MESH_TRIANGLES};
     static const enum mesh_array compact[] = {MESH_POSITIONS16, MESH_NORMALS8, MESH_UVS16,
                                               MESH_TRIANGLES8};
+    static const enum mesh_array neighbours = MESH_NEIGHBOURS;
     FILE *out = writer->out;
     const qtri_box *box = &mesh->bounds;
     write_pointers(writer, mesh, wide, sizeof wide / sizeof wide[0]);
@@ -153,7 +155,11 @@ void asset_write_mesh(const struct asset_writer *writer, const qtri_mesh *mesh)
             "    {{%" PRId32 ", %" PRId32 ", %" PRId32 "}, {%" PRId32 ", %" PRId32 ", %" PRId32
             "}}, /* bounds */\n",
             box->center.x, box->center.y, box->center.z, box->half.x, box->half.y, box->half.z);
-    fputs("    NULL, /* neighbours: `qtri neighbours` makes them */\n", out);
+    if (mesh->neighbours != NULL) {
+        write_pointers(writer, mesh, &neighbours, 1);
+    } else {
+        fputs("    NULL, /* neighbours: `qtri neighbours` makes them */\n", out);
+    }
 }
 
 void asset_capitals(const char *name, char *out, size_t size)

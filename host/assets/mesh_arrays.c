@@ -19,6 +19,7 @@ const struct mesh_array_kind mesh_array_kinds[MESH_ARRAYS] = {
     [MESH_TRIANGLES]   = KIND(triangles,    "triangles", "uint16_t",        3, 2, false, true),
     [MESH_TRIANGLES8]  = KIND(triangles8,   "triangles", "uint8_t",         3, 1, false, true),
     [MESH_PLANES]      = KIND(faces.planes, "planes",    "qtri_face8",      4, 1, true,  true),
+    [MESH_NEIGHBOURS]  = KIND(neighbours,   "neighbours", "uint16_t",       3, 2, false, true),
 };
 /* clang-format on */
 

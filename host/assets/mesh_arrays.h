@@ -22,6 +22,7 @@ enum mesh_array {
     MESH_TRIANGLES,
     MESH_TRIANGLES8,
     MESH_PLANES,
+    MESH_NEIGHBOURS,
     MESH_ARRAYS
 };
 

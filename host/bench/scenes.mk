@@ -31,9 +31,9 @@ scene_link    = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(BENCH_LINK)
 
 # The meshes, as C for all and as OBJ for the reference. Written anew when the models come or go.
 SCENE_TOOL := $(SCENE_DIR)/bench_meshes
-$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/bench/mesh_write.c host/tools/mesh_faces.c host/tools/mesh_neighbours.c host/tools/mesh_generate.c host/tools/mesh_solids.c $(wildcard host/io/*.c)) $(LIBRARY)
+$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/bench/mesh_write.c) $(HOST) $(LIBRARY)
 	@mkdir -p $(@D)
-	$(call run,link $@)$(CC) $(CFLAGS) -o $@ $^ -lm
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm $(HOST_LIBS)
 
 $(SCENE_DIR)/bench_meshes.c: $(SCENE_TOOL) $(SCENE_MODELS) $(SCENE_DIR)/models
 	$(SCENE_TOOL) $(@D) $(or $(MODELS),none)
