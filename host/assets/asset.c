@@ -41,18 +41,11 @@ struct draft {
     size_t vertex_count, triangle_count;
 };
 
-static void part_free(struct asset_part *part)
-{
-    for (enum mesh_array i = 0; i < MESH_ARRAYS; i++) {
-        mesh_array_free(&part->mesh, i);
-    }
-    free(part->targets);
-}
-
 void asset_free(struct asset *asset)
 {
     for (size_t i = 0; asset->parts != NULL && i < asset->count; i++) {
-        part_free(&asset->parts[i]);
+        mesh_arrays_free(&asset->parts[i].mesh);
+        free(asset->parts[i].targets);
     }
     free(asset->parts);
     for (size_t i = 0; i < asset->texture_count; i++) {
@@ -339,14 +332,8 @@ static bool make_triangles(struct asset_part *part, const struct draft *draft,
                            const struct packing *packing)
 {
     const bool narrow = packing->options->compact && draft->vertex_count <= 256;
-    const enum mesh_array which = narrow ? MESH_TRIANGLES8 : MESH_TRIANGLES;
-    const bool ok = mesh_array_create(&part->mesh, which);
-    for (size_t i = 0; ok && i < draft->triangle_count; i++) {
-        const uint32_t *t = draft->triangles[i];
-        const int32_t corners[3] = {(int32_t)t[0], (int32_t)t[1], (int32_t)t[2]};
-        mesh_array_put(&part->mesh, which, i, corners);
-    }
-    return ok;
+    return mesh_array_fill(&part->mesh, narrow ? MESH_TRIANGLES8 : MESH_TRIANGLES,
+                           (const int32_t *)draft->triangles[0]);
 }
 
 /* The targets of a morph as 16-bit positions, which wide meshes have none of. */

@@ -96,3 +96,20 @@ void mesh_array_put(const qtri_mesh *mesh, enum mesh_array which, size_t i, cons
         }
     }
 }
+
+bool mesh_array_fill(qtri_mesh *mesh, enum mesh_array which, const int32_t *numbers)
+{
+    const bool ok = mesh_array_create(mesh, which);
+    for (size_t i = 0; ok && i < mesh_array_count(mesh, which); i++) {
+        mesh_array_put(mesh, which, i, numbers);
+        numbers += mesh_array_kinds[which].numbers;
+    }
+    return ok;
+}
+
+void mesh_arrays_free(qtri_mesh *mesh)
+{
+    for (enum mesh_array i = 0; i < MESH_ARRAYS; i++) {
+        mesh_array_free(mesh, i);
+    }
+}

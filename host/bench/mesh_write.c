@@ -45,20 +45,11 @@ static void add_array(qtri_mesh *mesh, enum mesh_array which, const int32_t *fro
     }
 }
 
-static void add_triangles(qtri_mesh *mesh, const struct obj_mesh *from)
-{
-    require(mesh_array_create(mesh, MESH_TRIANGLES));
-    for (size_t i = 0; i < from->triangle_count; i++) {
-        const uint32_t *t = from->triangles[i];
-        const int32_t corners[3] = {(int32_t)t[0], (int32_t)t[1], (int32_t)t[2]};
-        mesh_array_put(mesh, MESH_TRIANGLES, i, corners);
-    }
-}
-
 static qtri_mesh begin_mesh(const struct obj_mesh *from)
 {
-    const qtri_mesh mesh = {.vertex_count = (uint32_t)from->vertex_count,
-                            .triangle_count = (uint32_t)from->triangle_count};
+    qtri_mesh mesh = {.vertex_count = (uint32_t)from->vertex_count,
+                      .triangle_count = (uint32_t)from->triangle_count};
+    require(mesh_array_fill(&mesh, MESH_TRIANGLES, (const int32_t *)from->triangles[0]));
     return mesh;
 }
 
@@ -82,7 +73,6 @@ static qtri_mesh wide_mesh(const struct obj_mesh *from)
     if (from->uvs != NULL) {
         add_array(&mesh, MESH_UVS, from->uvs[0], 1.0, 1.0);
     }
-    add_triangles(&mesh, from);
     mesh.bounds.half = reach_of(from);
     return mesh;
 }
@@ -113,14 +103,8 @@ static qtri_mesh compact_mesh(const struct obj_mesh *from)
     } else if (from->uvs != NULL) {
         add_array(&mesh, MESH_UVS, from->uvs[0], 1.0, 1.0);
     }
-    add_triangles(&mesh, from);
-    qtri_face8 *planes = calloc(from->triangle_count + 1, sizeof *planes);
-    require(planes != NULL);
-    if (!mesh_faces_make(&mesh, planes)) {
-        free(planes);
-    }
-    uint16_t(*neighbours)[3] = calloc(from->triangle_count + 1, sizeof *neighbours);
-    require(neighbours != NULL && mesh_neighbours_make(&mesh, neighbours));
+    mesh_faces_add(&mesh);
+    require(mesh_neighbours_add(&mesh));
     return mesh;
 }
 
@@ -212,9 +196,7 @@ bool mesh_write(FILE *out, const char *name, const char *folder, const struct ob
     write_c(out, compact_name, &compact);
     bool ok = write_obj(folder, name, "", &wide);
     ok = write_obj(folder, name, "-compact", &compact) && ok;
-    for (enum mesh_array i = 0; i < MESH_ARRAYS; i++) {
-        mesh_array_free(&wide, i);
-        mesh_array_free(&compact, i);
-    }
+    mesh_arrays_free(&wide);
+    mesh_arrays_free(&compact);
     return ok;
 }

@@ -148,3 +148,13 @@ bool mesh_neighbours_make(qtri_mesh *mesh, uint16_t (*neighbours)[3])
     free(edges);
     return ok;
 }
+
+bool mesh_neighbours_add(qtri_mesh *mesh)
+{
+    uint16_t(*neighbours)[3] = malloc((mesh->triangle_count + (size_t)1) * sizeof *neighbours);
+    const bool ok = neighbours != NULL && mesh_neighbours_make(mesh, neighbours);
+    if (!ok) {
+        free(neighbours);
+    }
+    return ok;
+}

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "../assets/mesh_arrays.h"
 #include "mesh_neighbours.h"
 #include "scene_color.h"
 #include "scene_stroke.h"
@@ -335,18 +336,18 @@ static void draw_mesh(struct drawing *d, const struct scene_op *op)
     d->view.light = is_lit ? &d->resources->lights : d->white_light;
     d->material.color = scene_rgb(op->u.mesh.color);
     if (op->kind == SCENE_MODEL) {
-        struct scene_part part;
-        if (!scene_model_create(&part, scene, &scene->models[op->u.mesh.mesh])) {
+        qtri_mesh mesh;
+        if (!scene_model_create(&mesh, scene, &scene->models[op->u.mesh.mesh])) {
             abort(); /* no more than meshes take that were read before */
         }
-        draw_part(d, op, &part.mesh, id, true);
-        scene_part_free(&part);
+        draw_part(d, op, &mesh, id, true);
+        mesh_arrays_free(&mesh);
         return;
     }
     const struct scene_parts *parts = &d->resources->meshes[op->u.mesh.mesh];
     for (size_t i = 0; i < parts->count; i++) {
-        draw_part(d, op, &parts->part[i].mesh, id, parts->count == 1);
-        id += parts->part[i].mesh.triangle_count;
+        draw_part(d, op, &parts->part[i], id, parts->count == 1);
+        id += parts->part[i].triangle_count;
     }
 }
 
