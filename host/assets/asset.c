@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/unique.h"
 #include "mesh_arrays.h"
 
 #define ONE 65536.0
@@ -147,16 +148,6 @@ static void measure(const struct packing *packing, const struct model_vertex *ve
 
 /* ---- What is equal is one, what has no area goes ---- */
 
-static size_t hash_packed(const struct packed *packed)
-{
-    uint64_t hash = 0;
-    for (int i = 0; i < PACKED_NUMBERS; i++) {
-        hash = (hash ^ (uint32_t)packed->number[i]) * UINT64_C(0x9E3779B97F4A7C15);
-        hash ^= hash >> 29;
-    }
-    return (size_t)hash;
-}
-
 static bool same_position(const int32_t *a, const int32_t *b)
 {
     return memcmp(a, b, 3 * sizeof *a) == 0;
@@ -192,26 +183,12 @@ static bool has_area(const int32_t *a, const int32_t *b, const int32_t *c)
     return false;
 }
 
-/* The draft's vertex equal to the packed one, new or known. */
-static uint32_t add_packed(struct draft *draft, uint32_t *slots, size_t mask,
-                           const struct packed *packed)
-{
-    size_t at = hash_packed(packed) & mask;
-    while (slots[at] != 0 && memcmp(&draft->vertices[slots[at] - 1], packed, sizeof *packed) != 0) {
-        at = (at + 1) & mask;
-    }
-    if (slots[at] == 0) {
-        draft->vertices[draft->vertex_count++] = *packed;
-        slots[at] = (uint32_t)draft->vertex_count;
-    }
-    return slots[at] - 1;
-}
-
-static void add_triangles(struct draft *draft, const struct packing *packing,
-                          const struct model *model, int material, uint32_t *slots, size_t mask,
+static bool add_triangles(struct draft *draft, const struct packing *packing,
+                          const struct model *model, int material, struct unique *vertices,
                           struct asset_error *error)
 {
-    for (size_t i = 0; i < model->triangle_count; i++) {
+    bool ok = true;
+    for (size_t i = 0; ok && i < model->triangle_count; i++) {
         const uint32_t *corner = model->triangles[i];
         struct packed packed[3];
         if (material >= 0 && model->vertices[corner[0]].material != material) {
@@ -221,14 +198,14 @@ static void add_triangles(struct draft *draft, const struct packing *packing,
             pack(packing, model, &model->vertices[corner[j]], &packed[j]);
         }
         if (has_area(packed[0].number, packed[1].number, packed[2].number)) {
-            for (int j = 0; j < 3; j++) {
+            uint32_t *triangle = draft->triangles[draft->triangle_count++];
+            for (int j = 0; ok && j < 3; j++) {
                 measure(packing, &model->vertices[corner[j]], &packed[j], error);
-                draft->triangles[draft->triangle_count][j] =
-                    add_packed(draft, slots, mask, &packed[j]);
+                ok = unique_add(vertices, &packed[j], &triangle[j]);
             }
-            draft->triangle_count++;
         }
     }
+    return ok;
 }
 
 /* Triangles for the cache, or as they are; vertices in the order of their first use. */
@@ -262,21 +239,17 @@ static bool order(struct draft *draft, bool keep_order)
 static bool make_draft(struct draft *draft, const struct packing *packing,
                        const struct model *model, int material, struct asset_error *error)
 {
-    size_t size = 64;
-    size_t corners = 3 * model->triangle_count;
-    size_t most = corners < model->vertex_count ? corners : model->vertex_count;
-    while (size < 2 * most) {
-        size *= 2;
-    }
-    uint32_t *slots = calloc(size, sizeof *slots);
-    draft->vertices = calloc(most + 1, sizeof *draft->vertices);
+    struct unique vertices = {.item_size = sizeof *draft->vertices};
     draft->triangles = calloc(model->triangle_count + 1, sizeof *draft->triangles);
-    bool ok = slots != NULL && draft->vertices != NULL && draft->triangles != NULL;
+    bool ok = draft->triangles != NULL &&
+              add_triangles(draft, packing, model, material, &vertices, error);
     if (ok) {
-        add_triangles(draft, packing, model, material, slots, size - 1, error);
+        draft->vertices = vertices.items;
+        draft->vertex_count = vertices.count;
+        vertices.items = NULL;
         ok = order(draft, packing->options->keep_order);
     }
-    free(slots);
+    unique_free(&vertices);
     return ok;
 }
 

@@ -292,7 +292,7 @@ static void copy_numbers(const struct obj_list *list, uint32_t index, int count,
 
 static void copy_vertex(const struct obj_source *source, size_t at, struct model_vertex *vertex)
 {
-    const struct obj_corner *corner = &source->vertices[at];
+    const struct obj_corner *corner = obj_vertex(source, at);
     const uint32_t *index = corner->index;
     copy_numbers(&source->lists[OBJ_POSITION], index[OBJ_POSITION], 3, vertex->position);
     copy_numbers(&source->lists[OBJ_NORMAL], index[OBJ_NORMAL], 3, vertex->normal);
@@ -307,12 +307,12 @@ static void copy_vertex(const struct obj_source *source, size_t at, struct model
 static bool build(const struct obj_source *source, bool with_materials, struct model *model)
 {
     size_t materials = with_materials ? source->materials.count : 1;
-    if (!model_create(model, source->vertex_count, source->triangle_count, materials)) {
+    if (!model_create(model, source->vertices.count, source->triangle_count, materials)) {
         return false;
     }
-    for (size_t i = 0; i < source->vertex_count; i++) {
+    for (size_t i = 0; i < source->vertices.count; i++) {
         copy_vertex(source, i, &model->vertices[i]);
-        model->has_uvs = model->has_uvs || source->vertices[i].index[OBJ_UV] != OBJ_ABSENT;
+        model->has_uvs = model->has_uvs || obj_vertex(source, i)->index[OBJ_UV] != OBJ_ABSENT;
         if (!with_materials) {
             model->vertices[i].material = 0;
         }

@@ -261,7 +261,7 @@ static bool parse_face(struct obj_parser *parser, struct line *line)
         if (!parse_corner(parser, &token, &corner)) {
             return false;
         }
-        if (!obj_add_corner(parser->source, &corner, &vertex)) {
+        if (!unique_add(&parser->source->vertices, &corner, &vertex)) {
             return fail(parser, "out of memory");
         }
         if (corners >= 2 && !add_triangle(parser, first, previous, vertex)) {
@@ -411,6 +411,7 @@ static bool parse_all(struct obj_parser *parser, const char *text, size_t length
 bool obj_parse_source(const char *name, const char *text, size_t length, struct obj_source *source,
                       struct text_error *error)
 {
+    source->vertices.item_size = sizeof(struct obj_corner);
     struct obj_parser parser = {
         .name = name, .end = text + length, .error = error, .source = source};
     if (source->full) { /* the material of faces before any usemtl */
