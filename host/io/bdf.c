@@ -61,12 +61,11 @@ static bool append(struct parser *p, uint8_t byte)
     if (font->row_bytes == UINT16_MAX) {
         return fail(p, "the font has more than 65535 bytes of rows");
     }
-    uint8_t *grown = array_grow(font->rows, font->row_bytes, &p->row_capacity, 1);
-    if (grown == NULL) {
+    uint8_t *added = array_add(&font->rows, &font->row_bytes, &p->row_capacity, 1);
+    if (added == NULL) {
         return fail(p, "out of memory");
     }
-    font->rows = grown;
-    font->rows[font->row_bytes++] = byte;
+    *added = byte;
     return true;
 }
 
@@ -173,13 +172,12 @@ static bool end_glyph(struct parser *p)
     if (font->glyph_count == UINT16_MAX) {
         return fail(p, "the font has more than 65535 glyphs");
     }
-    struct bdf_glyph *grown =
-        array_grow(font->glyphs, font->glyph_count, &p->glyph_capacity, sizeof *grown);
-    if (grown == NULL) {
+    struct bdf_glyph *glyph =
+        array_add(&font->glyphs, &font->glyph_count, &p->glyph_capacity, sizeof *glyph);
+    if (glyph == NULL) {
         return fail(p, "out of memory");
     }
-    font->glyphs = grown;
-    font->glyphs[font->glyph_count++] = p->glyph;
+    *glyph = p->glyph;
     return true;
 }
 

@@ -150,11 +150,10 @@ static long list_names(const char *folder, const char *ending, file_name **names
         if (!file_name_ends_in(entry->d_name, ending)) {
             continue;
         }
-        file_name *larger = array_grow(*names, count, &capacity, sizeof **names);
-        ok = larger != NULL;
+        file_name *name = array_add(names, &count, &capacity, sizeof *name);
+        ok = name != NULL;
         if (ok) {
-            *names = larger;
-            (void)snprintf(larger[count++], sizeof *larger, "%s", entry->d_name);
+            (void)snprintf(*name, sizeof *name, "%s", entry->d_name);
         }
     }
     if (entries != NULL) {
