@@ -18,7 +18,6 @@
 #include "compare.h"
 #include "demo_scenes.h"
 #include "gallery.h"
-#include "report_scene.h"
 #include "scene_draw.h"
 
 static const char usage[] =
@@ -91,7 +90,7 @@ static bool run_scene(struct demo *demo, const char *name, const struct file_con
                                             &to_exact,    &to_snapped};
         gallery_add(&demo->gallery, &shown);
         if (demo->report != NULL) {
-            report_scene_add(&demo->sections, &shown);
+            gallery_add_to_report(&demo->sections, &shown);
         }
     }
     reference_free(&exact);
