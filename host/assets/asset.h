@@ -34,7 +34,7 @@ struct asset_part {
     qtri_mesh mesh;
     struct model_material material; /* what draws it; white where vertices have colours */
     int texture;                    /* of the asset's; -1: none */
-    qtri_position16 *targets; /* target_count times vertex_count positions */
+    qtri_position16 *targets;       /* target_count times vertex_count positions */
     size_t target_count;
     size_t first_weight; /* the asset's weight of its first target */
 };
