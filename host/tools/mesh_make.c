@@ -79,7 +79,7 @@ static bool shape(const struct mesh_options *options, struct model *model)
             return false;
         }
     }
-    model_turn_up(model, options->up);
+    model_turn_up(model, options->up == 0 ? 'y' : 'z');
     if (options->center) {
         model_center(model);
     }

@@ -54,6 +54,23 @@ static bool find_word(const struct option *option, const char *value, int *rank)
     return i < option->of.words.count;
 }
 
+/* 262144 or 256K or 2M bytes. */
+static bool option_bytes(const char *value, size_t *bytes)
+{
+    char digits[16];
+    const size_t count = strspn(value, "0123456789");
+    const char unit = value[count];
+    const int shift = unit == 'K' ? 10 : unit == 'M' ? 20 : 0;
+    long number = 0;
+    (void)snprintf(digits, sizeof digits, "%.*s", (int)(count < 15 ? count : 15), value);
+    if (!option_whole(digits, 1, 1L << 30 >> shift, &number) || (shift == 0 && unit != '\0') ||
+        (shift != 0 && value[count + 1] != '\0')) {
+        return false;
+    }
+    *bytes = (size_t)number << shift;
+    return true;
+}
+
 static bool set_value(const struct option *option, void *options, const char *value,
                       struct option_words *words)
 {
@@ -72,6 +89,8 @@ static bool set_value(const struct option *option, void *options, const char *va
         return true;
     case OPTION_REAL:
         return option_real(value, option->of.range.low, option->of.range.high, (double *)at);
+    case OPTION_BYTES:
+        return option_bytes(value, (size_t *)at);
     case OPTION_WORD:
         return find_word(option, value, (int *)at);
     default:

@@ -32,6 +32,7 @@ enum option_kind {
     OPTION_NAME,  /* a char[OPTION_NAME_SIZE], a name in C */
     OPTION_WHOLE, /* an int in a range */
     OPTION_REAL,  /* a double in a range */
+    OPTION_BYTES, /* a size_t: 262144 or 256K or 2M */
     OPTION_WORD,  /* an int, the rank of one of some words */
     OPTION_SET
 };
