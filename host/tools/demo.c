@@ -53,6 +53,12 @@ struct demo {
 static const char header[] =
     "scene                          pixels  mismatch  snapped  colour  off by > 1  depth\n";
 
+static bool complain(const struct text_error *error)
+{
+    fprintf(stderr, "qtri demo: %s\n", error->message);
+    return false;
+}
+
 /* Measures one scene against both references and writes its three pictures. */
 static bool run_scene(struct demo *demo, const char *name, const struct file_content *file,
                       const struct scene *scene, struct text_error *error)
@@ -124,10 +130,7 @@ static bool run_file(struct demo *demo, const char *folder, const char *file)
         scene_free(&scene);
     }
     free(text.bytes);
-    if (!ok) {
-        fprintf(stderr, "qtri demo: %s\n", error.message);
-    }
-    return ok;
+    return ok || complain(&error);
 }
 
 typedef char file_name[256];
@@ -188,8 +191,7 @@ static bool run_model(struct demo *demo, const char *folder, const char *file)
     char name[256];
     struct text_error error;
     if (!demo_write_model_scene(demo->out, folder, file, name, sizeof name, &error)) {
-        fprintf(stderr, "qtri demo: %s\n", error.message);
-        return false;
+        return complain(&error);
     }
     return run_file(demo, demo->out, name);
 }
@@ -204,8 +206,7 @@ static bool run_generated(struct demo *demo)
             continue;
         }
         if (!demo_write_generated_scene(demo->out, i, &error)) {
-            fprintf(stderr, "qtri demo: %s\n", error.message);
-            return false;
+            return complain(&error);
         }
         ok = run_file(demo, demo->out, name) && ok;
     }
@@ -304,13 +305,9 @@ int demo_main(int argc, char **argv)
     char page[PATH_SIZE];
     struct text_error error;
     (void)snprintf(page, sizeof page, "%s/index.html", demo.out);
-    if (!gallery_write(&demo.gallery, page, &error)) {
-        fprintf(stderr, "qtri demo: %s\n", error.message);
-        ok = false;
-    }
-    if (demo.report != NULL && !html_write(&demo.sections, demo.report, &error)) {
-        fprintf(stderr, "qtri demo: %s\n", error.message);
-        ok = false;
+    ok = (gallery_write(&demo.gallery, page, &error) || complain(&error)) && ok;
+    if (demo.report != NULL) {
+        ok = (html_write(&demo.sections, demo.report, &error) || complain(&error)) && ok;
     }
     printf("\nPictures are in %s, all of them in index.html. mismatch: pixels covered in one of\n"
            "picture and reference only.\n",
