@@ -218,6 +218,6 @@ static const struct option_command command = {
 
 int compare_main(int argc, char **argv)
 {
-    struct options options = {{NULL}};
+    struct options options = {.max_color = 0};
     return options_run(&command, &options, argc, argv);
 }
