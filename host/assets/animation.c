@@ -29,8 +29,7 @@ static bool write_numbered(const struct animation *animation, const struct pictu
     const size_t size = strlen(path) + 32;
     char *name = malloc(size);
     if (name == NULL) {
-        text_error_set(error, path, 0, "out of memory");
-        return false;
+        return text_error_set(error, path, 0, "out of memory");
     }
     (void)snprintf(name, size, "%.*s-%04d%s", stem, path, animation->count,
                    is_named ? path + stem : ".ppm");

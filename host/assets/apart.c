@@ -69,8 +69,7 @@ static void serve(FILE *file, apart_work *work, void *context)
 
 static bool fail(struct text_error *error, const char *path, const char *problem)
 {
-    text_error_set(error, path, 0, "cannot be read: %s", problem);
-    return false;
+    return text_error_set(error, path, 0, "cannot be read: %s", problem);
 }
 
 /* Waits for the process and reads its verdict. */

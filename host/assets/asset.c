@@ -5,6 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/unique.h"
+#include "mesh_arrays.h"
+
 #define ONE 65536.0
 #define PI  3.14159265358979323846
 
@@ -39,25 +42,11 @@ struct draft {
     size_t vertex_count, triangle_count;
 };
 
-static void part_free(struct asset_part *part)
-{
-    free(part->positions);
-    free(part->normals);
-    free(part->uvs);
-    free(part->colors);
-    free(part->triangles);
-    free(part->positions16);
-    free(part->normals8);
-    free(part->uvs16);
-    free(part->triangles8);
-    free(part->planes);
-    free(part->targets);
-}
-
 void asset_free(struct asset *asset)
 {
     for (size_t i = 0; asset->parts != NULL && i < asset->count; i++) {
-        part_free(&asset->parts[i]);
+        mesh_arrays_free(&asset->parts[i].mesh);
+        free(asset->parts[i].targets);
     }
     free(asset->parts);
     for (size_t i = 0; i < asset->texture_count; i++) {
@@ -159,16 +148,6 @@ static void measure(const struct packing *packing, const struct model_vertex *ve
 
 /* ---- What is equal is one, what has no area goes ---- */
 
-static size_t hash_packed(const struct packed *packed)
-{
-    uint64_t hash = 0;
-    for (int i = 0; i < PACKED_NUMBERS; i++) {
-        hash = (hash ^ (uint32_t)packed->number[i]) * UINT64_C(0x9E3779B97F4A7C15);
-        hash ^= hash >> 29;
-    }
-    return (size_t)hash;
-}
-
 static bool same_position(const int32_t *a, const int32_t *b)
 {
     return memcmp(a, b, 3 * sizeof *a) == 0;
@@ -204,26 +183,12 @@ static bool has_area(const int32_t *a, const int32_t *b, const int32_t *c)
     return false;
 }
 
-/* The draft's vertex equal to the packed one, new or known. */
-static uint32_t add_packed(struct draft *draft, uint32_t *slots, size_t mask,
-                           const struct packed *packed)
-{
-    size_t at = hash_packed(packed) & mask;
-    while (slots[at] != 0 && memcmp(&draft->vertices[slots[at] - 1], packed, sizeof *packed) != 0) {
-        at = (at + 1) & mask;
-    }
-    if (slots[at] == 0) {
-        draft->vertices[draft->vertex_count++] = *packed;
-        slots[at] = (uint32_t)draft->vertex_count;
-    }
-    return slots[at] - 1;
-}
-
-static void add_triangles(struct draft *draft, const struct packing *packing,
-                          const struct model *model, int material, uint32_t *slots, size_t mask,
+static bool add_triangles(struct draft *draft, const struct packing *packing,
+                          const struct model *model, int material, struct unique *vertices,
                           struct asset_error *error)
 {
-    for (size_t i = 0; i < model->triangle_count; i++) {
+    bool ok = true;
+    for (size_t i = 0; ok && i < model->triangle_count; i++) {
         const uint32_t *corner = model->triangles[i];
         struct packed packed[3];
         if (material >= 0 && model->vertices[corner[0]].material != material) {
@@ -233,14 +198,14 @@ static void add_triangles(struct draft *draft, const struct packing *packing,
             pack(packing, model, &model->vertices[corner[j]], &packed[j]);
         }
         if (has_area(packed[0].number, packed[1].number, packed[2].number)) {
-            for (int j = 0; j < 3; j++) {
+            uint32_t *triangle = draft->triangles[draft->triangle_count++];
+            for (int j = 0; ok && j < 3; j++) {
                 measure(packing, &model->vertices[corner[j]], &packed[j], error);
-                draft->triangles[draft->triangle_count][j] =
-                    add_packed(draft, slots, mask, &packed[j]);
+                ok = unique_add(vertices, &packed[j], &triangle[j]);
             }
-            draft->triangle_count++;
         }
     }
+    return ok;
 }
 
 /* Triangles for the cache, or as they are; vertices in the order of their first use. */
@@ -274,161 +239,74 @@ static bool order(struct draft *draft, bool keep_order)
 static bool make_draft(struct draft *draft, const struct packing *packing,
                        const struct model *model, int material, struct asset_error *error)
 {
-    size_t size = 64;
-    size_t corners = 3 * model->triangle_count;
-    size_t most = corners < model->vertex_count ? corners : model->vertex_count;
-    while (size < 2 * most) {
-        size *= 2;
-    }
-    uint32_t *slots = calloc(size, sizeof *slots);
-    draft->vertices = calloc(most + 1, sizeof *draft->vertices);
+    struct unique vertices = {.item_size = sizeof *draft->vertices};
     draft->triangles = calloc(model->triangle_count + 1, sizeof *draft->triangles);
-    bool ok = slots != NULL && draft->vertices != NULL && draft->triangles != NULL;
+    bool ok = draft->triangles != NULL &&
+              add_triangles(draft, packing, model, material, &vertices, error);
     if (ok) {
-        add_triangles(draft, packing, model, material, slots, size - 1, error);
+        draft->vertices = vertices.items;
+        draft->vertex_count = vertices.count;
+        vertices.items = NULL;
         ok = order(draft, packing->options->keep_order);
     }
-    free(slots);
+    unique_free(&vertices);
     return ok;
 }
 
 /* ---- The arrays of a part ---- */
 
-static bool make_wide(struct asset_part *part, const struct draft *draft,
-                      const struct packing *packing)
+/* The packed numbers of vertices from `first` on; true without an array that is not wanted. */
+static bool make_array(struct asset_part *part, const struct draft *draft, enum mesh_array which,
+                       int first, bool is_wanted)
 {
-    size_t count = draft->vertex_count;
-    part->positions = calloc(count, sizeof *part->positions);
-    part->normals = packing->options->normals ? calloc(count, sizeof *part->normals) : NULL;
-    if (part->positions == NULL || (packing->options->normals && part->normals == NULL)) {
-        return false;
+    const bool ok = !is_wanted || mesh_array_create(&part->mesh, which);
+    for (size_t i = 0; ok && is_wanted && i < draft->vertex_count; i++) {
+        mesh_array_put(&part->mesh, which, i, &draft->vertices[i].number[first]);
     }
-    for (size_t i = 0; i < count; i++) {
-        const int32_t *p = &draft->vertices[i].number[PACKED_POSITION];
-        const int32_t *n = &draft->vertices[i].number[PACKED_NORMAL];
-        const qtri_vec3 position = {p[0], p[1], p[2]};
-        const qtri_normal normal = {(int16_t)n[0], (int16_t)n[1], (int16_t)n[2]};
-        part->positions[i] = position;
-        if (part->normals != NULL) {
-            part->normals[i] = normal;
-        }
-    }
-    part->mesh.positions = part->positions;
-    part->mesh.normals = part->normals;
-    return true;
+    return ok;
 }
 
-static bool make_compact(struct asset_part *part, const struct draft *draft,
-                         const struct packing *packing)
+static bool make_vertices(struct asset_part *part, const struct draft *draft,
+                          const struct packing *packing)
 {
-    size_t count = draft->vertex_count;
-    part->positions16 = calloc(count, sizeof *part->positions16);
-    part->normals8 = packing->options->normals ? calloc(count, sizeof *part->normals8) : NULL;
-    if (part->positions16 == NULL || (packing->options->normals && part->normals8 == NULL)) {
-        return false;
+    const bool compact = packing->options->compact;
+    if (compact) {
+        part->mesh.origin.x = (q16)packing->origin[0];
+        part->mesh.origin.y = (q16)packing->origin[1];
+        part->mesh.origin.z = (q16)packing->origin[2];
+        part->mesh.extent = (q16)packing->extent;
     }
-    for (size_t i = 0; i < count; i++) {
-        const int32_t *p = &draft->vertices[i].number[PACKED_POSITION];
-        const int32_t *n = &draft->vertices[i].number[PACKED_NORMAL];
-        const qtri_position16 position = {(int16_t)p[0], (int16_t)p[1], (int16_t)p[2]};
-        const qtri_normal8 normal = {(int8_t)n[0], (int8_t)n[1], (int8_t)n[2]};
-        part->positions16[i] = position;
-        if (part->normals8 != NULL) {
-            part->normals8[i] = normal;
-        }
-    }
-    part->mesh.positions16 = part->positions16;
-    part->mesh.normals8 = part->normals8;
-    part->mesh.origin.x = (q16)packing->origin[0];
-    part->mesh.origin.y = (q16)packing->origin[1];
-    part->mesh.origin.z = (q16)packing->origin[2];
-    part->mesh.extent = (q16)packing->extent;
-    return true;
-}
-
-static bool make_wide_uvs(struct asset_part *part, const struct draft *draft)
-{
-    part->uvs = calloc(draft->vertex_count, sizeof *part->uvs);
-    for (size_t i = 0; part->uvs != NULL && i < draft->vertex_count; i++) {
-        const int32_t *uv = &draft->vertices[i].number[PACKED_UV];
-        const qtri_vec2 wide = {uv[0], uv[1]};
-        part->uvs[i] = wide;
-    }
-    part->mesh.uvs = part->uvs;
-    return part->uvs != NULL;
-}
-
-static bool make_compact_uvs(struct asset_part *part, const struct draft *draft)
-{
-    part->uvs16 = calloc(draft->vertex_count, sizeof *part->uvs16);
-    for (size_t i = 0; part->uvs16 != NULL && i < draft->vertex_count; i++) {
-        const int32_t *uv = &draft->vertices[i].number[PACKED_UV];
-        const qtri_uv16 narrow = {(int16_t)uv[0], (int16_t)uv[1]};
-        part->uvs16[i] = narrow;
-    }
-    part->mesh.uvs16 = part->uvs16;
-    return part->uvs16 != NULL;
-}
-
-static bool make_uvs(struct asset_part *part, const struct draft *draft,
-                     const struct packing *packing)
-{
-    if (!packing->uvs) {
-        return true;
-    }
-    return packing->compact_uvs ? make_compact_uvs(part, draft) : make_wide_uvs(part, draft);
-}
-
-static bool make_colors(struct asset_part *part, const struct draft *draft,
-                        const struct packing *packing)
-{
-    if (!packing->colors) {
-        return true;
-    }
-    part->colors = calloc(draft->vertex_count, sizeof *part->colors);
-    for (size_t i = 0; part->colors != NULL && i < draft->vertex_count; i++) {
-        const int32_t *c = &draft->vertices[i].number[PACKED_COLOR];
-        const qtri_rgb color = {(uint8_t)c[0], (uint8_t)c[1], (uint8_t)c[2]};
-        part->colors[i] = color;
-    }
-    part->mesh.colors = part->colors;
-    return part->colors != NULL;
+    return make_array(part, draft, compact ? MESH_POSITIONS16 : MESH_POSITIONS, PACKED_POSITION,
+                      true) &&
+           make_array(part, draft, compact ? MESH_NORMALS8 : MESH_NORMALS, PACKED_NORMAL,
+                      packing->options->normals) &&
+           make_array(part, draft, packing->compact_uvs ? MESH_UVS16 : MESH_UVS, PACKED_UV,
+                      packing->uvs) &&
+           make_array(part, draft, MESH_COLORS, PACKED_COLOR, packing->colors);
 }
 
 /* One colour of all vertices is the material's. */
 static void share_color(struct asset_part *part)
 {
-    bool is_one = part->colors != NULL;
+    const qtri_rgb *colors = part->mesh.colors;
+    bool is_one = colors != NULL;
     for (uint32_t i = 1; is_one && i < part->mesh.vertex_count; i++) {
-        is_one = memcmp(&part->colors[i], &part->colors[0], sizeof *part->colors) == 0;
+        is_one = memcmp(&colors[i], &colors[0], sizeof *colors) == 0;
     }
     if (is_one) {
-        part->material.color[0] = part->colors[0].r;
-        part->material.color[1] = part->colors[0].g;
-        part->material.color[2] = part->colors[0].b;
-        free(part->colors);
-        part->colors = NULL;
-        part->mesh.colors = NULL;
+        part->material.color[0] = colors[0].r;
+        part->material.color[1] = colors[0].g;
+        part->material.color[2] = colors[0].b;
+        mesh_array_free(&part->mesh, MESH_COLORS);
     }
 }
 
 static bool make_triangles(struct asset_part *part, const struct draft *draft,
                            const struct packing *packing)
 {
-    bool narrow = packing->options->compact && draft->vertex_count <= 256;
-    part->triangles = calloc(draft->triangle_count, sizeof *part->triangles);
-    part->triangles8 = calloc(draft->triangle_count, sizeof *part->triangles8);
-    if (part->triangles == NULL || part->triangles8 == NULL) {
-        return false;
-    }
-    for (size_t i = 0; i < 3 * draft->triangle_count; i++) {
-        uint32_t corner = draft->triangles[i / 3][i % 3];
-        part->triangles[i / 3][i % 3] = (uint16_t)corner;
-        part->triangles8[i / 3][i % 3] = (uint8_t)corner;
-    }
-    part->mesh.triangles = narrow ? NULL : (const uint16_t(*)[3])part->triangles;
-    part->mesh.triangles8 = narrow ? (const uint8_t(*)[3])part->triangles8 : NULL;
-    return true;
+    const bool narrow = packing->options->compact && draft->vertex_count <= 256;
+    return mesh_array_fill(&part->mesh, narrow ? MESH_TRIANGLES8 : MESH_TRIANGLES,
+                           (const int32_t *)draft->triangles[0]);
 }
 
 /* The targets of a morph as 16-bit positions, which wide meshes have none of. */
@@ -498,38 +376,32 @@ static void set_bounds(struct asset_part *part, const struct draft *draft,
     }
 }
 
+/* Planes of faces that pay. */
+static bool make_planes(struct asset_part *part, const struct packing *packing)
+{
+    qtri_face8 *planes = calloc(part->mesh.triangle_count, sizeof *planes);
+    if (planes != NULL && !packing->options->make_faces(&part->mesh, planes)) {
+        free(planes);
+    }
+    return planes != NULL;
+}
+
 static bool make_part(struct asset_part *part, const struct draft *draft,
                       const struct packing *packing, const struct model *model)
 {
     const bool has_targets = part->material.morph > 0 && packing->options->compact;
-    bool ok = (packing->options->compact ? make_compact(part, draft, packing)
-                                         : make_wide(part, draft, packing)) &&
-              make_uvs(part, draft, packing) && make_colors(part, draft, packing) &&
-              make_triangles(part, draft, packing) &&
-              (!has_targets || make_targets(part, draft, packing, model));
-    if (!ok) {
-        return false;
-    }
     part->mesh.vertex_count = (uint32_t)draft->vertex_count;
     part->mesh.triangle_count = (uint32_t)draft->triangle_count;
-    set_bounds(part, draft, packing);
-    if (packing->options->make_faces != NULL && !has_targets) { /* planes stay where they are */
-        part->planes = calloc(draft->triangle_count, sizeof *part->planes);
-        if (part->planes == NULL) {
-            return false;
-        }
-        (void)packing->options->make_faces(&part->mesh, part->planes);
+    if (!make_vertices(part, draft, packing) || !make_triangles(part, draft, packing) ||
+        (has_targets && !make_targets(part, draft, packing, model))) {
+        return false;
     }
-    return true;
+    set_bounds(part, draft, packing);
+    /* planes stay where they are */
+    return packing->options->make_faces == NULL || has_targets || make_planes(part, packing);
 }
 
 /* ---- The asset ---- */
-
-static bool fail(struct text_error *error, const char *path, const char *problem)
-{
-    text_error_set(error, path, 0, "%s", problem);
-    return false;
-}
 
 /* Whether the model fits, and how its numbers are stored. */
 static bool set_packing(struct packing *packing, const char *path, const struct model *model,
@@ -542,7 +414,8 @@ static bool set_packing(struct packing *packing, const char *path, const struct 
     packing->extent = 1.0;
     for (int i = 0; i < 3; i++) {
         if (box.low[i] < -MOST_POSITION || box.high[i] > MOST_POSITION) {
-            return fail(error, path, "reaches beyond 32767, Q16.16's end; --fit makes it smaller");
+            return text_error_set(error, path, 0,
+                                  "reaches beyond 32767, Q16.16's end; --fit makes it smaller");
         }
         packing->origin[i] = round((box.low[i] + box.high[i]) / 2.0 * ONE);
         /* So that the farthest is 32767 and not 32768, which would be held: half a unit off. */
@@ -554,7 +427,7 @@ static bool set_packing(struct packing *packing, const char *path, const struct 
         for (int j = 0; j < 2; j++) {
             double uv = model->vertices[i].uv[j];
             if (fabs(uv) > MOST_POSITION) {
-                return fail(error, path, "has a texture coordinate beyond 32767");
+                return text_error_set(error, path, 0, "has a texture coordinate beyond 32767");
             }
             double compact = round(uv * 16384.0);
             packing->compact_uvs =
@@ -575,7 +448,7 @@ static bool add_part(struct asset *asset, const char *path, const struct packing
         own.uvs = own.uvs && model->materials[material].texture[0] != '\0';
     }
     bool ok = make_draft(&draft, packing, model, material, &asset->error) ||
-              fail(error, path, "out of memory");
+              text_error_set(error, path, 0, "out of memory");
     if (ok && draft.vertex_count > MOST_VERTICES) {
         text_error_set(error, path, 0, "%zu vertices, and a mesh has up to 65536; see --simplify",
                        draft.vertex_count);
@@ -588,7 +461,8 @@ static bool add_part(struct asset *asset, const char *path, const struct packing
         if (packing->colors) {
             memset(part->material.color, 255, sizeof part->material.color);
         }
-        ok = make_part(part, &draft, packing, model) || fail(error, path, "out of memory");
+        ok = make_part(part, &draft, packing, model) ||
+             text_error_set(error, path, 0, "out of memory");
         if (ok && packing->options->merged) {
             share_color(part);
         }
@@ -603,7 +477,7 @@ static bool add_parts(struct asset *asset, const char *path, const struct packin
                       const struct model *model, struct text_error *error)
 {
     bool *used = calloc(model->material_count + 1, sizeof *used);
-    bool ok = used != NULL || fail(error, path, "out of memory");
+    bool ok = used != NULL || text_error_set(error, path, 0, "out of memory");
     size_t count = 0;
     for (size_t i = 0; ok && i < model->triangle_count; i++) {
         bool *flag = &used[model->vertices[model->triangles[i][0]].material];
@@ -611,10 +485,11 @@ static bool add_parts(struct asset *asset, const char *path, const struct packin
         *flag = true;
     }
     if (ok && count > 64) {
-        ok = fail(error, path,
-                  packing->options->merged
-                      ? "more than 64 parts that look or move differently; --plain makes it one"
-                      : "more than 64 materials; --colors makes one mesh of them");
+        ok = text_error_set(
+            error, path, 0, "%s",
+            packing->options->merged
+                ? "more than 64 parts that look or move differently; --plain makes it one"
+                : "more than 64 materials; --colors makes one mesh of them");
     }
     for (size_t i = 0; ok && i < model->material_count; i++) {
         if (used[i]) {
@@ -634,13 +509,14 @@ bool asset_make(const char *path, const struct model *model, const struct asset_
         return false;
     }
     asset->parts = calloc(model->material_count + 1, sizeof *asset->parts);
-    bool ok = asset->parts != NULL || fail(error, path, "out of memory");
+    bool ok = asset->parts != NULL || text_error_set(error, path, 0, "out of memory");
     if (ok) {
         ok = options->colors ? add_part(asset, path, &packing, model, -1, error)
                              : add_parts(asset, path, &packing, model, error);
     }
     if (ok && asset->count == 0) {
-        ok = fail(error, path, "is so small that no triangle is left; --fit makes it larger");
+        ok = text_error_set(error, path, 0,
+                            "is so small that no triangle is left; --fit makes it larger");
     }
     if (!ok) {
         asset_free(asset);

@@ -29,22 +29,12 @@ struct asset_options {
     bool keep_order; /* triangles follow each other as in the model */
 };
 
-/* A mesh with the memory of its arrays. */
+/* A mesh whose arrays are its own. */
 struct asset_part {
     qtri_mesh mesh;
     struct model_material material; /* what draws it; white where vertices have colours */
     int texture;                    /* of the asset's; -1: none */
-    qtri_vec3 *positions;
-    qtri_normal *normals;
-    qtri_vec2 *uvs;
-    qtri_rgb *colors;
-    uint16_t (*triangles)[3];
-    qtri_position16 *positions16;
-    qtri_normal8 *normals8;
-    qtri_uv16 *uvs16;
-    uint8_t (*triangles8)[3];
-    qtri_face8 *planes;
-    qtri_position16 *targets; /* target_count times vertex_count positions */
+    qtri_position16 *targets;       /* target_count times vertex_count positions */
     size_t target_count;
     size_t first_weight; /* the asset's weight of its first target */
 };

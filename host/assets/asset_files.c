@@ -9,8 +9,7 @@ static bool open_source(struct asset_files *files, const char *path, struct text
 {
     char *source = strdup(path);
     if (source == NULL) {
-        text_error_set(error, path, 0, "out of memory");
-        return false;
+        return text_error_set(error, path, 0, "out of memory");
     }
     source[strlen(source) - 1] = 'c'; /* of NAME.h */
     bool ok = file_output_open(&files->source, source, error);

@@ -9,12 +9,6 @@
 
 #define ONE 65536.0
 
-static bool fail(struct text_error *error, const char *path, const char *problem)
-{
-    text_error_set(error, path, 0, "%s", problem);
-    return false;
-}
-
 /* ---- Textures ---- */
 
 /* Where pictures have holes, this stands in the texture. */
@@ -29,7 +23,7 @@ static bool read_picture(const char *path, const struct model *model, const char
     const size_t number = (size_t)strtoul(name + 1, NULL, 10);
     char inside[600];
     if (number >= model->picture_count) {
-        return fail(error, path, "has not the picture that its materials name");
+        return text_error_set(error, path, 0, "has not the picture that its materials name");
     }
     (void)snprintf(inside, sizeof inside, "%.500s: picture %zu inside", path, number);
     return image_parse(inside, model->pictures[number].bytes, model->pictures[number].length, image,
@@ -122,7 +116,7 @@ bool asset_add_textures(struct asset *asset, const char *path, const struct mode
     bool ok = true;
     asset->textures = calloc(asset->count + 1, sizeof *asset->textures);
     if (asset->textures == NULL) {
-        return fail(error, path, "out of memory");
+        return text_error_set(error, path, 0, "out of memory");
     }
     for (size_t i = 0; ok && i < asset->count; i++) {
         struct asset_part *part = &asset->parts[i];
@@ -259,7 +253,7 @@ bool asset_add_motion(struct asset *asset, const char *path, const struct model 
                       struct text_error *error)
 {
     if (model->node_count > INT16_MAX - 1) {
-        return fail(error, path, "more than 32766 parts that move");
+        return text_error_set(error, path, 0, "more than 32766 parts that move");
     }
     if (model->node_count + model->track_count > 0) {
         asset->keys = calloc(model->key_count + 1, sizeof *asset->keys);
@@ -267,13 +261,14 @@ bool asset_add_motion(struct asset *asset, const char *path, const struct model 
             calloc(model->node_count + model->track_count + 2, sizeof *asset->first_keys);
         asset->parents = calloc(model->node_count + 1, sizeof *asset->parents);
         if (asset->keys == NULL || asset->first_keys == NULL || asset->parents == NULL) {
-            return fail(error, path, "out of memory");
+            return text_error_set(error, path, 0, "out of memory");
         }
         if (!copy_nodes(asset, model)) {
-            return fail(error, path, "moves beyond 32767, Q16.16's end; --fit makes it smaller");
+            return text_error_set(error, path, 0,
+                                  "moves beyond 32767, Q16.16's end; --fit makes it smaller");
         }
     }
-    return set_bounds(asset, model) || fail(error, path, "out of memory");
+    return set_bounds(asset, model) || text_error_set(error, path, 0, "out of memory");
 }
 
 void asset_pose(const struct asset *asset, const qtri_transform *pose, q16 time,

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/mipmap.h"
+
 #define ONE 65536.0
 
 static q16 q16_of(double value)
@@ -80,15 +82,6 @@ static void free_skins(const struct asset *asset, struct skins *skins)
     free(skins->textures);
 }
 
-static uint8_t log2_of(int side)
-{
-    uint8_t log2 = 0;
-    while (side >> log2 > 1) {
-        log2++;
-    }
-    return log2;
-}
-
 static bool make_skin(const struct texture *texture, qtri_texture *skin, uint32_t **texels)
 {
     struct picture picture;
@@ -109,8 +102,8 @@ static bool make_skin(const struct texture *texture, qtri_texture *skin, uint32_
     picture_free(&picture);
     skin->texels = *texels;
     skin->format = &qtri_texel_xrgb8888;
-    skin->width_log2 = log2_of(texture->width);
-    skin->height_log2 = log2_of(texture->height);
+    skin->width_log2 = mipmap_log2(texture->width);
+    skin->height_log2 = mipmap_log2(texture->height);
     skin->wrap_u = texture->clamp_u ? QTRI_CLAMP : QTRI_REPEAT;
     skin->wrap_v = texture->clamp_v ? QTRI_CLAMP : QTRI_REPEAT;
     return true;

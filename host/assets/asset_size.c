@@ -4,6 +4,8 @@
 #include <qtri_port/panel.h>
 #include <string.h>
 
+#include "mesh_arrays.h"
+
 /* sizeof (qtri_mesh) with 32-bit pointers: 10 of them, 2 counts, origin and extent, faces with 2
    pointers and 8 bytes, bounds. */
 #define MESH_BYTES (10 * 4 + 2 * 4 + 16 + 16 + 24)
@@ -31,29 +33,13 @@ uint32_t asset_triangle_count(const struct asset *asset)
     return count;
 }
 
-static size_t if_there(const void *array, size_t bytes)
-{
-    return array != NULL ? bytes : 0;
-}
-
 size_t asset_flash_bytes(const struct asset *asset)
 {
     size_t bytes = 0;
     for (size_t i = 0; i < asset->count; i++) {
         const qtri_mesh *mesh = &asset->parts[i].mesh;
-        size_t vertex = if_there(mesh->positions, sizeof *mesh->positions) +
-                        if_there(mesh->normals, sizeof *mesh->normals) +
-                        if_there(mesh->uvs, sizeof *mesh->uvs) +
-                        if_there(mesh->colors, sizeof *mesh->colors) +
-                        if_there(mesh->positions16, sizeof *mesh->positions16) +
-                        if_there(mesh->normals8, sizeof *mesh->normals8) +
-                        if_there(mesh->uvs16, sizeof *mesh->uvs16);
-        size_t triangle = if_there(mesh->triangles, sizeof *mesh->triangles) +
-                          if_there(mesh->triangles8, sizeof *mesh->triangles8) +
-                          if_there(mesh->faces.planes, sizeof *mesh->faces.planes);
-        vertex += asset->parts[i].target_count * sizeof(qtri_position16);
-        bytes += 4 * asset->parts[i].target_count; /* pointers */
-        bytes += MESH_BYTES + mesh->vertex_count * vertex + mesh->triangle_count * triangle;
+        const size_t targets = mesh->vertex_count * sizeof(qtri_position16) + 4; /* a pointer */
+        bytes += MESH_BYTES + mesh_array_bytes(mesh) + asset->parts[i].target_count * targets;
     }
     if (asset->radius > 0) { /* a model's parts, and what they name */
         bytes += asset->count * (MATERIAL_BYTES + NODE_BYTES);

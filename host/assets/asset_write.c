@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mesh_arrays.h"
+
 enum { COLUMNS = 100 };
 
 /* An array being written: rows of elements, as many as fit a line. */
@@ -65,123 +67,31 @@ void asset_write_comment(FILE *out, const char *text)
 
 /* ---- The arrays of a mesh ---- */
 
-static void write_vertices(const struct asset_writer *writer, const qtri_mesh *mesh,
-                           const char *type, const char *what, int numbers,
-                           void (*element)(const qtri_mesh *mesh, uint32_t i, int32_t *numbers))
+static void write_array(const struct asset_writer *writer, const qtri_mesh *mesh,
+                        enum mesh_array which, const char *what)
 {
+    const struct mesh_array_kind *kind = &mesh_array_kinds[which];
+    const bool is_of_numbers =
+        which == MESH_TRIANGLES || which == MESH_TRIANGLES8 || which == MESH_NEIGHBOURS;
     struct array array;
     char name[160];
     name_of(name, writer->name, writer->part, writer->count, what);
-    begin_array(&array, writer->out, type, name, "[]");
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        int32_t values[4];
-        element(mesh, i, values);
-        write_element(&array, values, numbers);
-    }
-    end_array(&array);
-}
-
-static void set3(int32_t *out, int32_t x, int32_t y, int32_t z)
-{
-    out[0] = x;
-    out[1] = y;
-    out[2] = z;
-}
-
-static void element_position(const qtri_mesh *mesh, uint32_t i, int32_t *out)
-{
-    set3(out, mesh->positions[i].x, mesh->positions[i].y, mesh->positions[i].z);
-}
-
-static void element_position16(const qtri_mesh *mesh, uint32_t i, int32_t *out)
-{
-    set3(out, mesh->positions16[i].x, mesh->positions16[i].y, mesh->positions16[i].z);
-}
-
-static void element_normal(const qtri_mesh *mesh, uint32_t i, int32_t *out)
-{
-    set3(out, mesh->normals[i].x, mesh->normals[i].y, mesh->normals[i].z);
-}
-
-static void element_normal8(const qtri_mesh *mesh, uint32_t i, int32_t *out)
-{
-    set3(out, mesh->normals8[i].x, mesh->normals8[i].y, mesh->normals8[i].z);
-}
-
-static void element_uv(const qtri_mesh *mesh, uint32_t i, int32_t *out)
-{
-    set3(out, mesh->uvs[i].x, mesh->uvs[i].y, 0);
-}
-
-static void element_uv16(const qtri_mesh *mesh, uint32_t i, int32_t *out)
-{
-    set3(out, mesh->uvs16[i].x, mesh->uvs16[i].y, 0);
-}
-
-static void element_color(const qtri_mesh *mesh, uint32_t i, int32_t *out)
-{
-    set3(out, mesh->colors[i].r, mesh->colors[i].g, mesh->colors[i].b);
-}
-
-static void write_triangles(const struct asset_writer *writer, const qtri_mesh *mesh)
-{
-    struct array array;
-    char name[160];
-    bool narrow = mesh->triangles8 != NULL;
-    name_of(name, writer->name, writer->part, writer->count, "triangles");
-    begin_array(&array, writer->out, narrow ? "uint8_t" : "uint16_t", name, "[][3]");
-    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        int32_t corners[3];
-        for (int j = 0; j < 3; j++) {
-            corners[j] = narrow ? mesh->triangles8[i][j] : mesh->triangles[i][j];
-        }
-        write_element(&array, corners, 3);
-    }
-    end_array(&array);
-}
-
-static void write_planes(const struct asset_writer *writer, const qtri_mesh *mesh)
-{
-    struct array array;
-    char name[160];
-    if (mesh->faces.planes == NULL) {
-        return;
-    }
-    name_of(name, writer->name, writer->part, writer->count, "planes");
-    begin_array(&array, writer->out, "qtri_face8", name, "[]");
-    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        const qtri_face8 *plane = &mesh->faces.planes[i];
-        const int32_t numbers[4] = {plane->x, plane->y, plane->z, plane->d};
-        write_element(&array, numbers, 4);
+    begin_array(&array, writer->out, kind->type, name, is_of_numbers ? "[][3]" : "[]");
+    for (size_t i = 0; i < mesh_array_count(mesh, which); i++) {
+        int32_t numbers[MESH_NUMBERS];
+        mesh_array_get(mesh, which, i, numbers);
+        write_element(&array, numbers, kind->numbers);
     }
     end_array(&array);
 }
 
 void asset_write_arrays(const struct asset_writer *writer, const qtri_mesh *mesh)
 {
-    if (mesh->positions != NULL) {
-        write_vertices(writer, mesh, "qtri_vec3", "positions", 3, element_position);
+    for (enum mesh_array i = 0; i < MESH_ARRAYS; i++) {
+        if (mesh_array(mesh, i) != NULL) {
+            write_array(writer, mesh, i, mesh_array_kinds[i].name);
+        }
     }
-    if (mesh->positions16 != NULL) {
-        write_vertices(writer, mesh, "qtri_position16", "positions", 3, element_position16);
-    }
-    if (mesh->normals != NULL) {
-        write_vertices(writer, mesh, "qtri_normal", "normals", 3, element_normal);
-    }
-    if (mesh->normals8 != NULL) {
-        write_vertices(writer, mesh, "qtri_normal8", "normals", 3, element_normal8);
-    }
-    if (mesh->uvs != NULL) {
-        write_vertices(writer, mesh, "qtri_vec2", "uvs", 2, element_uv);
-    }
-    if (mesh->uvs16 != NULL) {
-        write_vertices(writer, mesh, "qtri_uv16", "uvs", 2, element_uv16);
-    }
-    if (mesh->colors != NULL) {
-        write_vertices(writer, mesh, "qtri_rgb", "colors", 3, element_color);
-    }
-    write_triangles(writer, mesh);
-    write_planes(writer, mesh);
 }
 
 void asset_target_name(const struct asset_writer *writer, size_t target, char out[160])
@@ -198,38 +108,39 @@ void asset_write_targets(const struct asset_writer *writer, const struct asset_p
         char what[40];
         (void)snprintf(what, sizeof what, "target_%zu", i);
         mesh.positions16 = &part->targets[i * mesh.vertex_count];
-        write_vertices(writer, &mesh, "qtri_position16", what, 3, element_position16);
+        write_array(writer, &mesh, MESH_POSITIONS16, what);
     }
 }
 
 /* ---- The mesh itself ---- */
 
 /* An array's name, or NULL where the mesh has it not. */
-static void write_pointer(const struct asset_writer *writer, const void *array, const char *what,
-                          const char *field)
+static void write_pointers(const struct asset_writer *writer, const qtri_mesh *mesh,
+                           const enum mesh_array *arrays, size_t count)
 {
-    char name[160] = "NULL";
-    if (array != NULL) {
-        name_of(name, writer->name, writer->part, writer->count, what);
+    for (size_t i = 0; i < count; i++) {
+        const struct mesh_array_kind *kind = &mesh_array_kinds[arrays[i]];
+        char name[160] = "NULL";
+        if (mesh_array(mesh, arrays[i]) != NULL) {
+            name_of(name, writer->name, writer->part, writer->count, kind->name);
+        }
+        fprintf(writer->out, "    %s, /* %s */\n", name, kind->field);
     }
-    fprintf(writer->out, "    %s, /* %s */\n", name, field);
 }
 
 void asset_write_mesh(const struct asset_writer *writer, const qtri_mesh *mesh)
 {
+    static const enum mesh_array wide[] = {MESH_POSITIONS, MESH_NORMALS, MESH_UVS, MESH_COLORS,
+                                           MESH_TRIANGLES};
+    static const enum mesh_array compact[] = {MESH_POSITIONS16, MESH_NORMALS8, MESH_UVS16,
+                                              MESH_TRIANGLES8};
+    static const enum mesh_array neighbours = MESH_NEIGHBOURS;
     FILE *out = writer->out;
     const qtri_box *box = &mesh->bounds;
-    write_pointer(writer, mesh->positions, "positions", "positions");
-    write_pointer(writer, mesh->normals, "normals", "normals");
-    write_pointer(writer, mesh->uvs, "uvs", "uvs");
-    write_pointer(writer, mesh->colors, "colors", "colors");
-    write_pointer(writer, mesh->triangles, "triangles", "triangles");
+    write_pointers(writer, mesh, wide, sizeof wide / sizeof wide[0]);
     fprintf(out, "    %" PRIu32 "u, %" PRIu32 "u, /* vertices, triangles */\n", mesh->vertex_count,
             mesh->triangle_count);
-    write_pointer(writer, mesh->positions16, "positions", "positions16");
-    write_pointer(writer, mesh->normals8, "normals", "normals8");
-    write_pointer(writer, mesh->uvs16, "uvs", "uvs16");
-    write_pointer(writer, mesh->triangles8, "triangles", "triangles8");
+    write_pointers(writer, mesh, compact, sizeof compact / sizeof compact[0]);
     fprintf(out, "    {%" PRId32 ", %" PRId32 ", %" PRId32 "}, %" PRId32 ", /* origin, extent */\n",
             mesh->origin.x, mesh->origin.y, mesh->origin.z, mesh->extent);
     if (mesh->faces.planes != NULL) {
@@ -244,7 +155,11 @@ void asset_write_mesh(const struct asset_writer *writer, const qtri_mesh *mesh)
             "    {{%" PRId32 ", %" PRId32 ", %" PRId32 "}, {%" PRId32 ", %" PRId32 ", %" PRId32
             "}}, /* bounds */\n",
             box->center.x, box->center.y, box->center.z, box->half.x, box->half.y, box->half.z);
-    fputs("    NULL, /* neighbours: `qtri neighbours` makes them */\n", out);
+    if (mesh->neighbours != NULL) {
+        write_pointers(writer, mesh, &neighbours, 1);
+    } else {
+        fputs("    NULL, /* neighbours: `qtri neighbours` makes them */\n", out);
+    }
 }
 
 void asset_capitals(const char *name, char *out, size_t size)
@@ -370,24 +285,20 @@ void asset_write_c(const struct asset *asset, const char *name, const char *head
 
 static void position_of(const qtri_mesh *mesh, uint32_t i, double out[3])
 {
-    int32_t p[3];
-    if (mesh->positions != NULL) {
-        element_position(mesh, i, p);
-    } else {
-        element_position16(mesh, i, p);
-    }
+    const bool wide = mesh->positions != NULL;
     const int32_t origin[3] = {mesh->origin.x, mesh->origin.y, mesh->origin.z};
+    int32_t p[3];
+    mesh_array_get(mesh, wide ? MESH_POSITIONS : MESH_POSITIONS16, i, p);
     for (int axis = 0; axis < 3; axis++) {
-        out[axis] = mesh->positions != NULL
-                        ? p[axis] / 65536.0
-                        : (origin[axis] + (double)mesh->extent * p[axis] / 32768.0) / 65536.0;
+        out[axis] = wide ? p[axis] / 65536.0
+                         : (origin[axis] + (double)mesh->extent * p[axis] / 32768.0) / 65536.0;
     }
 }
 
 static void write_obj_vertex(const qtri_mesh *mesh, uint32_t i, FILE *out)
 {
     double at[3];
-    int32_t n[3] = {0, 0, 0};
+    int32_t n[3];
     position_of(mesh, i, at);
     fprintf(out, "v %.9g %.9g %.9g", at[0], at[1], at[2]);
     if (mesh->colors != NULL) {
@@ -395,19 +306,17 @@ static void write_obj_vertex(const qtri_mesh *mesh, uint32_t i, FILE *out)
         fprintf(out, " %.4g %.4g %.4g", c.r / 255.0, c.g / 255.0, c.b / 255.0);
     }
     fputc('\n', out);
-    if (mesh->normals != NULL) {
-        element_normal(mesh, i, n);
-        fprintf(out, "vn %.7g %.7g %.7g\n", n[0] / 16384.0, n[1] / 16384.0, n[2] / 16384.0);
-    } else if (mesh->normals8 != NULL) {
-        element_normal8(mesh, i, n);
-        fprintf(out, "vn %.4g %.4g %.4g\n", n[0] / 127.0, n[1] / 127.0, n[2] / 127.0);
+    if (mesh->normals != NULL || mesh->normals8 != NULL) {
+        const bool wide = mesh->normals != NULL;
+        const double one = wide ? 16384.0 : 127.0;
+        mesh_array_get(mesh, wide ? MESH_NORMALS : MESH_NORMALS8, i, n);
+        fprintf(out, wide ? "vn %.7g %.7g %.7g\n" : "vn %.4g %.4g %.4g\n", n[0] / one, n[1] / one,
+                n[2] / one);
     }
-    if (mesh->uvs != NULL) {
-        const qtri_vec2 uv = mesh->uvs[i];
-        fprintf(out, "vt %.9g %.9g\n", uv.x / 65536.0, 1.0 - uv.y / 65536.0);
-    } else if (mesh->uvs16 != NULL) {
-        const qtri_uv16 uv = mesh->uvs16[i];
-        fprintf(out, "vt %.9g %.9g\n", uv.x / 16384.0, 1.0 - uv.y / 16384.0);
+    if (mesh->uvs != NULL || mesh->uvs16 != NULL) {
+        const double one = mesh->uvs != NULL ? 65536.0 : 16384.0;
+        mesh_array_get(mesh, mesh->uvs != NULL ? MESH_UVS : MESH_UVS16, i, n);
+        fprintf(out, "vt %.9g %.9g\n", n[0] / one, 1.0 - n[1] / one);
     }
 }
 

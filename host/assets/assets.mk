@@ -7,33 +7,17 @@ WITH ?= libpng stb assimp meshoptimizer freetype
 HOST_DEFINES :=
 HOST_LIBS    :=
 
-ifneq ($(filter libpng,$(WITH)),)
-ifeq ($(shell pkg-config --exists libpng 2>/dev/null && echo yes),yes)
-HOST_DEFINES += -DQTRI_HAVE_LIBPNG $(shell pkg-config --cflags libpng)
-HOST_LIBS    += $(shell pkg-config --libs libpng)
+# $1: a library of WITH, $2: its name for pkg-config, $3: the macro that says that it is there.
+define host_library
+ifneq ($(and $(filter $1,$(WITH)),$(shell pkg-config --exists $2 2>/dev/null && echo yes)),)
+HOST_DEFINES += -D$3 $(shell pkg-config --cflags $2)
+HOST_LIBS    += $(shell pkg-config --libs $2)
 endif
-endif
-
-ifneq ($(filter stb,$(WITH)),)
-ifeq ($(shell pkg-config --exists stb 2>/dev/null && echo yes),yes)
-HOST_DEFINES += -DQTRI_HAVE_STB $(shell pkg-config --cflags stb)
-HOST_LIBS    += $(shell pkg-config --libs stb)
-endif
-endif
-
-ifneq ($(filter assimp,$(WITH)),)
-ifeq ($(shell pkg-config --exists assimp 2>/dev/null && echo yes),yes)
-HOST_DEFINES += -DQTRI_HAVE_ASSIMP $(shell pkg-config --cflags assimp)
-HOST_LIBS    += $(shell pkg-config --libs assimp)
-endif
-endif
-
-ifneq ($(filter freetype,$(WITH)),)
-ifeq ($(shell pkg-config --exists freetype2 2>/dev/null && echo yes),yes)
-HOST_DEFINES += -DQTRI_HAVE_FREETYPE $(shell pkg-config --cflags freetype2)
-HOST_LIBS    += $(shell pkg-config --libs freetype2)
-endif
-endif
+endef
+$(eval $(call host_library,libpng,libpng,QTRI_HAVE_LIBPNG))
+$(eval $(call host_library,stb,stb,QTRI_HAVE_STB))
+$(eval $(call host_library,assimp,assimp,QTRI_HAVE_ASSIMP))
+$(eval $(call host_library,freetype,freetype2,QTRI_HAVE_FREETYPE))
 
 # Debian's package of libmeshoptimizer brings no file for pkg-config: whether it links is tried.
 ifneq ($(filter meshoptimizer,$(WITH)),)

@@ -10,24 +10,18 @@
 
 static const char png_magic[8] = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1A', '\n'};
 
-static bool fail(struct text_error *error, const char *path, const char *problem)
-{
-    text_error_set(error, path, 0, "%s", problem);
-    return false;
-}
-
 static bool create(const char *path, struct image *image, uint32_t width, uint32_t height,
                    struct text_error *error)
 {
     const char *problem = image_size_problem((long)width, (long)height);
     if (problem != NULL) {
-        return fail(error, path, problem);
+        return text_error_set(error, path, 0, "%s", problem);
     }
     // NOLINTNEXTLINE(clang-analyzer-optin.portability.UnixAPI): a side of 0 is a problem
     image->rgba = calloc((size_t)width * height, 4);
     image->width = (int)width;
     image->height = (int)height;
-    return image->rgba != NULL || fail(error, path, "out of memory");
+    return image->rgba != NULL || text_error_set(error, path, 0, "out of memory");
 }
 
 void image_free(struct image *image)
@@ -75,17 +69,17 @@ static bool parse_pnm(const char *path, const char *bytes, size_t length, struct
     uint32_t most = header_number(bytes, length, &at);
     const char *problem = image_size_problem((long)width, (long)height);
     if (problem != NULL) {
-        return fail(error, path, problem);
+        return text_error_set(error, path, 0, "%s", problem);
     }
     if (most < 1 || most > 255) {
-        return fail(error, path, "has a largest value that is not in 1..255");
+        return text_error_set(error, path, 0, "has a largest value that is not in 1..255");
     }
     if (at >= length || !text_is_space(bytes[at])) {
-        return fail(error, path, "ends in its header");
+        return text_error_set(error, path, 0, "ends in its header");
     }
     at++;
     if ((length - at) / channels < (uint64_t)width * height) {
-        return fail(error, path, "ends before its last pixel");
+        return text_error_set(error, path, 0, "ends before its last pixel");
     }
     if (!create(path, image, width, height, error)) {
         return false;
@@ -114,7 +108,7 @@ bool image_parse(const char *path, const char *bytes, size_t length, struct imag
                (text_is_space(bytes[2]) || bytes[2] == '#')) {
         ok = parse_pnm(path, bytes, length, image, error);
     } else {
-        ok = fail(error, path, "is neither PNG nor JPEG nor binary PPM or PGM");
+        ok = text_error_set(error, path, 0, "is neither PNG nor JPEG nor binary PPM or PGM");
     }
     if (!ok) {
         image_free(image);
@@ -138,7 +132,7 @@ static bool write_png(const char *path, const struct picture *picture, struct te
 {
     struct file_output output;
     struct byte_list png = {.bytes = NULL};
-    bool ok = png_append(&png, picture) || fail(error, path, "out of memory");
+    bool ok = png_append(&png, picture) || text_error_set(error, path, 0, "out of memory");
     ok = ok && file_output_open(&output, path, error);
     if (ok) {
         file_output_write(&output, png.bytes, png.count);

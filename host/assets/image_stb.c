@@ -13,8 +13,8 @@ bool image_parse_stb(const char *path, const char *format, const char *bytes, si
     (void)bytes;
     (void)length;
     (void)image;
-    text_error_set(error, path, 0, "this qtri was built without libstb and cannot read %s", format);
-    return false;
+    return text_error_set(error, path, 0, "this qtri was built without libstb and cannot read %s",
+                          format);
 }
 
 #else
@@ -41,15 +41,13 @@ static bool send(FILE *answer, void *context, struct text_error *error)
     if (stbi_info_from_memory(bytes, length, &size[0], &size[1], &channels) != 0) {
         const char *problem = image_size_problem(size[0], size[1]);
         if (problem != NULL) {
-            text_error_set(error, request->path, 0, "%s", problem);
-            return false;
+            return text_error_set(error, request->path, 0, "%s", problem);
         }
     }
     unsigned char *rgba = stbi_load_from_memory(bytes, length, &size[0], &size[1], &channels, 4);
     if (rgba == NULL) {
-        text_error_set(error, request->path, 0, "cannot be read as %s: %s", request->format,
-                       stbi_failure_reason());
-        return false;
+        return text_error_set(error, request->path, 0, "cannot be read as %s: %s", request->format,
+                              stbi_failure_reason());
     }
     size_t count = 4 * (size_t)size[0] * (size_t)size[1];
     (void)(fwrite(size, sizeof size, 1, answer) == 1 &&

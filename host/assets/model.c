@@ -8,6 +8,7 @@
 
 #include "../io/file.h"
 #include "../io/file_identity.h"
+#include "../io/unique.h"
 
 bool model_create(struct model *model, size_t vertices, size_t triangles, size_t materials)
 {
@@ -112,21 +113,20 @@ bool model_check(const char *path, struct model *model, struct text_error *error
 {
     for (size_t i = 0; i < model->key_count; i++) {
         if (!check_key(&model->keys[i])) {
-            text_error_set(error, path, 0, "a key of its animation is not a number, or beyond 1e9");
-            return false;
+            return text_error_set(error, path, 0,
+                                  "a key of its animation is not a number, or beyond 1e9");
         }
     }
     if (!check_shifts(model)) {
-        text_error_set(error, path, 0, "a morph target is not a number, or beyond 1e9");
-        return false;
+        return text_error_set(error, path, 0, "a morph target is not a number, or beyond 1e9");
     }
     size_t lost = 0;
     for (size_t i = 0; i < model->vertex_count; i++) {
         if (!check_vertex(&model->vertices[i], &lost) ||
             model->vertices[i].material >= model->material_count ||
             model->vertices[i].node > model->node_count) {
-            text_error_set(error, path, 0, "vertex %zu is not a number, or beyond 1e9", i + 1);
-            return false;
+            return text_error_set(error, path, 0, "vertex %zu is not a number, or beyond 1e9",
+                                  i + 1);
         }
     }
     model_leave_out(model, lost, "vertex's texture coordinates beyond 32767",
@@ -135,9 +135,8 @@ bool model_check(const char *path, struct model *model, struct text_error *error
         const uint32_t *corner = model->triangles[i];
         for (int j = 0; j < 3; j++) {
             if (corner[j] >= model->vertex_count) {
-                text_error_set(error, path, 0, "triangle %zu names a vertex that is not there",
-                               i + 1);
-                return false;
+                return text_error_set(error, path, 0,
+                                      "triangle %zu names a vertex that is not there", i + 1);
             }
         }
     }
@@ -145,46 +144,6 @@ bool model_check(const char *path, struct model *model, struct text_error *error
 }
 
 /* ---- One vertex for all that are equal ---- */
-
-/* FNV-1a over the bytes, then mixed once: neighbours on a grid differ in few bits. */
-static size_t hash_vertex(const struct model_vertex *vertex)
-{
-    const unsigned char *bytes = (const unsigned char *)vertex;
-    uint64_t hash = UINT64_C(0xCBF29CE484222325);
-    for (size_t i = 0; i < sizeof *vertex; i++) {
-        hash = (hash ^ bytes[i]) * UINT64_C(0x100000001B3);
-    }
-    return (size_t)(hash ^ hash >> 29);
-}
-
-/* model_check has left no NaN and no -0, so that bytes tell whether numbers are equal. */
-static bool same_bytes(const void *a, const void *b)
-{
-    return memcmp(a, b, sizeof(struct model_vertex)) == 0;
-}
-
-/* Fills same[i], the first vertex equal to i. */
-static bool find_equal(const struct model *model, uint32_t *same)
-{
-    size_t size = 64;
-    while (size < 2 * model->vertex_count) {
-        size *= 2;
-    }
-    uint32_t *slots = calloc(size, sizeof *slots); /* vertex + 1, or 0 */
-    for (size_t i = 0; slots != NULL && i < model->vertex_count; i++) {
-        size_t at = hash_vertex(&model->vertices[i]) & (size - 1);
-        while (slots[at] != 0 &&
-               !same_bytes(&model->vertices[slots[at] - 1], &model->vertices[i])) {
-            at = (at + 1) & (size - 1);
-        }
-        if (slots[at] == 0) {
-            slots[at] = (uint32_t)i + 1;
-        }
-        same[i] = slots[at] - 1;
-    }
-    free(slots);
-    return slots != NULL;
-}
 
 static bool has_area(const struct model *model, const uint32_t triangle[3])
 {
@@ -203,46 +162,28 @@ static bool has_area(const struct model *model, const uint32_t triangle[3])
     return false;
 }
 
-/* Keeps the vertices that triangles name, in the order they are named. place: all zero. */
-static void keep_named(struct model *model, struct model_vertex *kept, uint32_t *place)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < model->triangle_count; i++) {
-        for (int j = 0; j < 3; j++) {
-            uint32_t *corner = &model->triangles[i][j];
-            if (place[*corner] == 0) {
-                kept[count++] = model->vertices[*corner];
-                place[*corner] = (uint32_t)count;
-            }
-            *corner = place[*corner] - 1;
-        }
-    }
-    model->vertex_count = count;
-}
-
+/* model_check has left no NaN and no -0, so that bytes tell whether numbers are equal. */
 bool model_weld(struct model *model)
 {
-    uint32_t *same = calloc(model->vertex_count + 1, sizeof *same);
-    struct model_vertex *kept = calloc(model->vertex_count + 1, sizeof *kept);
-    bool ok = same != NULL && kept != NULL && find_equal(model, same);
-    if (ok) {
-        size_t count = 0;
-        for (size_t i = 0; i < model->triangle_count; i++) {
-            const uint32_t *t = model->triangles[i];
-            const uint32_t corner[3] = {same[t[0]], same[t[1]], same[t[2]]};
-            if (has_area(model, corner)) {
-                memcpy(model->triangles[count++], corner, sizeof corner);
-            }
+    struct unique kept = {.item_size = sizeof *model->vertices};
+    size_t count = 0;
+    bool ok = true;
+    for (size_t i = 0; ok && i < model->triangle_count; i++) {
+        const uint32_t *t = model->triangles[i];
+        const bool is_kept = has_area(model, t);
+        for (int j = 0; ok && is_kept && j < 3; j++) {
+            ok = unique_add(&kept, &model->vertices[t[j]], &model->triangles[count][j]);
         }
-        model->triangle_count = count;
-        memset(same, 0, (model->vertex_count + 1) * sizeof *same);
-        keep_named(model, kept, same);
-        free(model->vertices);
-        model->vertices = kept;
-        kept = NULL;
+        count += is_kept ? 1 : 0;
     }
-    free(same);
-    free(kept);
+    if (ok) {
+        free(model->vertices);
+        model->vertices = kept.items;
+        model->vertex_count = kept.count;
+        model->triangle_count = count;
+        kept.items = NULL;
+    }
+    unique_free(&kept);
     return ok;
 }
 

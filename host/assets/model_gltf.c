@@ -22,12 +22,6 @@ static const struct {
     {"EXT_texture_webp", "its pictures are WebP"},
 };
 
-static bool fail(struct text_error *error, const char *path, const char *problem)
-{
-    text_error_set(error, path, 0, "%s", problem);
-    return false;
-}
-
 static uint64_t read_32(const char *bytes)
 {
     uint64_t value = 0;
@@ -43,9 +37,9 @@ static bool check_extensions(const char *path, struct json root, struct text_err
     for (; name.at != NULL; name = json_next(name, NULL)) {
         for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++) {
             if (json_is(name, needed[i].name)) {
-                text_error_set(error, path, 0, "%s (%s), which cannot be read: export it without",
-                               needed[i].problem, needed[i].name);
-                return false;
+                return text_error_set(error, path, 0,
+                                      "%s (%s), which cannot be read: export it without",
+                                      needed[i].problem, needed[i].name);
             }
         }
     }
@@ -170,7 +164,7 @@ static bool check_json(const char *path, const char *json, size_t length, struct
         end--;
     }
     if (end == 0 || json[end - 1] != '}') {
-        return fail(error, path, "ends before its last brace: the file is incomplete");
+        return text_error_set(error, path, 0, "ends before its last brace: the file is incomplete");
     }
     return check_root(path, json_text(json, length), model, error);
 }
@@ -179,13 +173,13 @@ static bool check_glb(const char *path, const char *bytes, size_t length, struct
                       struct text_error *error)
 {
     if (length < HEADER + CHUNK || read_32(bytes + 8) > length) {
-        text_error_set(error, path, 0, "ends after %zu bytes of the %zu that it should have",
-                       length, length < HEADER ? (size_t)HEADER : (size_t)read_32(bytes + 8));
-        return false;
+        return text_error_set(error, path, 0, "ends after %zu bytes of the %zu that it should have",
+                              length,
+                              length < HEADER ? (size_t)HEADER : (size_t)read_32(bytes + 8));
     }
     const uint64_t json = read_32(bytes + HEADER);
     if (json > length - HEADER - CHUNK) {
-        return fail(error, path, "its first chunk is longer than the file");
+        return text_error_set(error, path, 0, "its first chunk is longer than the file");
     }
     return check_root(path, json_text(bytes + HEADER + CHUNK, (size_t)json), model, error);
 }

@@ -17,9 +17,8 @@ bool model_read_library(const char *path, const char *text, size_t length, const
     (void)length;
     (void)content;
     (void)model;
-    text_error_set(error, path, 0, "this qtri was built without libassimp and cannot read %s",
-                   format);
-    return false;
+    return text_error_set(error, path, 0,
+                          "this qtri was built without libassimp and cannot read %s", format);
 }
 
 bool model_library_picture(const char *path, const char *text, size_t length, const char *format,
@@ -31,9 +30,8 @@ bool model_library_picture(const char *path, const char *text, size_t length, co
     (void)number;
     *bytes = NULL;
     *bytes_length = 0;
-    text_error_set(error, path, 0, "this qtri was built without libassimp and cannot read %s",
-                   format);
-    return false;
+    return text_error_set(error, path, 0,
+                          "this qtri was built without libassimp and cannot read %s", format);
 }
 
 #else
@@ -111,21 +109,38 @@ static bool read_new(FILE *file, void **elements, size_t size, size_t count)
     return *elements != NULL && read_all(file, *elements, size, count);
 }
 
+/* The arrays of a model but for its pictures: where pointer and count are, and an element's bytes.
+ */
+#define ARRAY(member, count)                                                                       \
+    {                                                                                              \
+        offsetof(struct model, member), offsetof(struct model, count),                             \
+            sizeof *((struct model *)0)->member                                                    \
+    }
+static const struct {
+    size_t at, count_at, bytes;
+} arrays[] = {
+    ARRAY(vertices, vertex_count),    ARRAY(triangles, triangle_count),
+    ARRAY(materials, material_count), ARRAY(nodes, node_count),
+    ARRAY(keys, key_count),           ARRAY(morphs, morph_count),
+    ARRAY(tracks, track_count),       ARRAY(shifts, shift_count),
+};
+
+enum { ARRAYS = sizeof arrays / sizeof arrays[0] };
+
+static size_t count_of(const struct model *model, int array)
+{
+    return *(const size_t *)(const void *)((const char *)model + arrays[array].count_at);
+}
+
 /* The model's struct, whose pointers mean nothing in the other process, then what they point to. */
 static bool write_model(FILE *file, const struct model *model)
 {
-    bool ok = write_all(file, model, sizeof *model, 1) &&
-              write_all(file, model->vertices, sizeof *model->vertices, model->vertex_count) &&
-              write_all(file, model->triangles, sizeof *model->triangles, model->triangle_count) &&
-              write_all(file, model->materials, sizeof *model->materials, model->material_count) &&
-              (model->node_count == 0 ||
-               write_all(file, model->nodes, sizeof *model->nodes, model->node_count)) &&
-              (model->key_count == 0 ||
-               write_all(file, model->keys, sizeof *model->keys, model->key_count)) &&
-              (model->morph_count == 0 ||
-               (write_all(file, model->morphs, sizeof *model->morphs, model->morph_count) &&
-                write_all(file, model->tracks, sizeof *model->tracks, model->track_count) &&
-                write_all(file, model->shifts, sizeof *model->shifts, model->shift_count)));
+    bool ok = write_all(file, model, sizeof *model, 1);
+    for (int i = 0; ok && i < ARRAYS; i++) {
+        const void *elements;
+        memcpy(&elements, (const char *)model + arrays[i].at, sizeof elements);
+        ok = elements == NULL || write_all(file, elements, arrays[i].bytes, count_of(model, i));
+    }
     for (size_t i = 0; ok && i < model->picture_count; i++) {
         const struct model_picture *picture = &model->pictures[i];
         ok = write_all(file, &picture->length, sizeof picture->length, 1) &&
@@ -150,32 +165,17 @@ static bool read_pictures(FILE *file, struct model *model, size_t count)
 
 static bool read_model(FILE *file, struct model *model)
 {
-    struct model sent;
     memset(model, 0, sizeof *model);
-    if (!read_all(file, &sent, sizeof sent, 1)) {
-        return false;
-    }
-    void *arrays[8] = {NULL};
-    bool ok = read_new(file, &arrays[0], sizeof *sent.vertices, sent.vertex_count) &&
-              read_new(file, &arrays[1], sizeof *sent.triangles, sent.triangle_count) &&
-              read_new(file, &arrays[2], sizeof *sent.materials, sent.material_count) &&
-              read_new(file, &arrays[3], sizeof *sent.nodes, sent.node_count) &&
-              read_new(file, &arrays[4], sizeof *sent.keys, sent.key_count) &&
-              read_new(file, &arrays[5], sizeof *sent.morphs, sent.morph_count) &&
-              read_new(file, &arrays[6], sizeof *sent.tracks, sent.track_count) &&
-              read_new(file, &arrays[7], sizeof *sent.shifts, sent.shift_count);
-    *model = sent;
-    model->vertices = arrays[0];
-    model->triangles = arrays[1];
-    model->materials = arrays[2];
-    model->nodes = arrays[3];
-    model->keys = arrays[4];
-    model->morphs = arrays[5];
-    model->tracks = arrays[6];
-    model->shifts = arrays[7];
+    bool ok = read_all(file, model, sizeof *model, 1);
+    const size_t pictures = model->picture_count;
     model->pictures = NULL;
     model->picture_count = 0;
-    return ok && read_pictures(file, model, sent.picture_count);
+    for (int i = 0; i < ARRAYS; i++) { /* all of them: what was sent is nothing to be freed */
+        void *elements = NULL;
+        ok = ok && read_new(file, &elements, arrays[i].bytes, count_of(model, i));
+        memcpy((char *)model + arrays[i].at, &elements, sizeof elements);
+    }
+    return ok && read_pictures(file, model, pictures);
 }
 
 /* In the other process: what fails to be written is noticed there. */
@@ -226,9 +226,9 @@ static bool send_picture(FILE *file, void *context, struct text_error *error)
         return model_request_fail(request, "cannot be read: ", aiGetErrorString());
     }
     if (request->picture >= scene->mNumTextures) {
-        text_error_set(error, request->path, 0, "there is no picture %u inside, of %u in all",
-                       request->picture, scene->mNumTextures);
-        return false;
+        return text_error_set(error, request->path, 0,
+                              "there is no picture %u inside, of %u in all", request->picture,
+                              scene->mNumTextures);
     }
     const struct aiTexture *picture = scene->mTextures[request->picture];
     if (picture->mHeight != 0) {

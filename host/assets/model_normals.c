@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/unique.h"
+
 #define PI 3.14159265358979323846
 
 /* Where more corners meet, all faces are smoothed together: the time would grow with its square. */
@@ -30,48 +32,6 @@ static void corners_free(struct corners *corners)
 static const double *position_of(const struct model *model, uint32_t corner)
 {
     return model->vertices[model->triangles[corner / 3][corner % 3]].position;
-}
-
-struct place {
-    double at[3];
-    uint32_t vertex;
-};
-
-static int compare_places(const void *a, const void *b)
-{
-    const struct place *x = a;
-    const struct place *y = b;
-    for (int axis = 0; axis < 3; axis++) {
-        if (x->at[axis] != y->at[axis]) {
-            return x->at[axis] < y->at[axis] ? -1 : 1;
-        }
-    }
-    return (x->vertex > y->vertex) - (x->vertex < y->vertex);
-}
-
-/* Numbers the distinct positions; place_of[vertex]. Returns false when memory runs out. */
-static bool number_places(const struct model *model, uint32_t *place_of, size_t *count)
-{
-    struct place *places = malloc((model->vertex_count + 1) * sizeof *places);
-    if (places == NULL) {
-        return false;
-    }
-    for (size_t i = 0; i < model->vertex_count; i++) {
-        memcpy(places[i].at, model->vertices[i].position, sizeof places[i].at);
-        places[i].vertex = (uint32_t)i;
-    }
-    qsort(places, model->vertex_count, sizeof *places, compare_places);
-    *count = 0;
-    for (size_t i = 0; i < model->vertex_count; i++) {
-        bool is_new = i == 0;
-        for (int axis = 0; axis < 3 && !is_new; axis++) {
-            is_new = places[i].at[axis] != places[i - 1].at[axis];
-        }
-        *count += is_new ? 1 : 0;
-        place_of[places[i].vertex] = (uint32_t)(*count - 1);
-    }
-    free(places);
-    return true;
 }
 
 static void triangle_area(const struct model *model, uint32_t triangle, double area[3])
@@ -100,8 +60,13 @@ static bool corners_make(struct corners *corners, const struct model *model)
     corners->list = calloc(count + 1, sizeof *corners->list);
     corners->area = calloc(model->triangle_count + 1, sizeof *corners->area);
     bool ok = place_of != NULL && corners->position != NULL && corners->first != NULL &&
-              corners->list != NULL && corners->area != NULL &&
-              number_places(model, place_of, &corners->places);
+              corners->list != NULL && corners->area != NULL;
+    if (ok) {
+        corners->places =
+            unique_numbers(model->vertices[0].position, model->vertex_count,
+                           sizeof *model->vertices, sizeof model->vertices->position, place_of);
+        ok = corners->places != SIZE_MAX;
+    }
     if (ok) {
         for (uint32_t i = 0; i < count; i++) {
             corners->position[i] = place_of[model->triangles[i / 3][i % 3]];

@@ -26,8 +26,7 @@ struct mtl_parser {
 
 static bool fail(const struct mtl_parser *parser, const char *problem, const char *what)
 {
-    text_error_set(parser->error, parser->path, parser->line, "%s%s", problem, what);
-    return false;
+    return text_error_set(parser->error, parser->path, parser->line, "%s%s", problem, what);
 }
 
 /* What is left of the line, without space around it. */
@@ -242,12 +241,10 @@ static bool read_mtl(const char *obj, int line, const char *name, struct model *
     char path[1024];
     struct file_content file;
     if (!file_path_beside(path, sizeof path, obj, name)) {
-        text_error_set(error, obj, line, "the name of the materials is too long");
-        return false;
+        return text_error_set(error, obj, line, "the name of the materials is too long");
     }
     if (file_inspect(path, NULL) == FILE_MISSING) {
-        text_error_set(error, obj, line, "there is no file %s; --plain does without", path);
-        return false;
+        return text_error_set(error, obj, line, "there is no file %s; --plain does without", path);
     }
     if (!file_read(path, &file, error)) {
         return false;
@@ -295,7 +292,7 @@ static void copy_numbers(const struct obj_list *list, uint32_t index, int count,
 
 static void copy_vertex(const struct obj_source *source, size_t at, struct model_vertex *vertex)
 {
-    const struct obj_corner *corner = &source->vertices[at];
+    const struct obj_corner *corner = obj_vertex(source, at);
     const uint32_t *index = corner->index;
     copy_numbers(&source->lists[OBJ_POSITION], index[OBJ_POSITION], 3, vertex->position);
     copy_numbers(&source->lists[OBJ_NORMAL], index[OBJ_NORMAL], 3, vertex->normal);
@@ -310,12 +307,12 @@ static void copy_vertex(const struct obj_source *source, size_t at, struct model
 static bool build(const struct obj_source *source, bool with_materials, struct model *model)
 {
     size_t materials = with_materials ? source->materials.count : 1;
-    if (!model_create(model, source->vertex_count, source->triangle_count, materials)) {
+    if (!model_create(model, source->vertices.count, source->triangle_count, materials)) {
         return false;
     }
-    for (size_t i = 0; i < source->vertex_count; i++) {
+    for (size_t i = 0; i < source->vertices.count; i++) {
         copy_vertex(source, i, &model->vertices[i]);
-        model->has_uvs = model->has_uvs || source->vertices[i].index[OBJ_UV] != OBJ_ABSENT;
+        model->has_uvs = model->has_uvs || obj_vertex(source, i)->index[OBJ_UV] != OBJ_ABSENT;
         if (!with_materials) {
             model->vertices[i].material = 0;
         }
@@ -363,8 +360,7 @@ bool model_parse_obj(const char *path, const char *text, size_t length, bool wit
     memset(model, 0, sizeof *model);
     count_statements(text, length, &count);
     if (count.faces == 0 && count.lines + count.points + count.curved > 0) {
-        text_error_set(error, path, 0, "has no faces, only lines, points or curves");
-        return false;
+        return text_error_set(error, path, 0, "has no faces, only lines, points or curves");
     }
     bool ok = obj_parse_source(path, text, length, &source, error);
     if (ok && !build(&source, with_materials, model)) {

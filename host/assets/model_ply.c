@@ -36,8 +36,7 @@ struct ply {
 
 static bool fail(const struct ply *ply, int line, const char *problem)
 {
-    text_error_set(ply->error, ply->path, line, "%s", problem);
-    return false;
+    return text_error_set(ply->error, ply->path, line, "%s", problem);
 }
 
 /* ---- The header ---- */
@@ -233,8 +232,7 @@ bool model_check_ply(const char *path, const char *text, size_t length, struct m
     struct line line;
     bool ok = true;
     if (ply == NULL) {
-        text_error_set(error, path, 0, "out of memory");
-        return false;
+        return text_error_set(error, path, 0, "out of memory");
     }
     ply->path = path;
     ply->error = error;

@@ -106,8 +106,7 @@ static bool check_stl(const char *path, const char *text, size_t length, struct 
             return true;
         }
     }
-    text_error_set(error, path, lines, "ends without `endsolid`");
-    return false;
+    return text_error_set(error, path, lines, "ends without `endsolid`");
 }
 
 /* Programs write anything for the normals of an STL file: they are made anew. */
@@ -139,8 +138,7 @@ static bool read_as(const char *path, const char *text, size_t length, enum mode
     const char *seen = sniff(text, length);
     const char *format = strcmp(path, "-") == 0 ? seen : ending_of(path);
     if (format == NULL) {
-        text_error_set(error, path, 0, "is not named .obj, .gltf, .glb, .stl or .ply");
-        return false;
+        return text_error_set(error, path, 0, "is not named .obj, .gltf, .glb, .stl or .ply");
     }
     if (strcmp(format, "obj") == 0) {
         return model_parse_obj(path, text, length, content != MODEL_SHAPE, model, error);
@@ -150,8 +148,7 @@ static bool read_as(const char *path, const char *text, size_t length, enum mode
                                   ? "is neither text that begins with `solid` nor as long as its "
                                     "count of triangles says"
                                   : "does not begin as such a file does";
-        text_error_set(error, path, 0, "%s (%s)", problem, format);
-        return false;
+        return text_error_set(error, path, 0, "%s (%s)", problem, format);
     }
     struct model passed_over = {0};
     if (!check_complete(path, text, length, format, &passed_over, error) ||
@@ -174,21 +171,19 @@ static bool check_use(const char *path, const struct model *model, struct text_e
 {
     enum { MOST_LOSS = 100 };
     if (model->triangle_count == 0) {
-        text_error_set(error, path, 0, "has no triangle with an area%s%s",
-                       model->left_out[0] != '\0' ? ", but: " : "", model->left_out);
-        return false;
+        return text_error_set(error, path, 0, "has no triangle with an area%s%s",
+                              model->left_out[0] != '\0' ? ", but: " : "", model->left_out);
     }
     if (model->file_triangles / MOST_LOSS > model->triangle_count) {
-        text_error_set(error, path, 0, "only %zu of its %zu triangles have an area",
-                       model->triangle_count, model->file_triangles);
-        return false;
+        return text_error_set(error, path, 0, "only %zu of its %zu triangles have an area",
+                              model->triangle_count, model->file_triangles);
     }
     if (model->file_vertices / MOST_LOSS > 3 * model->triangle_count) {
-        text_error_set(error, path, 0,
-                       "has %zu vertices, and only %zu triangles: is it a cloud of points, or are "
-                       "its triangles stored in another way than as faces?",
-                       model->file_vertices, model->triangle_count);
-        return false;
+        return text_error_set(
+            error, path, 0,
+            "has %zu vertices, and only %zu triangles: is it a cloud of points, or are "
+            "its triangles stored in another way than as faces?",
+            model->file_vertices, model->triangle_count);
     }
     return true;
 }

@@ -11,13 +11,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/mipmap.h"
 #include "model_morph.h"
 #include "model_motion.h"
 
 bool model_request_fail(const struct model_request *request, const char *problem, const char *what)
 {
-    text_error_set(request->error, request->path, 0, "%s%s", problem, what);
-    return false;
+    return text_error_set(request->error, request->path, 0, "%s%s", problem, what);
 }
 
 /* ---- Materials ---- */
@@ -30,11 +30,8 @@ static uint8_t byte_of(double value)
 /* glTF's colours are linear light. */
 static double encode(const struct model_request *request, double value)
 {
-    bool is_linear = request->format[0] == 'g';
-    if (!is_linear) {
-        return value;
-    }
-    return value <= 0.0031308 ? 12.92 * value : 1.055 * pow(value, 1.0 / 2.4) - 0.055;
+    const bool is_linear = request->format[0] == 'g';
+    return is_linear ? mipmap_from_linear(value) : value;
 }
 
 static void copy_color(const struct model_request *request, const struct aiColor4D *from,

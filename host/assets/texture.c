@@ -24,23 +24,6 @@ static uint32_t level(int value, int steps)
     return (uint32_t)((value * steps + 127) / 255);
 }
 
-static uint32_t nearest_entry(const struct texture *texture, const int color[3], int first)
-{
-    int best = first, least = 1 << 30;
-    for (int i = first; i < texture->palette_count; i++) {
-        int sum = 0;
-        for (int c = 0; c < 3; c++) {
-            int difference = color[c] - texture->palette[i][c];
-            sum += difference * difference;
-        }
-        if (sum < least) {
-            least = sum;
-            best = i;
-        }
-    }
-    return (uint32_t)best;
-}
-
 static uint32_t encode(const struct texture *texture, const int color[3])
 {
     switch (texture->format) {
@@ -49,7 +32,8 @@ static uint32_t encode(const struct texture *texture, const int color[3])
     case TEXTURE_GRAY8:
         return (uint32_t)(299 * color[0] + 587 * color[1] + 114 * color[2] + 500) / 1000;
     case TEXTURE_PALETTE:
-        return nearest_entry(texture, color, texture->has_key ? 1 : 0);
+        return (uint32_t)texture_nearest_color(texture->palette, texture->has_key ? 1 : 0,
+                                               texture->palette_count, color);
     default:
         return (uint32_t)color[0] << 16 | (uint32_t)color[1] << 8 | (uint32_t)color[2];
     }

@@ -62,6 +62,9 @@ bool texture_resample(const struct image *image, int width, int height, struct i
    are so few, else median cut and k-means. Returns how many; 0 when memory runs out. */
 int texture_palette(const struct image *image, int most, uint8_t palette[256][3]);
 
+/* The entry from `first` to before `end` that is nearest to a colour. */
+int texture_nearest_color(const uint8_t (*palette)[3], int first, int end, const int color[3]);
+
 /* Makes a texture; false with *error set, which begins with `path`. */
 bool texture_make(const char *path, const struct image *image,
                   const struct texture_options *options, struct texture *texture,

@@ -116,10 +116,10 @@ static bool split(struct reduction *reduction, struct box *boxes, int count)
     return true;
 }
 
-static int nearest(uint8_t palette[256][3], int count, const int color[3])
+int texture_nearest_color(const uint8_t (*palette)[3], int first, int end, const int color[3])
 {
-    int best = 0, least = 1 << 30;
-    for (int i = 0; i < count; i++) {
+    int best = first, least = 1 << 30;
+    for (int i = first; i < end; i++) {
         int sum = 0;
         for (int c = 0; c < 3; c++) {
             sum += (color[c] - palette[i][c]) * (color[c] - palette[i][c]);
@@ -140,7 +140,7 @@ static void refine(const struct reduction *reduction, uint8_t palette[256][3], i
     for (int i = 0; i < reduction->bin_count; i++) {
         const struct bin *bin = &reduction->bins[i];
         const int mean[3] = {mean_of(bin, 0), mean_of(bin, 1), mean_of(bin, 2)};
-        uint64_t *sum = sums[nearest(palette, count, mean)];
+        uint64_t *sum = sums[texture_nearest_color((const uint8_t(*)[3])palette, 0, count, mean)];
         for (int c = 0; c < 3; c++) {
             sum[c] += bin->sum[c];
         }

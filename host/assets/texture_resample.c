@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/mipmap.h"
+
 int texture_nearest_side(int side)
 {
     int power = 1;
@@ -12,17 +14,6 @@ int texture_nearest_side(int side)
         power *= 2;
     }
     return power;
-}
-
-/* sRGB of IEC 61966-2-1; 0..1 both ways. */
-static double to_linear(double value)
-{
-    return value <= 0.04045 ? value / 12.92 : pow((value + 0.055) / 1.055, 2.4);
-}
-
-static double from_linear(double value)
-{
-    return value <= 0.0031308 ? 12.92 * value : 1.055 * pow(value, 1.0 / 2.4) - 0.055;
 }
 
 /* Light of three channels times opacity, and opacity. */
@@ -46,7 +37,7 @@ static bool plane_of(const struct image *image, struct plane *plane)
         return false;
     }
     for (int i = 0; i < 256; i++) {
-        linear[i] = (float)to_linear(i / 255.0);
+        linear[i] = (float)mipmap_to_linear(i / 255.0);
     }
     size_t count = (size_t)image->width * (size_t)image->height;
     for (size_t i = 0; i < count; i++) {
@@ -101,7 +92,7 @@ static bool image_of(const struct plane *plane, struct image *out)
         double opacity = (double)plane->pixels[i][3];
         for (int channel = 0; channel < 3 && opacity > 0.0; channel++) {
             double light = (double)plane->pixels[i][channel] / opacity;
-            out->rgba[4 * i + (size_t)channel] = byte_of(from_linear(light));
+            out->rgba[4 * i + (size_t)channel] = byte_of(mipmap_from_linear(light));
         }
         out->rgba[4 * i + 3] = byte_of(opacity);
     }

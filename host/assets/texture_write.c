@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../io/mipmap.h"
 #include "asset_write.h"
 
 #include <inttypes.h>
@@ -13,16 +14,6 @@ static const struct {
     [TEXTURE_GRAY8] = {"uint8_t", "qtri_texel_gray8", 2, 16},
     [TEXTURE_XRGB8888] = {"uint32_t", "qtri_texel_xrgb8888", 8, 8},
 };
-
-static int log2_of(int side)
-{
-    int log2 = 0;
-    while (side > 1) {
-        side /= 2;
-        log2++;
-    }
-    return log2;
-}
 
 static void write_texels(const struct texture *texture, const char *name, FILE *out)
 {
@@ -70,8 +61,9 @@ void texture_write_data(const struct texture *texture, const char *name, const c
     }
     fprintf(out, "%sconst qtri_texture %s = {\n", linkage, name);
     fprintf(out, "    %s_texels, &%s,\n", name, formats[texture->format].description);
-    fprintf(out, "    %d, %d, /* width_log2, height_log2: %d x %d */\n", log2_of(texture->width),
-            log2_of(texture->height), texture->width, texture->height);
+    fprintf(out, "    %d, %d, /* width_log2, height_log2: %d x %d */\n",
+            mipmap_log2(texture->width), mipmap_log2(texture->height), texture->width,
+            texture->height);
     fputs("    0, {{0, 0, 0}, {0, 0, 0}}, /* fields, color: of checkers */\n", out);
     fprintf(out, "    %s, %s, %s, /* wrap_u, wrap_v, filter */\n",
             texture->clamp_u ? "QTRI_CLAMP" : "QTRI_REPEAT",

@@ -11,8 +11,8 @@ bool truetype_read(const char *path, const struct truetype_wanted *wanted, struc
 {
     (void)wanted;
     memset(font, 0, sizeof *font);
-    text_error_set(error, path, 0, "this qtri was built without libfreetype and reads BDF alone");
-    return false;
+    return text_error_set(error, path, 0,
+                          "this qtri was built without libfreetype and reads BDF alone");
 }
 
 #else
@@ -23,12 +23,6 @@ bool truetype_read(const char *path, const struct truetype_wanted *wanted, struc
 #include "../io/file.h"
 
 enum { MOST_GLYPHS = 65535, MOST_BYTES = 65535 };
-
-static bool fail(struct text_error *error, const char *path, const char *problem)
-{
-    text_error_set(error, path, 0, "%s", problem);
-    return false;
-}
 
 static bool fits(const struct bdf_glyph *glyph)
 {
@@ -66,7 +60,7 @@ static bool add_glyph(FT_Face face, uint32_t character, struct bdf_font *font, c
         return true;
     }
     if (FT_Load_Glyph(face, index, FT_LOAD_RENDER | FT_LOAD_TARGET_MONO) != 0) {
-        return fail(error, path, "has a glyph that cannot be drawn");
+        return text_error_set(error, path, 0, "has a glyph that cannot be drawn");
     }
     const struct bdf_glyph glyph = {.character = character,
                                     .width = (int)slot->bitmap.width,
@@ -78,17 +72,17 @@ static bool add_glyph(FT_Face face, uint32_t character, struct bdf_font *font, c
     struct bdf_glyph *glyphs =
         realloc(font->glyphs, (font->glyph_count + 1) * sizeof *font->glyphs);
     if (glyphs == NULL) {
-        return fail(error, path, "out of memory");
+        return text_error_set(error, path, 0, "out of memory");
     }
     font->glyphs = glyphs;
     glyphs[font->glyph_count++] = glyph;
     if (!add_rows(font, &slot->bitmap)) {
-        return fail(error, path, "out of memory");
+        return text_error_set(error, path, 0, "out of memory");
     }
     if (!fits(&glyph) || font->row_bytes > MOST_BYTES || font->glyph_count > MOST_GLYPHS) {
-        return fail(error, path,
-                    "its glyphs take more than 65535 bytes, or one is larger than a "
-                    "font holds: a smaller --size or --range does");
+        return text_error_set(error, path, 0,
+                              "its glyphs take more than 65535 bytes, or one is larger than a "
+                              "font holds: a smaller --size or --range does");
     }
     return true;
 }
@@ -126,7 +120,8 @@ static bool draw(FT_Face face, const struct truetype_wanted *wanted, struct bdf_
                         : add_range(face, 0x20, 0x7E, font, path, error) &&
                               add_range(face, 0xA0, 0xFF, font, path, error);
     set_missing(font);
-    return ok && (font->glyph_count > 0 || fail(error, path, "has none of these characters"));
+    return ok && (font->glyph_count > 0 ||
+                  text_error_set(error, path, 0, "has none of these characters"));
 }
 
 static bool read_face(FT_Library library, const struct file_content *file,
@@ -136,11 +131,11 @@ static bool read_face(FT_Library library, const struct file_content *file,
     FT_Face face;
     if (FT_New_Memory_Face(library, (const FT_Byte *)file->bytes, (FT_Long)file->length, 0,
                            &face) != 0) {
-        return fail(error, path, "is not a font that FreeType knows, or incomplete");
+        return text_error_set(error, path, 0, "is not a font that FreeType knows, or incomplete");
     }
     const bool ok = FT_Set_Pixel_Sizes(face, 0, (FT_UInt)wanted->size) == 0
                         ? draw(face, wanted, font, path, error)
-                        : fail(error, path, "cannot be drawn at this --size");
+                        : text_error_set(error, path, 0, "cannot be drawn at this --size");
     (void)FT_Done_Face(face);
     return ok;
 }
@@ -156,7 +151,7 @@ bool truetype_read(const char *path, const struct truetype_wanted *wanted, struc
     }
     bool ok = FT_Init_FreeType(&library) == 0;
     if (!ok) {
-        (void)fail(error, path, "out of memory");
+        (void)text_error_set(error, path, 0, "out of memory");
     } else {
         ok = read_face(library, &file, wanted, font, path, error);
         (void)FT_Done_FreeType(library);

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/mipmap.h"
 #include "../io/scene.h"
 #include "../reference/reference.h"
 #include "bench_world.h"
@@ -324,12 +325,8 @@ static bool read_texture(const char *folder, const char *models, const struct su
     }
     texture.texels = texels;
     texture.format = &qtri_texel_rgb565;
-    while (1 << texture.width_log2 < scene->texture.width) {
-        texture.width_log2++;
-    }
-    while (1 << texture.height_log2 < scene->texture.height) {
-        texture.height_log2++;
-    }
+    texture.width_log2 = mipmap_log2(scene->texture.width);
+    texture.height_log2 = mipmap_log2(scene->texture.height);
     for (int i = 0; i < scene->texture.width * scene->texture.height; i++) {
         const uint8_t *c = &scene->texture.rgb[3 * i];
         const qtri_rgb rgb = {c[0], c[1], c[2]};

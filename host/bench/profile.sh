@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Where the instructions of one scene go: profile.sh PROGRAM.elf PROFILE TOOL-PREFIX EMULATOR...  (called by `make bench-profile`)
-# PROGRAM draws one scene, PROFILE is profile.c compiled. The table of instructions is left beside PROGRAM.
+# Where the instructions of one scene go: profile.sh PROGRAM.elf TOOL-PREFIX EMULATOR...  (called by `make bench-profile`)
+# PROGRAM draws one scene. The table of instructions is left beside PROGRAM.
 set -eu
-program=$1 profile=$2 prefix=$3
-shift 3
+program=$1 prefix=$2
+shift 2
 table=${program%.elf}.instructions
 
 "${prefix}objdump" -d --no-show-raw-insn "$program" | sed -n 's/^ *\([0-9a-f]*\):.*/0x\1/p' >"$table.addresses"
@@ -47,7 +47,7 @@ awk '
 rm -f "$table.addresses" "$table.symbols" "$table.lines"
 
 "$@" -display none -monitor none -serial null -d in_asm,exec,nochain -D /dev/stdout -kernel "$program" </dev/null 2>/dev/null |
-    "$profile" "$table" "${program%.elf}.counts"
+    awk -f host/bench/profile.awk -v counts="${program%.elf}.counts" "$table" -
 
 # FUNCTIONS: their disassembly, with how often each instruction ran.
 for name in ${FUNCTIONS:-}; do

@@ -31,9 +31,9 @@ scene_link    = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(BENCH_LINK)
 
 # The meshes, as C for all and as OBJ for the reference. Written anew when the models come or go.
 SCENE_TOOL := $(SCENE_DIR)/bench_meshes
-$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/bench/mesh_write.c host/tools/mesh_faces.c host/tools/mesh_neighbours.c host/tools/mesh_generate.c host/tools/mesh_solids.c $(wildcard host/io/*.c)) $(LIBRARY)
+$(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/bench/mesh_write.c) $(HOST) $(LIBRARY)
 	@mkdir -p $(@D)
-	$(call run,link $@)$(CC) $(CFLAGS) -o $@ $^ -lm
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm $(HOST_LIBS)
 
 $(SCENE_DIR)/bench_meshes.c: $(SCENE_TOOL) $(SCENE_MODELS) $(SCENE_DIR)/models
 	$(SCENE_TOOL) $(@D) $(or $(MODELS),none)
@@ -125,11 +125,6 @@ antialias-lines: $(SMOOTH_TOOL) $(SMOOTH_CORES:%=$(SCENE_DIR)/%/bench.txt)
 # FUNCTIONS="qtri_large_next_row draw": also their disassembly, with how often each instruction ran.
 
 PROFILE_SCENES := $(or $(BENCH_SCENES),$(if $(filter %/spot.obj,$(SCENE_MODELS)),S4 S5 S7,S4k S5k S7k))
-PROFILE_TOOL   := $(SCENE_DIR)/profile
-
-$(PROFILE_TOOL): $(call objects,host/bench/profile.c)
-	@mkdir -p $(@D)
-	$(call run,link $@)$(CC) $(CFLAGS) -o $@ $^
 
 # The program of one scene: that of all, with another bench_program.o.
 profile_dir     := $(SCENE_DIR)/$(PROFILE_CORE)
@@ -154,11 +149,11 @@ ifeq ($(profile_present),)
 else
 	@$(MAKE) -s $(PARALLEL) profile-programs
 	@$(foreach scene,$(PROFILE_SCENES),echo; echo "== $(scene), $(PROFILE_CORE)"; \
-	    FUNCTIONS='$(FUNCTIONS)' sh host/bench/profile.sh $(profile_dir)/$(scene).elf $(PROFILE_TOOL) $(profile_prefix) \
+	    FUNCTIONS='$(FUNCTIONS)' sh host/bench/profile.sh $(profile_dir)/$(scene).elf $(profile_prefix) \
 	        $(call bench_emulator,$(PROFILE_CORE)) || exit 1;)
 endif
 
-profile-programs: $(PROFILE_TOOL) $(PROFILE_SCENES:%=$(profile_dir)/%.elf)
+profile-programs: $(PROFILE_SCENES:%=$(profile_dir)/%.elf)
 
 # Time on the host -----------------------------------------------------------------------------------
 # BASE=COMMIT builds that commit's benchmark as well, and times the scenes that both have in turn.

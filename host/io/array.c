@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 void *array_grow(void *items, size_t count, size_t *capacity, size_t item_size)
 {
@@ -19,4 +20,16 @@ void *array_grow(void *items, size_t count, size_t *capacity, size_t item_size)
         *capacity = larger;
     }
     return moved;
+}
+
+void *array_add(void *items, size_t *count, size_t *capacity, size_t item_size)
+{
+    void *moved;
+    memcpy(&moved, items, sizeof moved); /* of any type */
+    moved = array_grow(moved, *count, capacity, item_size);
+    if (moved == NULL) {
+        return NULL;
+    }
+    memcpy(items, &moved, sizeof moved);
+    return memset((char *)moved + (*count)++ * item_size, 0, item_size);
 }

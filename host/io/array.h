@@ -13,4 +13,10 @@
  */
 void *array_grow(void *items, size_t count, size_t *capacity, size_t item_size);
 
+/*
+ * Adds an item of zeros behind the *count items that the pointer at `items` names, and counts it.
+ * NULL when memory runs out: then nothing has changed.
+ */
+void *array_add(void *items, size_t *count, size_t *capacity, size_t item_size);
+
 #endif

@@ -32,9 +32,8 @@ struct parser {
 
 static bool fail(struct parser *p, const char *sentence)
 {
-    text_error_set(p->error, p->name, p->line, "%s%s%s", p->keyword,
-                   p->keyword[0] != '\0' ? ": " : "", sentence);
-    return false;
+    return text_error_set(p->error, p->name, p->line, "%s%s%s", p->keyword,
+                          p->keyword[0] != '\0' ? ": " : "", sentence);
 }
 
 static bool integer(struct parser *p, int argument, int minimum, int maximum, int *value)
@@ -46,9 +45,9 @@ static bool integer(struct parser *p, int argument, int minimum, int maximum, in
     }
     const struct token *token = &p->argument[argument];
     if (number_parse_integer(token->text, token->length, minimum, maximum, &parsed) != NUMBER_OK) {
-        text_error_set(p->error, p->name, p->line, "%s: '%s' is not a whole number in %d..%d",
-                       p->keyword, token_quote(token, quoted), minimum, maximum);
-        return false;
+        return text_error_set(p->error, p->name, p->line,
+                              "%s: '%s' is not a whole number in %d..%d", p->keyword,
+                              token_quote(token, quoted), minimum, maximum);
     }
     *value = (int)parsed;
     return true;
@@ -62,12 +61,11 @@ static bool append(struct parser *p, uint8_t byte)
     if (font->row_bytes == UINT16_MAX) {
         return fail(p, "the font has more than 65535 bytes of rows");
     }
-    uint8_t *grown = array_grow(font->rows, font->row_bytes, &p->row_capacity, 1);
-    if (grown == NULL) {
+    uint8_t *added = array_add(&font->rows, &font->row_bytes, &p->row_capacity, 1);
+    if (added == NULL) {
         return fail(p, "out of memory");
     }
-    font->rows = grown;
-    font->rows[font->row_bytes++] = byte;
+    *added = byte;
     return true;
 }
 
@@ -174,13 +172,12 @@ static bool end_glyph(struct parser *p)
     if (font->glyph_count == UINT16_MAX) {
         return fail(p, "the font has more than 65535 glyphs");
     }
-    struct bdf_glyph *grown =
-        array_grow(font->glyphs, font->glyph_count, &p->glyph_capacity, sizeof *grown);
-    if (grown == NULL) {
+    struct bdf_glyph *glyph =
+        array_add(&font->glyphs, &font->glyph_count, &p->glyph_capacity, sizeof *glyph);
+    if (glyph == NULL) {
         return fail(p, "out of memory");
     }
-    font->glyphs = grown;
-    font->glyphs[font->glyph_count++] = p->glyph;
+    *glyph = p->glyph;
     return true;
 }
 

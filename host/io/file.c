@@ -58,8 +58,7 @@ bool file_read(const char *path, struct file_content *content, struct text_error
     const bool standard = strcmp(path, "-") == 0;
     int descriptor = standard ? STDIN_FILENO : system_open_input(path);
     if (descriptor < 0) {
-        text_error_set(error, path, 0, "cannot be opened: %s", strerror(errno));
-        return false;
+        return text_error_set(error, path, 0, "cannot be opened: %s", strerror(errno));
     }
     int failure = file_inputs_add(descriptor);
     failure = failure != 0 ? failure : read_all(descriptor, content);
@@ -186,8 +185,7 @@ bool file_output_open(struct file_output *output, const char *path, struct text_
 {
     memset(output, 0, sizeof *output);
     if (file_inputs_has(path)) {
-        text_error_set(error, path, 0, "has been read: it would be overwritten");
-        return false;
+        return text_error_set(error, path, 0, "has been read: it would be overwritten");
     }
     /* Behind a link: it is the picture that is replaced, not the link. */
     const bool is_stream = file_is_stream(path);

@@ -4,15 +4,23 @@
 #include <math.h>
 #include <stddef.h>
 
-/* sRGB of IEC 61966-2-1; 0..1 both ways. */
-static double to_linear(double value)
+double mipmap_to_linear(double value)
 {
     return value <= 0.04045 ? value / 12.92 : pow((value + 0.055) / 1.055, 2.4);
 }
 
-static double from_linear(double value)
+double mipmap_from_linear(double value)
 {
     return value <= 0.0031308 ? 12.92 * value : 1.055 * pow(value, 1.0 / 2.4) - 0.055;
+}
+
+uint8_t mipmap_log2(int side)
+{
+    uint8_t log2 = 0;
+    while (side >> log2 > 1) {
+        log2++;
+    }
+    return log2;
 }
 
 int mipmap_side(int side, int level)
@@ -44,7 +52,7 @@ static void mean(const uint8_t *rgba, size_t stride, int columns, int rows,
         }
     }
     for (int c = 0; c < 3; c++) {
-        double value = opacity > 0.0 ? from_linear(light[c] / opacity) : 0.0;
+        double value = opacity > 0.0 ? mipmap_from_linear(light[c] / opacity) : 0.0;
         out[c] = (uint8_t)lround(255.0 * fmin(fmax(value, 0.0), 1.0));
     }
     out[3] = (uint8_t)lround(opacity / ((double)columns * rows));
@@ -56,7 +64,7 @@ void mipmap_level(const uint8_t *rgba, int width, int height, int level, uint8_t
     const int to_width = mipmap_side(width, level), to_height = mipmap_side(height, level);
     const int columns = width / to_width, rows = height / to_height;
     for (int i = 0; i < 256; i++) {
-        linear[i] = to_linear(i / 255.0);
+        linear[i] = mipmap_to_linear(i / 255.0);
     }
     for (int y = 0; y < to_height; y++) {
         for (int x = 0; x < to_width; x++) {

@@ -8,6 +8,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* sRGB of IEC 61966-2-1 as linear light, and back: 0..1 both ways. */
+double mipmap_to_linear(double value);
+double mipmap_from_linear(double value);
+
+/* Of a side that is a power of two. */
+uint8_t mipmap_log2(int side);
+
 /* A side after `level` times its half, 1 at least. */
 int mipmap_side(int side, int level);
 

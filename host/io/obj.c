@@ -30,17 +30,15 @@ static const char *const attribute_names[OBJ_ATTRIBUTES] = {"v", "vt", "vn"};
 
 static bool fail(const struct obj_parser *parser, const char *sentence)
 {
-    text_error_set(parser->error, parser->name, parser->line, "%s", sentence);
-    return false;
+    return text_error_set(parser->error, parser->name, parser->line, "%s", sentence);
 }
 
 static bool fail_token(const struct obj_parser *parser, const struct token *token,
                        const char *problem)
 {
     char quoted[TOKEN_QUOTE_SIZE];
-    text_error_set(parser->error, parser->name, parser->line, "'%s' %s", token_quote(token, quoted),
-                   problem);
-    return false;
+    return text_error_set(parser->error, parser->name, parser->line, "'%s' %s",
+                          token_quote(token, quoted), problem);
 }
 
 /* ---- v, vt, vn ---- */
@@ -103,13 +101,13 @@ static int read_numbers(struct obj_parser *parser, struct line *line, enum obj_a
 
 static bool append(struct obj_list *list, const double numbers[3])
 {
-    double(*grown)[3] = array_grow(list->items, list->count, &list->capacity, sizeof *grown);
-    if (grown == NULL || list->count >= OBJ_MAX_COUNT) {
-        return false;
+    double(*item)[3] = list->count < OBJ_MAX_COUNT
+                           ? array_add(&list->items, &list->count, &list->capacity, sizeof *item)
+                           : NULL;
+    if (item != NULL) {
+        memcpy(item, numbers, sizeof *item);
     }
-    list->items = grown;
-    memcpy(grown[list->count++], numbers, sizeof *grown);
-    return true;
+    return item != NULL;
 }
 
 /* v x y z r g b and v x y z w r g b: the last three of six or seven numbers. */
@@ -206,16 +204,16 @@ static bool parse_corner(struct obj_parser *parser, const struct token *token,
 static bool add_triangle(struct obj_parser *parser, uint32_t a, uint32_t b, uint32_t c)
 {
     struct obj_source *source = parser->source;
-    uint32_t(*grown)[3] = array_grow(source->triangles, source->triangle_count,
-                                     &source->triangle_capacity, sizeof *grown);
-    if (grown == NULL || source->triangle_count >= OBJ_MAX_COUNT) {
-        return fail(parser, "out of memory");
-    }
-    source->triangles = grown; /* the old block is gone, whatever follows */
     if (source->full && source->triangle_count >= OBJ_MAX_TRIANGLES) {
         return fail(parser, "more than 2097152 triangles; simplify the model elsewhere first");
     }
-    uint32_t *triangle = grown[source->triangle_count++];
+    uint32_t *triangle = source->triangle_count < OBJ_MAX_COUNT
+                             ? array_add(&source->triangles, &source->triangle_count,
+                                         &source->triangle_capacity, sizeof *source->triangles)
+                             : NULL;
+    if (triangle == NULL) {
+        return fail(parser, "out of memory");
+    }
     triangle[0] = a;
     triangle[1] = b;
     triangle[2] = c;
@@ -225,14 +223,13 @@ static bool add_triangle(struct obj_parser *parser, uint32_t a, uint32_t b, uint
 static bool add_polygon(struct obj_parser *parser, size_t first_triangle)
 {
     struct obj_source *source = parser->source;
-    struct obj_polygon *grown = array_grow(source->polygons, source->polygon_count,
-                                           &source->polygon_capacity, sizeof *grown);
-    if (grown == NULL) {
+    struct obj_polygon *polygon = array_add(&source->polygons, &source->polygon_count,
+                                            &source->polygon_capacity, sizeof *polygon);
+    if (polygon == NULL) {
         return fail(parser, "out of memory");
     }
-    source->polygons = grown;
-    grown[source->polygon_count].first = (uint32_t)first_triangle;
-    grown[source->polygon_count++].count = (uint32_t)(source->triangle_count - first_triangle);
+    polygon->first = (uint32_t)first_triangle;
+    polygon->count = (uint32_t)(source->triangle_count - first_triangle);
     return true;
 }
 
@@ -263,7 +260,7 @@ static bool parse_face(struct obj_parser *parser, struct line *line)
         if (!parse_corner(parser, &token, &corner)) {
             return false;
         }
-        if (!obj_add_corner(parser->source, &corner, &vertex)) {
+        if (!unique_add(&parser->source->vertices, &corner, &vertex)) {
             return fail(parser, "out of memory");
         }
         if (corners >= 2 && !add_triangle(parser, first, previous, vertex)) {
@@ -322,19 +319,15 @@ static bool parse_name(struct obj_parser *parser, struct line *line, struct obj_
     if (names->count == OBJ_MAX_NAMES || memchr(line->at, 0, length) != NULL) {
         return fail(parser, "too many names, or a name that holds a NUL");
     }
-    struct obj_name *grown =
-        array_grow(names->items, names->count, &names->capacity, sizeof *grown);
-    char *text = calloc(length + 1, 1); // NOLINT(clang-analyzer-optin*): never 0 bytes
-    if (grown != NULL) {
-        names->items = grown;
+    struct obj_name *name = array_add(&names->items, &names->count, &names->capacity, sizeof *name);
+    if (name != NULL) {
+        name->line = parser->line;
+        name->text = calloc(length + 1, 1); // NOLINT(clang-analyzer-optin*): never 0 bytes
     }
-    if (grown == NULL || text == NULL) {
-        free(text);
+    if (name == NULL || name->text == NULL) {
         return fail(parser, "out of memory");
     }
-    memcpy(text, line->at, length);
-    grown[names->count].line = parser->line;
-    grown[names->count++].text = text;
+    memcpy(name->text, line->at, length);
     return true;
 }
 
@@ -382,10 +375,10 @@ static bool check_forward_references(struct obj_parser *parser)
     for (int i = 0; i < OBJ_ATTRIBUTES; i++) {
         size_t count = parser->source->lists[i].count;
         if (parser->forward[i].index > count) {
-            text_error_set(parser->error, parser->name, parser->forward[i].line,
-                           "index %lu is out of range: the file has %zu %s statements",
-                           (unsigned long)parser->forward[i].index, count, attribute_names[i]);
-            return false;
+            return text_error_set(parser->error, parser->name, parser->forward[i].line,
+                                  "index %lu is out of range: the file has %zu %s statements",
+                                  (unsigned long)parser->forward[i].index, count,
+                                  attribute_names[i]);
         }
     }
     return true;
@@ -413,6 +406,7 @@ static bool parse_all(struct obj_parser *parser, const char *text, size_t length
 bool obj_parse_source(const char *name, const char *text, size_t length, struct obj_source *source,
                       struct text_error *error)
 {
+    source->vertices.item_size = sizeof(struct obj_corner);
     struct obj_parser parser = {
         .name = name, .end = text + length, .error = error, .source = source};
     if (source->full) { /* the material of faces before any usemtl */

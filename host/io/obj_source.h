@@ -12,6 +12,7 @@
 
 #include "lines.h"
 #include "obj.h"
+#include "unique.h"
 
 #define OBJ_ABSENT    UINT32_MAX        /* a corner without this attribute */
 #define OBJ_MAX_COUNT ((size_t)1 << 31) /* of anything in a file: indices fit 32 bits */
@@ -52,21 +53,13 @@ struct obj_names {
     size_t count, capacity;
 };
 
-/* Finds the vertex that stands for a corner: open addressing, slots hold vertex + 1 or 0. */
-struct obj_table {
-    uint32_t *slots;
-    size_t size; /* a power of two, or 0 */
-};
-
 struct obj_source {
     struct obj_list lists[OBJ_ATTRIBUTES];
-    struct obj_corner *vertices; /* the distinct corners, in the order they appear */
-    size_t vertex_count, vertex_capacity;
+    struct unique vertices; /* the distinct corners, in the order they appear */
     uint32_t (*triangles)[3];
     size_t triangle_count, triangle_capacity;
     struct obj_polygon *polygons;
     size_t polygon_count, polygon_capacity;
-    struct obj_table table;
     struct obj_list colors; /* one for each position, 0..1; white where the file gives none */
     bool has_colors;
     bool wide_positions; /* positions alone are in double precision: they will be scaled */
@@ -77,8 +70,8 @@ struct obj_source {
 };
 
 /*
- * Parses the text into *source, which is zero but for `full`. False with *error set. Either way the
- * source is to be freed.
+ * Parses the text into *source, which is zero but for `full` and `wide_positions`. False with
+ * *error set. Either way the source is to be freed.
  */
 bool obj_parse_source(const char *name, const char *text, size_t length, struct obj_source *source,
                       struct text_error *error);
@@ -89,8 +82,11 @@ bool obj_is_edge(struct line line);
 
 void obj_source_free(struct obj_source *source);
 
-/* The vertex of a corner, new or known. False when memory runs out. */
-bool obj_add_corner(struct obj_source *source, const struct obj_corner *corner, uint32_t *vertex);
+/* The corner of a vertex. */
+static inline const struct obj_corner *obj_vertex(const struct obj_source *source, size_t vertex)
+{
+    return (const struct obj_corner *)source->vertices.items + vertex;
+}
 
 /* Cuts polygons, which are fans, into triangles that cover them. False when memory runs out. */
 bool obj_triangulate(struct obj_source *source);

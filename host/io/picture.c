@@ -151,146 +151,105 @@ bool picture_write_ppm(const char *path, const struct picture *picture, struct t
 
 /* ---- Dumps ---- */
 
-static char *dump_path(const char *prefix, const char *suffix, struct text_error *error)
+/* The members of a dump: their ending, and how many bytes a pixel has there. */
+static const struct {
+    const char *ending;
+    size_t bytes;
+} dumps[] = {{".id", sizeof(uint32_t)}, {".depth", sizeof(double)}};
+
+enum { DUMPS = sizeof dumps / sizeof dumps[0] };
+
+static char *dump_path(const char *prefix, int dump, struct text_error *error)
 {
-    size_t size = strlen(prefix) + strlen(suffix) + 1;
+    size_t size = strlen(prefix) + strlen(dumps[dump].ending) + 1;
     char *path = malloc(size);
     if (path == NULL) {
         text_error_set(error, prefix, 0, "out of memory");
         return NULL;
     }
-    (void)snprintf(path, size, "%s%s", prefix, suffix);
+    (void)snprintf(path, size, "%s%s", prefix, dumps[dump].ending);
     return path;
 }
 
-static void write_little_endian(struct file_output *output, uint64_t value, size_t size)
+/* Turns `size` bytes between this machine's order and little-endian. */
+static void turn_bytes(uint8_t *bytes, size_t size)
 {
-    uint8_t bytes[8];
-    for (size_t i = 0; i < size; i++) {
-        bytes[i] = (uint8_t)(value >> (8 * i));
+    const uint16_t one = 1;
+    uint8_t first;
+    memcpy(&first, &one, 1);
+    for (size_t i = 0; first == 0 && i < size / 2; i++) {
+        const uint8_t byte = bytes[i];
+        bytes[i] = bytes[size - 1 - i];
+        bytes[size - 1 - i] = byte;
     }
-    file_output_write(output, bytes, size);
 }
 
-static uint64_t read_little_endian(const char *bytes, size_t size)
-{
-    uint64_t value = 0;
-    for (size_t i = 0; i < size; i++) {
-        value |= (uint64_t)(uint8_t)bytes[i] << (8 * i);
-    }
-    return value;
-}
-
-static bool write_ids(const char *path, const struct picture *picture, struct text_error *error)
+static bool write_items(const char *path, const struct picture *picture, const void *items,
+                        size_t size, struct text_error *error)
 {
     struct file_output output;
     if (!file_output_open(&output, path, error)) {
         return false;
     }
     for (size_t i = 0; i < pixel_count(picture); i++) {
-        write_little_endian(&output, picture->id[i], 4);
-    }
-    return file_output_commit(&output, error);
-}
-
-static bool write_depths(const char *path, const struct picture *picture, struct text_error *error)
-{
-    struct file_output output;
-    if (!file_output_open(&output, path, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < pixel_count(picture); i++) {
-        uint64_t bits;
-        memcpy(&bits, &picture->depth[i], sizeof bits);
-        write_little_endian(&output, bits, 8);
+        uint8_t bytes[8];
+        memcpy(bytes, (const uint8_t *)items + i * size, size);
+        turn_bytes(bytes, size);
+        file_output_write(&output, bytes, size);
     }
     return file_output_commit(&output, error);
 }
 
 bool picture_write_dump(const char *prefix, const struct picture *picture, struct text_error *error)
 {
-    char *id_path = dump_path(prefix, ".id", error);
-    char *depth_path = dump_path(prefix, ".depth", error);
-    bool ok = id_path != NULL && depth_path != NULL &&
-              (picture->id == NULL || write_ids(id_path, picture, error)) &&
-              (picture->depth == NULL || write_depths(depth_path, picture, error));
-    free(id_path);
-    free(depth_path);
+    const void *const items[DUMPS] = {picture->id, picture->depth};
+    bool ok = true;
+    for (int i = 0; ok && i < DUMPS; i++) {
+        char *path = dump_path(prefix, i, error);
+        ok = path != NULL &&
+             (items[i] == NULL || write_items(path, picture, items[i], dumps[i].bytes, error));
+        free(path);
+    }
     return ok;
 }
 
-/* Leaves file->bytes NULL where there is no such file. */
-static bool read_items(const char *path, size_t item_size, const struct picture *picture,
-                       struct file_content *file, struct text_error *error)
+/* Leaves *items NULL where there is no such file. */
+static bool read_items(const char *path, const struct picture *picture, void **items, size_t size,
+                       struct text_error *error)
 {
-    file->bytes = NULL;
+    const size_t count = pixel_count(picture);
+    struct file_content file;
+    *items = NULL;
     if (file_inspect(path, NULL) == FILE_MISSING) {
         return true;
     }
-    if (!file_read(path, file, error)) {
+    if (!file_read(path, &file, error)) {
         return false;
     }
-    if (file->length != pixel_count(picture) * item_size) {
-        text_error_set(error, path, 0, "%zu bytes, but %d x %d pixels need %zu", file->length,
-                       picture->width, picture->height, pixel_count(picture) * item_size);
-        free(file->bytes);
-        return false;
+    if (file.length != count * size) {
+        free(file.bytes);
+        return text_error_set(error, path, 0, "%zu bytes, but %d x %d pixels need %zu", file.length,
+                              picture->width, picture->height, count * size);
     }
+    for (size_t i = 0; i < count; i++) {
+        turn_bytes((uint8_t *)file.bytes + i * size, size);
+    }
+    *items = file.bytes; /* as malloc() gave it: aligned for any type */
     return true;
-}
-
-static bool read_ids(const char *path, struct picture *picture, struct text_error *error)
-{
-    struct file_content file;
-    if (!read_items(path, 4, picture, &file, error)) {
-        return false;
-    }
-    if (file.bytes == NULL) {
-        return true;
-    }
-    picture->id = malloc(pixel_count(picture) * sizeof *picture->id);
-    for (size_t i = 0; picture->id != NULL && i < pixel_count(picture); i++) {
-        picture->id[i] = (uint32_t)read_little_endian(file.bytes + 4 * i, 4);
-    }
-    free(file.bytes);
-    if (picture->id == NULL) {
-        text_error_set(error, path, 0, "out of memory");
-    }
-    return picture->id != NULL;
-}
-
-static bool read_depths(const char *path, struct picture *picture, struct text_error *error)
-{
-    struct file_content file;
-    if (!read_items(path, 8, picture, &file, error)) {
-        return false;
-    }
-    if (file.bytes == NULL) {
-        return true;
-    }
-    picture->depth = malloc(pixel_count(picture) * sizeof *picture->depth);
-    for (size_t i = 0; picture->depth != NULL && i < pixel_count(picture); i++) {
-        uint64_t bits = read_little_endian(file.bytes + 8 * i, 8);
-        memcpy(&picture->depth[i], &bits, sizeof bits);
-    }
-    free(file.bytes);
-    if (picture->depth == NULL) {
-        text_error_set(error, path, 0, "out of memory");
-    }
-    return picture->depth != NULL;
 }
 
 bool picture_read_dump(const char *prefix, struct picture *picture, struct text_error *error)
 {
+    void *items[DUMPS] = {NULL};
+    bool ok = true;
+    for (int i = 0; ok && i < DUMPS; i++) {
+        char *path = dump_path(prefix, i, error);
+        ok = path != NULL && read_items(path, picture, &items[i], dumps[i].bytes, error);
+        free(path);
+    }
     free(picture->id);
     free(picture->depth);
-    picture->id = NULL;
-    picture->depth = NULL;
-    char *id_path = dump_path(prefix, ".id", error);
-    char *depth_path = dump_path(prefix, ".depth", error);
-    bool ok = id_path != NULL && depth_path != NULL && read_ids(id_path, picture, error) &&
-              read_depths(depth_path, picture, error);
-    free(id_path);
-    free(depth_path);
+    picture->id = items[0];
+    picture->depth = items[1];
     return ok;
 }

@@ -13,15 +13,12 @@
 struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind kind)
 {
     struct scene *scene = parser->scene;
-    struct scene_op *grown =
-        array_grow(scene->ops, scene->op_count, &parser->op_capacity, sizeof *grown);
-    if (grown == NULL) {
+    struct scene_op *op =
+        array_add(&scene->ops, &scene->op_count, &parser->op_capacity, sizeof *op);
+    if (op == NULL) {
         scene_fail(parser, "out of memory");
         return NULL;
     }
-    scene->ops = grown;
-    struct scene_op *op = &grown[scene->op_count++];
-    memset(op, 0, sizeof *op);
     op->kind = kind;
     op->line = parser->line;
     op->depth_bias = parser->depth_bias;
@@ -180,13 +177,11 @@ bool scene_statement_key(struct scene_parser *parser, const int32_t *value)
         value[0] <= scene->keys[scene->key_count - 1].time) {
         return scene_fail(parser, "the time must grow from key to key");
     }
-    struct scene_key *grown =
-        array_grow(scene->keys, scene->key_count, &parser->key_capacity, sizeof *grown);
-    if (grown == NULL) {
+    struct scene_key *key =
+        array_add(&scene->keys, &scene->key_count, &parser->key_capacity, sizeof *key);
+    if (key == NULL) {
         return scene_fail(parser, "out of memory");
     }
-    scene->keys = grown;
-    struct scene_key *key = &grown[scene->key_count++];
     key->time = value[0];
     memcpy(key->position, value + 1, sizeof key->position);
     key->degrees = value[4];
@@ -309,13 +304,12 @@ bool scene_statement_triangle(struct scene_parser *parser, const int32_t *value)
 static bool add_stroke_vertex(struct scene_parser *parser, const int32_t *value)
 {
     struct scene *scene = parser->scene;
-    struct scene_vertex *grown = array_grow(scene->stroke_vertices, scene->stroke_vertex_count,
-                                            &parser->stroke_vertex_capacity, sizeof *grown);
-    if (grown == NULL) {
+    struct scene_vertex *vertex = array_add(&scene->stroke_vertices, &scene->stroke_vertex_count,
+                                            &parser->stroke_vertex_capacity, sizeof *vertex);
+    if (vertex == NULL) {
         return scene_fail(parser, "out of memory");
     }
-    scene->stroke_vertices = grown;
-    grown[scene->stroke_vertex_count++] = vertex_of(value, 7);
+    *vertex = vertex_of(value, 7);
     return true;
 }
 
@@ -507,14 +501,13 @@ static bool add_model(struct scene_parser *parser, const struct scene_model *mod
                       const int32_t color[3])
 {
     struct scene *scene = parser->scene;
-    struct scene_model *grown =
-        array_grow(scene->models, scene->model_count, &parser->model_capacity, sizeof *grown);
-    if (grown == NULL) {
+    struct scene_model *added =
+        array_add(&scene->models, &scene->model_count, &parser->model_capacity, sizeof *added);
+    if (added == NULL) {
         return scene_fail(parser, "out of memory");
     }
-    scene->models = grown;
-    grown[scene->model_count] = *model;
-    return add_mesh_op(parser, SCENE_MODEL, scene->model_count++, model->triangles, color);
+    *added = *model;
+    return add_mesh_op(parser, SCENE_MODEL, scene->model_count - 1, model->triangles, color);
 }
 
 /* How many vertices and triangles it has; counts are up to 1024. */

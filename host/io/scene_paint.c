@@ -69,39 +69,30 @@ static bool read_font(struct scene_parser *parser, const char *path, uint16_t *i
 {
     struct scene_paints *paints = &parser->scene->paints;
     struct text_error error;
-    struct bdf_font *grown =
-        array_grow(paints->fonts, paints->font_count, &parser->brush.font_capacity, sizeof *grown);
-    if (grown == NULL) {
+    struct bdf_font *font =
+        array_add(&paints->fonts, &paints->font_count, &parser->brush.font_capacity, sizeof *font);
+    if (font == NULL) {
         return scene_fail(parser, "out of memory");
     }
-    paints->fonts = grown;
-    if (!bdf_read(path, &grown[paints->font_count], &error)) {
-        return scene_fail(parser, error.message);
-    }
-    *index = (uint16_t)paints->font_count++;
-    return true;
+    *index = (uint16_t)(paints->font_count - 1);
+    return bdf_read(path, font, &error) || scene_fail(parser, error.message);
 }
 
 static bool read_image(struct scene_parser *parser, const char *path, uint16_t *index)
 {
     struct scene_paints *paints = &parser->scene->paints;
     struct text_error error;
-    struct picture *grown = array_grow(paints->images, paints->image_count,
-                                       &parser->brush.image_capacity, sizeof *grown);
-    if (grown == NULL) {
+    struct picture *image = array_add(&paints->images, &paints->image_count,
+                                      &parser->brush.image_capacity, sizeof *image);
+    if (image == NULL) {
         return scene_fail(parser, "out of memory");
     }
-    paints->images = grown;
-    struct picture *image = &grown[paints->image_count];
+    *index = (uint16_t)(paints->image_count - 1);
     if (!picture_read_ppm(path, image, &error)) {
         return scene_fail(parser, error.message);
     }
-    if (image->width > SCENE_MAX_SIZE || image->height > SCENE_MAX_SIZE) {
-        picture_free(image);
-        return scene_fail(parser, "a side of the picture is longer than 4096");
-    }
-    *index = (uint16_t)paints->image_count++;
-    return true;
+    return (image->width <= SCENE_MAX_SIZE && image->height <= SCENE_MAX_SIZE) ||
+           scene_fail(parser, "a side of the picture is longer than 4096");
 }
 
 /* The index of the file that argument 0 names, among the fonts or the images. */
@@ -119,23 +110,19 @@ static bool find_file(struct scene_parser *parser, bool is_font, uint16_t *index
             return true;
         }
     }
-    struct scene_paint_file *grown =
-        array_grow(brush->files, brush->file_count, &brush->file_capacity, sizeof *grown);
-    bool ok = grown != NULL && brush->file_count < UINT16_MAX;
-    if (grown != NULL) {
-        brush->files = grown;
-    }
-    if (!ok) {
-        scene_fail(parser, "too many files");
-    }
-    ok = ok && (is_font ? read_font(parser, path, index) : read_image(parser, path, index));
-    if (!ok) {
+    struct scene_paint_file *file =
+        brush->file_count < UINT16_MAX
+            ? array_add(&brush->files, &brush->file_count, &brush->file_capacity, sizeof *file)
+            : NULL;
+    if (file == NULL) {
         free(path);
-        return false;
+        return scene_fail(parser, "too many files");
     }
-    const struct scene_paint_file file = {path, is_font, *index};
-    brush->files[brush->file_count++] = file;
-    return true;
+    file->path = path;
+    file->is_font = is_font;
+    const bool ok = is_font ? read_font(parser, path, index) : read_image(parser, path, index);
+    file->index = *index;
+    return ok;
 }
 
 bool scene_statement_font(struct scene_parser *parser, const int32_t *value)
@@ -204,17 +191,12 @@ bool scene_statement_text(struct scene_parser *parser, const int32_t *value)
             return scene_fail_argument(parser, i, "is not text");
         }
     }
-    char **grown =
-        array_grow(paints->texts, paints->text_count, &parser->brush.text_capacity, sizeof *grown);
-    if (grown != NULL) {
-        paints->texts = grown;
-    }
-    char *text = grown != NULL ? join_words(parser) : NULL;
-    if (text == NULL) {
+    char **text =
+        array_add(&paints->texts, &paints->text_count, &parser->brush.text_capacity, sizeof *text);
+    if (text == NULL || (*text = join_words(parser)) == NULL) {
         return scene_fail(parser, "out of memory");
     }
-    parser->brush.paint.text = (uint32_t)paints->text_count;
-    paints->texts[paints->text_count++] = text;
+    parser->brush.paint.text = (uint32_t)(paints->text_count - 1);
     return add_paint(parser, SCENE_PAINT_TEXT, value, 2);
 }
 

@@ -36,9 +36,8 @@ static bool is_allowed(struct scene_parser *parser, const char *path,
     struct file_identity output;
     if (parser->output != NULL && file_inspect(parser->output, &output) == FILE_REGULAR &&
         file_is_same(&output, identity)) {
-        text_error_set(parser->error, parser->name, parser->line, "%s: %s would be overwritten",
-                       parser->statement->name, path);
-        return false;
+        return text_error_set(parser->error, parser->name, parser->line,
+                              "%s: %s would be overwritten", parser->statement->name, path);
     }
     if (parser->root == NULL) {
         return true;
@@ -63,15 +62,13 @@ static bool inspect(struct scene_parser *parser, const char *path, struct file_i
     case FILE_REGULAR:
         return is_allowed(parser, path, identity);
     case FILE_MISSING:
-        text_error_set(parser->error, parser->name, parser->line, "%s: %s does not exist",
-                       parser->statement->name, path);
-        return false;
+        return text_error_set(parser->error, parser->name, parser->line, "%s: %s does not exist",
+                              parser->statement->name, path);
     case FILE_OTHER:
         break;
     }
-    text_error_set(parser->error, parser->name, parser->line, "%s: %s is not an ordinary file",
-                   parser->statement->name, path);
-    return false;
+    return text_error_set(parser->error, parser->name, parser->line,
+                          "%s: %s is not an ordinary file", parser->statement->name, path);
 }
 
 char *scene_path(struct scene_parser *parser, int argument, struct file_identity *identity)

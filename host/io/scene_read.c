@@ -199,13 +199,11 @@ bool scene_read_as(const char *path, const struct scene_reading *how, struct sce
     struct file_content file;
     memset(scene, 0, sizeof *scene);
     if (how->output != NULL && is_same_file(path, how->output)) {
-        text_error_set(error, path, 0, "would be overwritten by %s", how->output);
-        return false;
+        return text_error_set(error, path, 0, "would be overwritten by %s", how->output);
     }
     char *root = how->below ? folder_of(path) : NULL;
     if (how->below && root == NULL) {
-        text_error_set(error, path, 0, "has no folder");
-        return false;
+        return text_error_set(error, path, 0, "has no folder");
     }
     if (!file_read(path, &file, error)) {
         free(root);

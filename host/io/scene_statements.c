@@ -173,18 +173,16 @@ bool scene_statement_usage(size_t i, const char **name, const char **arguments)
 
 bool scene_fail(struct scene_parser *parser, const char *sentence)
 {
-    text_error_set(parser->error, parser->name, parser->line, "%s: %s", parser->statement->name,
-                   sentence);
-    return false;
+    return text_error_set(parser->error, parser->name, parser->line, "%s: %s",
+                          parser->statement->name, sentence);
 }
 
 bool scene_fail_argument(struct scene_parser *parser, int argument, const char *problem)
 {
     char quoted[TOKEN_QUOTE_SIZE];
-    text_error_set(parser->error, parser->name, parser->line, "%s: '%s' %s",
-                   parser->statement->name, token_quote(&parser->arguments[argument], quoted),
-                   problem);
-    return false;
+    return text_error_set(parser->error, parser->name, parser->line, "%s: '%s' %s",
+                          parser->statement->name,
+                          token_quote(&parser->arguments[argument], quoted), problem);
 }
 
 static bool has_name(size_t i, const char *name)
@@ -214,19 +212,18 @@ static const char *usage_of(const char *name, char out[USAGE_SIZE])
 bool scene_fail_count(struct scene_parser *parser)
 {
     char usage[USAGE_SIZE];
-    text_error_set(parser->error, parser->name, parser->line, "wrong number of values (%d) for %s",
-                   parser->argument_count, usage_of(parser->statement->name, usage));
-    return false;
+    return text_error_set(parser->error, parser->name, parser->line,
+                          "wrong number of values (%d) for %s", parser->argument_count,
+                          usage_of(parser->statement->name, usage));
 }
 
 static bool fail_word(struct scene_parser *parser, int argument)
 {
     char quoted[TOKEN_QUOTE_SIZE];
     char usage[USAGE_SIZE];
-    text_error_set(parser->error, parser->name, parser->line, "'%s' is unknown here: %s",
-                   token_quote(&parser->arguments[argument], quoted),
-                   usage_of(parser->statement->name, usage));
-    return false;
+    return text_error_set(parser->error, parser->name, parser->line, "'%s' is unknown here: %s",
+                          token_quote(&parser->arguments[argument], quoted),
+                          usage_of(parser->statement->name, usage));
 }
 
 /* ---- Values ---- */
@@ -240,10 +237,9 @@ static bool evaluate(struct scene_parser *parser, int argument, double *value)
     if (expression_evaluate(token, parser->time, value, &error)) {
         return true;
     }
-    text_error_set(parser->error, parser->name, parser->line, "%s: '%s' %s (column %d)",
-                   parser->statement->name, token_quote(token, quoted), error.problem,
-                   (int)((size_t)(token->text - parser->line_text) + error.column));
-    return false;
+    return text_error_set(parser->error, parser->name, parser->line, "%s: '%s' %s (column %d)",
+                          parser->statement->name, token_quote(token, quoted), error.problem,
+                          (int)((size_t)(token->text - parser->line_text) + error.column));
 }
 
 static bool is_expression(const struct scene_parser *parser, int argument)
@@ -444,10 +440,9 @@ bool scene_parse_statement(struct scene_parser *parser, const struct token *keyw
     }
     if (first == COUNT_OF(statements)) {
         char quoted[TOKEN_QUOTE_SIZE];
-        text_error_set(
+        return text_error_set(
             parser->error, parser->name, parser->line, "'%s' %s", token_quote(keyword, quoted),
             token_is_binary(keyword) ? "is not text: is this a scene file?" : "is not a statement");
-        return false;
     }
     parser->statement = choose(parser, first);
     if (!takes_count(parser->statement, parser->argument_count)) {

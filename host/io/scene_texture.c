@@ -138,8 +138,7 @@ static bool make_texels(struct scene_parser *parser)
 /* "FILE:LINE: NAME: sentence", and false. */
 static bool fail(struct scene_parser *parser, int line, const char *name, const char *sentence)
 {
-    text_error_set(parser->error, parser->name, line, "%s: %s", name, sentence);
-    return false;
+    return text_error_set(parser->error, parser->name, line, "%s: %s", name, sentence);
 }
 
 /* Luma, as gray texels have it. */
@@ -280,10 +279,9 @@ bool scene_make_texture(struct scene_parser *parser)
     if (scene->texel_format == SCENE_TEXEL_PALETTE) {
         size_t count = (size_t)scene->texture.width * (size_t)scene->texture.height;
         if (!palette_make(&palette, scene->texture.rgb, count, NULL)) {
-            text_error_set(parser->error, parser->name, parser->texformat_line,
-                           "texformat: the texture of line %d has more than %d colours",
-                           parser->texture.line, PALETTE_MAX);
-            return false;
+            return text_error_set(parser->error, parser->name, parser->texformat_line,
+                                  "texformat: the texture of line %d has more than %d colours",
+                                  parser->texture.line, PALETTE_MAX);
         }
     }
     if (scene->texture_mipmapped && scene->texture.width > 0 && !make_levels(scene, &palette)) {

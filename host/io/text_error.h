@@ -5,14 +5,17 @@
 #ifndef QTRI_HOST_IO_TEXT_ERROR_H
 #define QTRI_HOST_IO_TEXT_ERROR_H
 
+#include <stdbool.h>
+
 struct text_error {
     char message[512]; /* "FILE:LINE: what is wrong", or "FILE: ..." where no line applies */
 };
 
-/* Formats "name:line: " (line 0: "name: ") and the printf-style rest; cuts what does not fit. */
+/* Formats "name:line: " (line 0: "name: ") and the printf-style rest; cuts what does not fit.
+   False, which is what functions return that fail. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 4, 5)))
 #endif
-void text_error_set(struct text_error *error, const char *name, int line, const char *format, ...);
+bool text_error_set(struct text_error *error, const char *name, int line, const char *format, ...);
 
 #endif

@@ -19,10 +19,6 @@ struct accuracy {
     uint64_t color_above_1;  /* a channel off by more than 1 of 255 */
     uint64_t color_range;    /* untextured, a channel outside the range of the vertices' */
     uint64_t depth_above_2;  /* depth off by more than 2 of 65535 */
-    uint64_t mixed;          /* pixels that accuracy_add_mixed looked at, and of them */
-    uint64_t mixed_above;    /* those that are off by more than their roundings and edges allow */
-    uint64_t mixed_either;   /* those that may show either of two things: half a step and more */
-    double max_mixed;        /* how many times that at most */
     int max_color;           /* largest error of a channel, 0..255 */
     double max_depth;        /* in 1/65535 */
 };
@@ -30,17 +26,6 @@ struct accuracy {
 /* Adds the comparison of an RGB888 picture with dumps to *sum. `textured`: skip color_range. */
 void accuracy_add(struct accuracy *sum, const struct picture *picture,
                   const struct reference_image *reference, bool textured);
-
-/*
- * The same of scenes that mix colours: where both show the same triangle, a channel may be off by
- * `step` of its steps, `steps` of which are 255, for each rounding that adds up, by 1/32 of what
- * smooth edges mixed, and by all of what was decided where it may fall either way (reference.h).
- * Off what the reference has for vertices on the core's grid, for true ones, or between: the core
- * covers the former's pixels with the latter's texels.
- */
-void accuracy_add_mixed(struct accuracy *sum, const struct picture *picture,
-                        const struct reference_image *snapped,
-                        const struct reference_image *unsnapped, const int steps[3], double step);
 
 /* 100,000 count / of, 0 for nothing of nothing. */
 double accuracy_per_100k(uint64_t count, uint64_t of);

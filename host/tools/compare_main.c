@@ -2,133 +2,67 @@
 /*
  * The command `qtri compare`.
  */
-#include "compare.h"
 #include "../assets/image.h"
 #include "../io/file.h"
+#include "compare.h"
+#include "options.h"
 
-#include <errno.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { STATUS_SAME = 0, STATUS_DIFFERENT = 1, STATUS_USAGE = 2 };
+static const char usage[] =
+    "usage: qtri compare [OPTION]... A B\n"
+    "\n"
+    "Compares two pictures, PPM or PNG (-: PPM of standard input), and the dumps beside them\n"
+    "(A.id, A.depth of A.ppm) where both have them.\n"
+    "Prints one measure a line. Exit status 0: the same within the limits below; 1: "
+    "different,\n"
+    "or a file cannot be read; 2: wrong usage.\n"
+    "\n"
+    "  --max-color N     colour difference a pixel may have in its worst channel (default 0)\n"
+    "  --max-pixels N    how many pixels may exceed that (default 0)\n"
+    "  --max-coverage N  how many pixels may be covered in one picture only (default 0)\n"
+    "  --max-depth X     greatest depth difference, in 1/65535 (default 0); where there are\n"
+    "                    ids, of the pixels that show the same triangle in both\n"
+    "  -o FILE           write a picture of the differences: dark grey where there is none,\n"
+    "                    64 + 16 times the difference in each channel where there is one,\n"
+    "                    red where only one picture is covered\n"
+    "  --help            print this\n";
 
 struct options {
     const char *path[2];
     const char *difference_path;
     double max_color, max_pixels, max_coverage, max_depth;
-    bool help;
 };
 
 #define AT(member) offsetof(struct options, member)
+#define LIMIT                                                                                      \
+    {                                                                                              \
+        .range = { 0, 1e15 }                                                                       \
+    }
 
-static const struct {
-    const char *name;
-    size_t at;
-    bool is_whole;
-} limits[] = {
-    {"--max-color", AT(max_color), true},
-    {"--max-pixels", AT(max_pixels), true},
-    {"--max-coverage", AT(max_coverage), true},
-    {"--max-depth", AT(max_depth), false},
+static const struct option all[] = {
+    {"--max-color", OPTION_REAL, AT(max_color), LIMIT},
+    {"--max-pixels", OPTION_REAL, AT(max_pixels), LIMIT},
+    {"--max-coverage", OPTION_REAL, AT(max_coverage), LIMIT},
+    {"--max-depth", OPTION_REAL, AT(max_depth), LIMIT},
+    {"-o", OPTION_TEXT, AT(difference_path), {NULL}},
 };
 
-enum { LIMITS = sizeof limits / sizeof limits[0] };
-
-static void print_usage(FILE *file)
+/* All limits but that of depth are whole numbers. */
+static bool check(const struct option_command *command, void *given)
 {
-    fputs(
-        "usage: qtri compare [OPTION]... A B\n"
-        "\n"
-        "Compares two pictures, PPM or PNG (-: PPM of standard input), and the dumps beside them\n"
-        "(A.id, A.depth of A.ppm) where both have them.\n"
-        "Prints one measure a line. Exit status 0: the same within the limits below; 1: "
-        "different,\n"
-        "or a file cannot be read; 2: wrong usage.\n"
-        "\n"
-        "  --max-color N     colour difference a pixel may have in its worst channel (default 0)\n"
-        "  --max-pixels N    how many pixels may exceed that (default 0)\n"
-        "  --max-coverage N  how many pixels may be covered in one picture only (default 0)\n"
-        "  --max-depth X     greatest depth difference, in 1/65535 (default 0); where there are\n"
-        "                    ids, of the pixels that show the same triangle in both\n"
-        "  -o FILE           write a picture of the differences: dark grey where there is none,\n"
-        "                    64 + 16 times the difference in each channel where there is one,\n"
-        "                    red where only one picture is covered\n"
-        "  --help            print this\n",
-        file);
-}
-
-static bool parse_number(const char *option, const char *text, double *out)
-{
-    char *end;
-
-    errno = 0;
-    *out = strtod(text, &end);
-    if (end != text && *end == '\0' && errno == 0 && *out >= 0.0 && *out <= 1e15)
-        return true;
-    fprintf(stderr, "qtri compare: %s: not a number that is 0 or more: %s\n", option, text);
-    return false;
-}
-
-/* The value of a limit, or the path behind -o. */
-static bool parse_value(const char *option, int limit, const char *text, struct options *out)
-{
-    if (limit == LIMITS) {
-        out->difference_path = text;
-        return true;
-    }
-    double *number = (double *)(void *)((char *)out + limits[limit].at);
-    if (!parse_number(option, text, number))
-        return false;
-    if (!limits[limit].is_whole || *number == floor(*number))
-        return true;
-    fprintf(stderr, "qtri compare: %s: not a whole number: %s\n", option, text);
-    return false;
-}
-
-/* The limit of this name; LIMITS: none. */
-static int find_limit(const char *name)
-{
-    int i = 0;
-
-    while (i < LIMITS && strcmp(name, limits[i].name) != 0)
-        i++;
-    return i;
-}
-
-static bool parse_options(int argc, char **argv, struct options *out)
-{
-    int paths = 0;
-    bool only_paths = false; /* after -- */
-
-    *out = (struct options){0};
-    for (int i = 1; i < argc; i++) {
-        const char *word = argv[i];
-        if (only_paths || word[0] != '-' || word[1] == '\0') {
-            if (paths < 2)
-                out->path[paths] = word;
-            paths++;
-        } else if (strcmp(word, "--") == 0) {
-            only_paths = true;
-        } else if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
-            out->help = true;
-            return true;
-        } else if (find_limit(word) == LIMITS && strcmp(word, "-o") != 0) {
-            fprintf(stderr, "qtri compare: unknown option: %s\n", word);
-            return false;
-        } else if (i + 1 == argc) {
-            fprintf(stderr, "qtri compare: %s needs a value\n", word);
-            return false;
-        } else if (!parse_value(word, find_limit(word), argv[++i], out)) {
-            return false;
+    const struct options *options = given;
+    const double whole[] = {options->max_color, options->max_pixels, options->max_coverage};
+    for (int i = 0; i < 3; i++) {
+        if (whole[i] != floor(whole[i])) {
+            return options_complain(command, all[i].name, ": not a whole number");
         }
     }
-    if (paths == 2)
-        return true;
-    fprintf(stderr, "qtri compare: two pictures are needed, %d given\n", paths);
-    return false;
+    return true;
 }
 
 /* PNG, where this was built with its library, or PPM. */
@@ -144,9 +78,7 @@ static bool read_pixels(const char *path, struct picture *picture, struct text_e
     for (size_t i = 0; made && i < (size_t)image.width * (size_t)image.height; i++)
         memcpy(&picture->rgb[3 * i], &image.rgba[4 * i], 3);
     image_free(&image);
-    if (!made)
-        text_error_set(error, path, 0, "out of memory");
-    return made;
+    return made || text_error_set(error, path, 0, "out of memory");
 }
 
 /* Reads the picture and the dumps beside it: PREFIX.id and PREFIX.depth of PREFIX.ppm. */
@@ -237,7 +169,8 @@ static bool write_difference(const char *path, const struct picture picture[2])
     return written;
 }
 
-static int compare_read_pictures(const struct options *options, const struct picture picture[2])
+/* False, without an error, where they differ by more than the limits. */
+static bool compare_read_pictures(const struct options *options, const struct picture picture[2])
 {
     struct comparison comparison;
 
@@ -246,37 +179,45 @@ static int compare_read_pictures(const struct options *options, const struct pic
         fprintf(stderr, "qtri compare: different sizes: %s is %dx%d, %s is %dx%d\n",
                 options->path[0], comparison.width[0], comparison.height[0], options->path[1],
                 comparison.width[1], comparison.height[1]);
-        return STATUS_DIFFERENT;
+        return false;
     }
     /* Where the picture of the differences goes to standard output, the measures go elsewhere. */
     bool is_piped = options->difference_path && strcmp(options->difference_path, "-") == 0;
     print_comparison(is_piped ? stderr : stdout, &comparison);
-    if (options->difference_path && !write_difference(options->difference_path, picture))
-        return STATUS_DIFFERENT;
-    return within_limits(&comparison, options) ? STATUS_SAME : STATUS_DIFFERENT;
+    return (!options->difference_path || write_difference(options->difference_path, picture)) &&
+           within_limits(&comparison, options);
 }
+
+static bool run(void *given, struct text_error *error)
+{
+    const struct options *options = given;
+    struct picture picture[2] = {{0}};
+
+    (void)error; /* what is wrong with a picture has been told */
+    const bool ok = read_picture(options->path[0], &picture[0]) &&
+                    read_picture(options->path[1], &picture[1]) &&
+                    compare_read_pictures(options, picture);
+    picture_free(&picture[0]);
+    picture_free(&picture[1]);
+    return ok;
+}
+
+static const struct option_command command = {
+    .name = "compare",
+    .input = "pair of pictures",
+    .needs = "two pictures are needed",
+    .input_at = AT(path[0]),
+    .output_at = AT(path[1]),
+    .has_pair = true,
+    .options = all,
+    .count = sizeof all / sizeof all[0],
+    .usage = usage,
+    .check = check,
+    .run = run,
+};
 
 int compare_main(int argc, char **argv)
 {
-    struct options options;
-    struct picture picture[2];
-
-    if (!parse_options(argc, argv, &options)) {
-        fputs("Try: qtri compare --help\n", stderr);
-        return STATUS_USAGE;
-    }
-    if (options.help) {
-        print_usage(stdout);
-        return STATUS_SAME;
-    }
-    if (!read_picture(options.path[0], &picture[0]))
-        return STATUS_DIFFERENT;
-    if (!read_picture(options.path[1], &picture[1])) {
-        picture_free(&picture[0]);
-        return STATUS_DIFFERENT;
-    }
-    int status = compare_read_pictures(&options, picture);
-    picture_free(&picture[0]);
-    picture_free(&picture[1]);
-    return status;
+    struct options options = {.max_color = 0};
+    return options_run(&command, &options, argc, argv);
 }

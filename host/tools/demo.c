@@ -18,7 +18,6 @@
 #include "compare.h"
 #include "demo_scenes.h"
 #include "gallery.h"
-#include "report_scene.h"
 #include "scene_draw.h"
 
 static const char usage[] =
@@ -53,6 +52,12 @@ struct demo {
 
 static const char header[] =
     "scene                          pixels  mismatch  snapped  colour  off by > 1  depth\n";
+
+static bool complain(const struct text_error *error)
+{
+    fprintf(stderr, "qtri demo: %s\n", error->message);
+    return false;
+}
 
 /* Measures one scene against both references and writes its three pictures. */
 static bool run_scene(struct demo *demo, const char *name, const struct file_content *file,
@@ -91,7 +96,7 @@ static bool run_scene(struct demo *demo, const char *name, const struct file_con
                                             &to_exact,    &to_snapped};
         gallery_add(&demo->gallery, &shown);
         if (demo->report != NULL) {
-            report_scene_add(&demo->sections, &shown);
+            gallery_add_to_report(&demo->sections, &shown);
         }
     }
     reference_free(&exact);
@@ -125,10 +130,7 @@ static bool run_file(struct demo *demo, const char *folder, const char *file)
         scene_free(&scene);
     }
     free(text.bytes);
-    if (!ok) {
-        fprintf(stderr, "qtri demo: %s\n", error.message);
-    }
-    return ok;
+    return ok || complain(&error);
 }
 
 typedef char file_name[256];
@@ -150,11 +152,10 @@ static long list_names(const char *folder, const char *ending, file_name **names
         if (!file_name_ends_in(entry->d_name, ending)) {
             continue;
         }
-        file_name *larger = array_grow(*names, count, &capacity, sizeof **names);
-        ok = larger != NULL;
+        file_name *name = array_add(names, &count, &capacity, sizeof *name);
+        ok = name != NULL;
         if (ok) {
-            *names = larger;
-            (void)snprintf(larger[count++], sizeof *larger, "%s", entry->d_name);
+            (void)snprintf(*name, sizeof *name, "%s", entry->d_name);
         }
     }
     if (entries != NULL) {
@@ -190,8 +191,7 @@ static bool run_model(struct demo *demo, const char *folder, const char *file)
     char name[256];
     struct text_error error;
     if (!demo_write_model_scene(demo->out, folder, file, name, sizeof name, &error)) {
-        fprintf(stderr, "qtri demo: %s\n", error.message);
-        return false;
+        return complain(&error);
     }
     return run_file(demo, demo->out, name);
 }
@@ -206,8 +206,7 @@ static bool run_generated(struct demo *demo)
             continue;
         }
         if (!demo_write_generated_scene(demo->out, i, &error)) {
-            fprintf(stderr, "qtri demo: %s\n", error.message);
-            return false;
+            return complain(&error);
         }
         ok = run_file(demo, demo->out, name) && ok;
     }
@@ -306,13 +305,9 @@ int demo_main(int argc, char **argv)
     char page[PATH_SIZE];
     struct text_error error;
     (void)snprintf(page, sizeof page, "%s/index.html", demo.out);
-    if (!gallery_write(&demo.gallery, page, &error)) {
-        fprintf(stderr, "qtri demo: %s\n", error.message);
-        ok = false;
-    }
-    if (demo.report != NULL && !html_write(&demo.sections, demo.report, &error)) {
-        fprintf(stderr, "qtri demo: %s\n", error.message);
-        ok = false;
+    ok = (gallery_write(&demo.gallery, page, &error) || complain(&error)) && ok;
+    if (demo.report != NULL) {
+        ok = (html_write(&demo.sections, demo.report, &error) || complain(&error)) && ok;
     }
     printf("\nPictures are in %s, all of them in index.html. mismatch: pixels covered in one of\n"
            "picture and reference only.\n",

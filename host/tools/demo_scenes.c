@@ -113,8 +113,7 @@ static bool finish(FILE *file, const char *name, struct text_error *error)
 {
     bool ok = !ferror(file);
     if (fclose(file) != 0 || !ok) {
-        text_error_set(error, name, 0, "writing failed");
-        return false;
+        return text_error_set(error, name, 0, "writing failed");
     }
     return true;
 }
@@ -189,8 +188,7 @@ bool demo_write_model_scene(const char *folder, const char *models, const char *
 
     char *absolute = system_real_path(path);
     if (absolute == NULL) {
-        text_error_set(error, path, 0, "has no absolute path");
-        return false;
+        return text_error_set(error, path, 0, "has no absolute path");
     }
     int stem = (int)(strlen(file) - strlen(".obj"));
     snprintf(name, name_size, "model-%.*s.scene", stem, file);

@@ -21,12 +21,9 @@ struct gallery_scene {
 
 void gallery_add(struct html *page, const struct gallery_scene *scene);
 
-/* What the scene shows: the comments that it begins with. `# crop X Y` sets crop, the upper left
-   corner of what is shown enlarged, and `# qtri` is a command. */
-void gallery_describe(struct html *page, const struct gallery_scene *scene, int crop[2]);
-
-/* The table of its figures. */
-void gallery_put_figures(struct html *page, const struct gallery_scene *scene);
+/* The scene in the accuracy report, whose page `make report` makes: the core's picture over that of
+   double precision, with a slider between them, and how many pixels are off by how much. */
+void gallery_add_to_report(struct html *page, const struct gallery_scene *scene);
 
 /* Writes the page and frees it. False with *error set, also where memory ran out before. */
 bool gallery_write(struct html *page, const char *path, struct text_error *error);

@@ -332,3 +332,11 @@ bool mesh_faces_make(qtri_mesh *mesh, qtri_face8 *planes)
     free(faces);
     return made;
 }
+
+void mesh_faces_add(qtri_mesh *mesh)
+{
+    qtri_face8 *planes = calloc(mesh->triangle_count + (size_t)1, sizeof *planes);
+    if (planes != NULL && !mesh_faces_make(mesh, planes)) {
+        free(planes);
+    }
+}

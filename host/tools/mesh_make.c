@@ -79,7 +79,7 @@ static bool shape(const struct mesh_options *options, struct model *model)
             return false;
         }
     }
-    model_turn_up(model, options->up);
+    model_turn_up(model, options->up == 0 ? 'y' : 'z');
     if (options->center) {
         model_center(model);
     }
@@ -130,9 +130,9 @@ static bool check_bytes(const struct mesh_options *options, const char *what, si
     if (most == 0 || needed <= most) {
         return true;
     }
-    text_error_set(error, options->input, 0, "needs %zu bytes of %s, %zu more than --%s allows; %s",
-                   needed, what, needed - most, strcmp(what, "RAM") == 0 ? "ram" : what, advice);
-    return false;
+    return text_error_set(error, options->input, 0,
+                          "needs %zu bytes of %s, %zu more than --%s allows; %s", needed, what,
+                          needed - most, strcmp(what, "RAM") == 0 ? "ram" : what, advice);
 }
 
 bool mesh_check_budget(const struct mesh_options *options, const struct asset *asset,
@@ -160,8 +160,7 @@ bool mesh_write_preview(const struct mesh_options *options, const struct asset *
         return true;
     }
     if (!asset_preview(asset, PREVIEW_WIDTH, PREVIEW_HEIGHT, &picture, &drawn)) {
-        text_error_set(error, options->preview, 0, "out of memory");
-        return false;
+        return text_error_set(error, options->preview, 0, "out of memory");
     }
     if (drawn == 0) {
         fprintf(stderr,

@@ -3,16 +3,13 @@
 
 #include <stdlib.h>
 
-/* An edge from vertex to vertex, which are the first of those that share their position. */
+#include "../io/unique.h"
+
+/* An edge from place to place: numbers of distinct positions. */
 struct edge {
     uint32_t from, to;
     uint32_t triangle;
     int corner;
-};
-
-struct place {
-    q16 at[3];
-    uint32_t vertex;
 };
 
 static int compare_numbers(int64_t a, int64_t b)
@@ -20,19 +17,7 @@ static int compare_numbers(int64_t a, int64_t b)
     return (a > b) - (a < b);
 }
 
-static int compare_places(const void *left, const void *right)
-{
-    const struct place *a = left;
-    const struct place *b = right;
-    for (int axis = 0; axis < 3; axis++) {
-        if (a->at[axis] != b->at[axis]) {
-            return compare_numbers(a->at[axis], b->at[axis]);
-        }
-    }
-    return compare_numbers(a->vertex, b->vertex);
-}
-
-/* By the pair of vertices, whatever the direction, then in the order of the mesh. */
+/* By the pair of places, whatever the direction, then in the order of the mesh. */
 static int compare_edges(const void *left, const void *right)
 {
     const struct edge *a = left;
@@ -51,33 +36,16 @@ static int compare_edges(const void *left, const void *right)
                            (int64_t)b->triangle * 3 + b->corner);
 }
 
-/* first[i]: the first vertex at the place of vertex i. */
-static void find_first(const qtri_mesh *mesh, struct place *places, uint32_t *first)
+static bool number_places(const qtri_mesh *mesh, uint32_t *places)
 {
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        struct place *place = &places[i];
-        place->vertex = i;
-        if (mesh->positions16 != NULL) {
-            place->at[0] = mesh->positions16[i].x;
-            place->at[1] = mesh->positions16[i].y;
-            place->at[2] = mesh->positions16[i].z;
-        } else {
-            place->at[0] = mesh->positions[i].x;
-            place->at[1] = mesh->positions[i].y;
-            place->at[2] = mesh->positions[i].z;
-        }
-    }
-    qsort(places, mesh->vertex_count, sizeof *places, compare_places);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        const struct place *place = &places[i];
-        const bool is_same = i > 0 && place->at[0] == place[-1].at[0] &&
-                             place->at[1] == place[-1].at[1] && place->at[2] == place[-1].at[2];
-        first[place->vertex] = is_same ? first[place[-1].vertex] : place->vertex;
-    }
+    const bool is_wide = mesh->positions16 == NULL;
+    const void *positions = is_wide ? (const void *)mesh->positions : mesh->positions16;
+    const size_t size = is_wide ? sizeof *mesh->positions : sizeof *mesh->positions16;
+    return unique_numbers(positions, mesh->vertex_count, size, size, places) != SIZE_MAX;
 }
 
 /* Edges of triangles whose indices exist; returns how many. */
-static uint32_t find_edges(const qtri_mesh *mesh, const uint32_t *first, struct edge *edges)
+static uint32_t find_edges(const qtri_mesh *mesh, const uint32_t *places, struct edge *edges)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
@@ -89,7 +57,7 @@ static uint32_t find_edges(const qtri_mesh *mesh, const uint32_t *first, struct 
             exists = exists && index[corner] < mesh->vertex_count;
         }
         for (int corner = 0; corner < 3 && exists; corner++) {
-            struct edge edge = {first[index[corner]], first[index[(corner + 1) % 3]], i, corner};
+            struct edge edge = {places[index[corner]], places[index[(corner + 1) % 3]], i, corner};
             if (edge.from != edge.to) {
                 edges[count++] = edge;
             }
@@ -122,14 +90,13 @@ static bool is_same_place(const struct edge *a, const struct edge *b)
 bool mesh_neighbours_make(qtri_mesh *mesh, uint16_t (*neighbours)[3])
 {
     const uint32_t count = mesh->triangle_count;
-    struct place *places = malloc((mesh->vertex_count + (size_t)1) * sizeof *places);
-    uint32_t *first = malloc((mesh->vertex_count + (size_t)1) * sizeof *first);
+    uint32_t *places = malloc((mesh->vertex_count + (size_t)1) * sizeof *places);
     struct edge *edges = malloc((3 * (size_t)count + 1) * sizeof *edges);
-    const bool ok = places != NULL && first != NULL && edges != NULL && count <= UINT16_MAX;
+    const bool ok =
+        places != NULL && edges != NULL && count <= UINT16_MAX && number_places(mesh, places);
     mesh->neighbours = NULL;
     if (ok) {
-        find_first(mesh, places, first);
-        const uint32_t found = find_edges(mesh, first, edges);
+        const uint32_t found = find_edges(mesh, places, edges);
         qsort(edges, found, sizeof *edges, compare_edges);
         for (uint32_t i = 0; i < count; i++) {
             for (int corner = 0; corner < 3; corner++) {
@@ -144,7 +111,16 @@ bool mesh_neighbours_make(qtri_mesh *mesh, uint16_t (*neighbours)[3])
         mesh->neighbours = (const uint16_t(*)[3])neighbours;
     }
     free(places);
-    free(first);
     free(edges);
+    return ok;
+}
+
+bool mesh_neighbours_add(qtri_mesh *mesh)
+{
+    uint16_t(*neighbours)[3] = malloc((mesh->triangle_count + (size_t)1) * sizeof *neighbours);
+    const bool ok = neighbours != NULL && mesh_neighbours_make(mesh, neighbours);
+    if (!ok) {
+        free(neighbours);
+    }
     return ok;
 }

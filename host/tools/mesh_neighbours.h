@@ -18,4 +18,7 @@
  */
 bool mesh_neighbours_make(qtri_mesh *mesh, uint16_t (*neighbours)[3]);
 
+/* Gives a mesh its neighbours in memory that is to be freed with it. */
+bool mesh_neighbours_add(qtri_mesh *mesh);
+
 #endif

@@ -71,57 +71,11 @@ static void print_more(void)
     putchar('\n');
 }
 
-/* 262144 or 256K or 2M bytes. */
-static bool option_bytes(const char *value, size_t *bytes)
-{
-    char digits[16];
-    const size_t count = strspn(value, "0123456789");
-    const char unit = value[count];
-    const int shift = unit == 'K' ? 10 : unit == 'M' ? 20 : 0;
-    long number = 0;
-    (void)snprintf(digits, sizeof digits, "%.*s", (int)(count < 15 ? count : 15), value);
-    if (!option_whole(digits, 1, 1L << 30 >> shift, &number) || (shift == 0 && unit != '\0') ||
-        (shift != 0 && value[count + 1] != '\0')) {
-        return false;
-    }
-    *bytes = (size_t)number << shift;
-    return true;
-}
-
-static bool set_flash(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    return option_bytes(value, &((struct mesh_options *)options)->most_flash);
-}
-
-static bool set_ram(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    return option_bytes(value, &((struct mesh_options *)options)->most_ram);
-}
-
-static bool set_texture_side(void *options, const char *value, struct option_words *more)
-{
-    struct texture_options *most = &((struct mesh_options *)options)->most;
-    long side = 0;
-    (void)more;
-    const bool ok = option_whole(value, 1, TEXTURE_MAX_SIDE, &side);
-    most->width = most->height = (int)side;
-    return ok;
-}
-
 static bool set_panel(void *options, const char *value, struct option_words *more)
 {
     struct mesh_options *o = (struct mesh_options *)options;
     (void)more;
     return option_size(value, QTRI_SURFACE_MAX, &o->panel_width, &o->panel_height);
-}
-
-static bool set_up(void *options, const char *value, struct option_words *more)
-{
-    (void)more;
-    ((struct mesh_options *)options)->up = value[0];
-    return strcmp(value, "y") == 0 || strcmp(value, "z") == 0;
 }
 
 /* The word after --normals; `smooth` takes the next one too. */
@@ -141,6 +95,8 @@ static bool set_normals(void *options, const char *value, struct option_words *m
 
 #define AT(member) offsetof(struct mesh_options, member)
 
+static const char *const axes[] = {"y", "z"};
+
 /* clang-format off */
 static const struct option all_options[] = {
     /* of `qtri mesh` */
@@ -153,11 +109,11 @@ static const struct option all_options[] = {
     {"--name", OPTION_NAME, AT(name), {NULL}},
     {"--panel", OPTION_SET, 0, {.set = set_panel}},
     {"--rows", OPTION_WHOLE, AT(rows), {.range = {1, QTRI_SURFACE_MAX}}},
-    {"--flash", OPTION_SET, 0, {.set = set_flash}},
-    {"--ram", OPTION_SET, 0, {.set = set_ram}},
+    {"--flash", OPTION_BYTES, AT(most_flash), {NULL}},
+    {"--ram", OPTION_BYTES, AT(most_ram), {NULL}},
     {"--fit", OPTION_REAL, AT(fit), {.range = {1e-3, 65534.0}}},
     {"--scale", OPTION_REAL, AT(scale), {.range = {OBJ_SCALE_MIN, OBJ_SCALE_MAX}}},
-    {"--up", OPTION_SET, 0, {.set = set_up}},
+    {"--up", OPTION_WORD, AT(up), {.words = {axes, 2}}},
     {"--simplify", OPTION_WHOLE, AT(simplify), {.range = {1, MODEL_MAX_TRIANGLES}}},
     {"--normals", OPTION_SET, 0, {.set = set_normals}},
     {"--split", OPTION_FLAG, AT(split), {NULL}},
@@ -166,7 +122,7 @@ static const struct option all_options[] = {
     {"--keep-order", OPTION_FLAG, AT(keep_order), {NULL}},
     /* of `qtri model` */
     {"--texture", OPTION_TEXT, AT(skin), {NULL}},
-    {"--texture-side", OPTION_SET, 0, {.set = set_texture_side}},
+    {"--texture-side", OPTION_WHOLE, AT(most.width), {.range = {1, TEXTURE_MAX_SIDE}}},
     {"--format", OPTION_WORD, AT(most.format), {.words = {texture_format_names, TEXTURE_FORMATS}}},
     {"--dither", OPTION_FLAG, AT(most.dither), {NULL}},
     {"--mipmaps", OPTION_FLAG, AT(most.mipmaps), {NULL}},
@@ -181,7 +137,7 @@ enum { ALL_OPTIONS = sizeof all_options / sizeof all_options[0], MESH_ONLY = 3, 
 static bool is_changed(const struct mesh_options *o)
 {
     return o->compact || o->center || o->colors || o->plain || o->no_faces || o->fit > 0.0 ||
-           o->scale > 0.0 || o->up != 'y' || o->simplify > 0 || o->normals != MODEL_NORMALS_KEEP;
+           o->scale > 0.0 || o->up != 0 || o->simplify > 0 || o->normals != MODEL_NORMALS_KEEP;
 }
 
 /* What the names say about input and output. */
@@ -236,6 +192,7 @@ static bool check(const struct option_command *command, void *given)
         return options_complain(
             command, "this qtri was built without libmeshoptimizer and cannot --simplify", "");
     }
+    options->most.height = options->most.width;
     options->rows = options->rows < options->panel_height ? options->rows : options->panel_height;
     if (options->is_model) {
         set_model_defaults(options);
@@ -260,12 +217,11 @@ int mesh_options_run(int argc, char **argv, bool is_model, mesh_command *run)
         .run = run,
     };
     struct mesh_options options = {
-        .up = 'y',
         .panel_width = 320,
         .panel_height = 240,
         .rows = 16,
         .is_model = is_model,
-        .most = {.width = 256, .height = 256},
+        .most = {.width = 256},
     };
     return options_run(&command, &options, argc, argv);
 }

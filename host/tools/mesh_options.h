@@ -20,7 +20,7 @@ struct mesh_options {
     bool is_obj;                 /* the output is OBJ, not C */
     bool is_changed;             /* an option asks for more than the generated text */
     bool split, compact, center, colors, plain, no_faces, keep_order;
-    char up;           /* 'y' or 'z' */
+    int up;            /* 0: y, 1: z */
     double fit, scale; /* 0: as it is */
     enum model_normals normals;
     double smooth_degrees;

@@ -16,13 +16,11 @@ static bool set_skin(const struct mesh_options *options, struct model *model,
         return true;
     }
     if (strlen(options->skin) >= sizeof model->materials[0].texture) {
-        text_error_set(error, options->skin, 0, "the name of the picture is too long");
-        return false;
+        return text_error_set(error, options->skin, 0, "the name of the picture is too long");
     }
     if (!model->has_uvs) {
-        text_error_set(error, options->input, 0,
-                       "has no texture coordinates, without which --texture cannot be seen");
-        return false;
+        return text_error_set(error, options->input, 0,
+                              "has no texture coordinates, without which --texture cannot be seen");
     }
     for (size_t i = 0; i < model->material_count; i++) {
         struct model_material *material = &model->materials[i];
@@ -52,8 +50,7 @@ static bool make(const struct mesh_options *options, struct model *model, struct
         return false;
     }
     if (!model_merge_materials(model)) {
-        text_error_set(error, path, 0, "too many materials and moving parts");
-        return false;
+        return text_error_set(error, path, 0, "too many materials and moving parts");
     }
     if (!asset_make(path, model, &wanted, asset, error)) {
         return false;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../assets/asset.h"
+#include "../assets/mesh_arrays.h"
 #include "../io/file.h"
 #include "../io/obj.h"
 #include "commands.h"
@@ -25,53 +26,33 @@ struct options {
     char name[OPTION_NAME_SIZE];
 };
 
-/* The neighbours of the mesh; NULL where it has too many vertices or triangles, or memory ends. */
-static uint16_t (*make(const struct obj_mesh *mesh))[3]
+/* Positions and triangles of the file, and neighbours; false where it has too many of either, or
+   memory ends. */
+static bool make(const struct obj_mesh *from, qtri_mesh *mesh)
 {
-    qtri_vec3 *positions = malloc((mesh->vertex_count + 1) * sizeof *positions);
-    uint16_t(*triangles)[3] = malloc((mesh->triangle_count + 1) * sizeof *triangles);
-    uint16_t(*neighbours)[3] = malloc((mesh->triangle_count + 1) * sizeof *neighbours);
-    bool ok = positions != NULL && triangles != NULL && neighbours != NULL &&
-              mesh->vertex_count <= 65536 && mesh->triangle_count <= UINT16_MAX;
-    for (size_t i = 0; ok && i < mesh->vertex_count; i++) {
-        const qtri_vec3 p = {mesh->positions[i][0], mesh->positions[i][1], mesh->positions[i][2]};
-        positions[i] = p;
-    }
-    for (size_t i = 0; ok && i < mesh->triangle_count; i++) {
-        for (int corner = 0; corner < 3; corner++) {
-            triangles[i][corner] = (uint16_t)mesh->triangles[i][corner];
-        }
-    }
-    if (ok) {
-        qtri_mesh view = {.positions = positions,
-                          .triangles = (const uint16_t(*)[3])triangles,
-                          .vertex_count = (uint32_t)mesh->vertex_count,
-                          .triangle_count = (uint32_t)mesh->triangle_count};
-        ok = mesh_neighbours_make(&view, neighbours);
-    }
-    free(positions);
-    free(triangles);
-    if (!ok) {
-        free(neighbours);
-        return NULL;
-    }
-    return neighbours;
+    mesh->vertex_count = (uint32_t)from->vertex_count;
+    mesh->triangle_count = (uint32_t)from->triangle_count;
+    return from->vertex_count <= 65536 && from->triangle_count <= UINT16_MAX &&
+           mesh_array_fill(mesh, MESH_POSITIONS, from->positions[0]) &&
+           mesh_array_fill(mesh, MESH_TRIANGLES, (const int32_t *)from->triangles[0]) &&
+           mesh_neighbours_add(mesh);
 }
 
-static bool write(const char *path, const char *name, uint16_t (*neighbours)[3], size_t count,
+static bool write(const char *path, const char *name, const qtri_mesh *mesh,
                   struct text_error *error)
 {
+    const unsigned count = mesh->triangle_count;
     struct file_output output;
     if (!file_output_open(&output, path, error)) {
         return false;
     }
     fprintf(output.stream,
-            "/* qtri_mesh.neighbours: the triangle across each edge, %zu for none. */\n"
-            "static const uint16_t %s_neighbours[%zu][3] = {\n",
+            "/* qtri_mesh.neighbours: the triangle across each edge, %u for none. */\n"
+            "static const uint16_t %s_neighbours[%u][3] = {\n",
             count, name, count);
-    for (size_t i = 0; i < count; i++) {
-        fprintf(output.stream, "    {%u, %u, %u},\n", neighbours[i][0], neighbours[i][1],
-                neighbours[i][2]);
+    for (unsigned i = 0; i < count; i++) {
+        const uint16_t *n = mesh->neighbours[i];
+        fprintf(output.stream, "    {%u, %u, %u},\n", n[0], n[1], n[2]);
     }
     fprintf(output.stream, "};\n");
     return file_output_commit(&output, error);
@@ -97,19 +78,16 @@ static bool check(const struct option_command *command, void *given)
 static bool run(void *given, struct text_error *error)
 {
     const struct options *options = given;
-    struct obj_mesh mesh;
-    if (!obj_read(options->in, &mesh, error)) {
+    struct obj_mesh read;
+    qtri_mesh mesh = {.positions = NULL};
+    if (!obj_read(options->in, &read, error)) {
         return false;
     }
-    uint16_t(*neighbours)[3] = make(&mesh);
-    bool ok = neighbours != NULL;
-    if (ok) {
-        ok = write(options->out, options->name, neighbours, mesh.triangle_count, error);
-    } else {
-        text_error_set(error, options->in, 0, "more than a mesh holds, or out of memory");
-    }
-    free(neighbours);
-    obj_free(&mesh);
+    const bool ok = make(&read, &mesh) ? write(options->out, options->name, &mesh, error)
+                                       : text_error_set(error, options->in, 0,
+                                                        "more than a mesh holds, or out of memory");
+    mesh_arrays_free(&mesh);
+    obj_free(&read);
     return ok;
 }
 

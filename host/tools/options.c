@@ -54,6 +54,23 @@ static bool find_word(const struct option *option, const char *value, int *rank)
     return i < option->of.words.count;
 }
 
+/* 262144 or 256K or 2M bytes. */
+static bool option_bytes(const char *value, size_t *bytes)
+{
+    char digits[16];
+    const size_t count = strspn(value, "0123456789");
+    const char unit = value[count];
+    const int shift = unit == 'K' ? 10 : unit == 'M' ? 20 : 0;
+    long number = 0;
+    (void)snprintf(digits, sizeof digits, "%.*s", (int)(count < 15 ? count : 15), value);
+    if (!option_whole(digits, 1, 1L << 30 >> shift, &number) || (shift == 0 && unit != '\0') ||
+        (shift != 0 && value[count + 1] != '\0')) {
+        return false;
+    }
+    *bytes = (size_t)number << shift;
+    return true;
+}
+
 static bool set_value(const struct option *option, void *options, const char *value,
                       struct option_words *words)
 {
@@ -72,6 +89,8 @@ static bool set_value(const struct option *option, void *options, const char *va
         return true;
     case OPTION_REAL:
         return option_real(value, option->of.range.low, option->of.range.high, (double *)at);
+    case OPTION_BYTES:
+        return option_bytes(value, (size_t *)at);
     case OPTION_WORD:
         return find_word(option, value, (int *)at);
     default:
@@ -98,27 +117,38 @@ static bool take(const struct option_command *command, const struct option *opti
     return true;
 }
 
+/* A word that is no option goes to the first input that has none. */
+static bool take_input(const struct option_command *command, void *options, const char *word)
+{
+    const char **first = (const char **)(void *)((char *)options + command->input_at);
+    const char **second = (const char **)(void *)((char *)options + command->output_at);
+    const char **input = *first != NULL && command->has_pair ? second : first;
+    if (*input != NULL) {
+        fprintf(stderr, "qtri %s: one %s at a time, please: %s\n", command->name, command->input,
+                word);
+        return false;
+    }
+    *input = word;
+    return true;
+}
+
 static bool parse(const struct option_command *command, void *options, int argc, char **argv)
 {
-    const char **input = (const char **)(void *)((char *)options + command->input_at);
     struct option_words words = {argc, 0, argv};
-    for (const char *word = option_next(&words); word != NULL; word = option_next(&words)) {
-        const struct option *option = find(command, word);
+    bool ok = true, only_inputs = false; /* behind -- */
+    for (const char *word = option_next(&words); ok && word != NULL; word = option_next(&words)) {
+        const struct option *option = only_inputs ? NULL : find(command, word);
         if (option != NULL) {
-            if (!take(command, option, options, &words)) {
-                return false;
-            }
-        } else if (word[0] == '-' && word[1] != '\0') {
-            return options_complain(command, "unknown option ", word);
-        } else if (*input != NULL) {
-            fprintf(stderr, "qtri %s: one %s at a time, please: %s\n", command->name,
-                    command->input, word);
-            return false;
+            ok = take(command, option, options, &words);
+        } else if (!only_inputs && strcmp(word, "--") == 0) {
+            only_inputs = true;
+        } else if (!only_inputs && word[0] == '-' && word[1] != '\0') {
+            ok = options_complain(command, "unknown option ", word);
         } else {
-            *input = word;
+            ok = take_input(command, options, word);
         }
     }
-    return true;
+    return ok;
 }
 
 static const char *text_at(const void *options, size_t at)

@@ -32,6 +32,7 @@ enum option_kind {
     OPTION_NAME,  /* a char[OPTION_NAME_SIZE], a name in C */
     OPTION_WHOLE, /* an int in a range */
     OPTION_REAL,  /* a double in a range */
+    OPTION_BYTES, /* a size_t: 262144 or 256K or 2M */
     OPTION_WORD,  /* an int, the rank of one of some words */
     OPTION_SET
 };
@@ -51,11 +52,12 @@ struct option {
     } of;
 };
 
-/* A command of one input and, mostly, one output. */
+/* A command of one input and, mostly, one output; or of a pair of inputs. */
 struct option_command {
     const char *name, *input;   /* input: what it is called in messages */
     const char *needs;          /* the message where input or output is missing */
     size_t input_at, output_at; /* where in the options they stand: each a const char * */
+    bool has_pair;              /* output_at is where the second input stands */
     const struct option *options;
     size_t count;
     const char *usage;

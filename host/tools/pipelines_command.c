@@ -296,8 +296,7 @@ static bool run(void *given, struct text_error *error)
     }
     picture_free(&picture);
     if (asked_count == 0) {
-        text_error_set(error, options->scene, 0, "no triangle is drawn");
-        return false;
+        return text_error_set(error, options->scene, 0, "no triangle is drawn");
     }
     qsort(asked, asked_count, sizeof asked[0], by_pixels);
     print(options, has_samples ? scene_sampled_format(format) : format);

@@ -216,15 +216,14 @@ static bool is_within_limits(const struct options *options, const struct scene *
                              struct text_error *error)
 {
     if (options->dump && !options->reference && scene->triangle_count > SCENE_MAX_DUMP_ID) {
-        text_error_set(error, options->scene, 0, "more than %u triangles cannot be dumped",
-                       SCENE_MAX_DUMP_ID);
-        return false;
+        return text_error_set(error, options->scene, 0, "more than %u triangles cannot be dumped",
+                              SCENE_MAX_DUMP_ID);
     }
     if (options->reference && !options->large &&
         (long)scene->width * scene->height > REFERENCE_PIXELS) {
-        text_error_set(error, options->scene, 0, "%d x %d pixels are above 2048 x 2048 (--large)",
-                       scene->width, scene->height);
-        return false;
+        return text_error_set(error, options->scene, 0,
+                              "%d x %d pixels are above 2048 x 2048 (--large)", scene->width,
+                              scene->height);
     }
     return true;
 }
@@ -348,8 +347,7 @@ static bool run(void *given, struct text_error *error)
     }
     char *path = picture_path(options);
     if (path == NULL) {
-        text_error_set(error, options->scene, 0, "out of memory");
-        return false;
+        return text_error_set(error, options->scene, 0, "out of memory");
     }
     const bool ok = render_file(options, path, error);
     free(path);

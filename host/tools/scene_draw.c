@@ -4,9 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "../assets/mesh_arrays.h"
 #include "mesh_neighbours.h"
 #include "scene_color.h"
-#include "scene_stroke.h"
 #include "scene_transform.h"
 
 static qtri_rgb rgb_of_id(uint32_t id)
@@ -140,6 +140,14 @@ static const qtri_blend *vertex_blend_of(const struct drawing *d, const struct s
     return d->material.blend == &qtri_blend_add ? &qtri_blend_vertex_add : NULL;
 }
 
+static qtri_corner corner_of(const struct drawing *d, const struct scene_vertex *v, uint32_t id)
+{
+    const qtri_corner corner = {{v->position[0], v->position[1], v->position[2], v->position[3]},
+                                d->pass == SCENE_IDS ? rgb_of_id(id) : scene_rgb(v->color),
+                                {v->uv[0], v->uv[1]}};
+    return corner;
+}
+
 static void draw_triangle(struct drawing *d, const struct scene_op *op)
 {
     qtri_corner corner[3];
@@ -147,11 +155,7 @@ static void draw_triangle(struct drawing *d, const struct scene_op *op)
     uint8_t alpha[3];
     for (int i = 0; i < 3; i++) {
         const struct scene_vertex *v = &op->u.triangle.vertex[i];
-        qtri_vec4 position = {v->position[0], v->position[1], v->position[2], v->position[3]};
-        qtri_vec2 uv = {v->uv[0], v->uv[1]};
-        corner[i].position = position;
-        corner[i].color = d->pass == SCENE_IDS ? rgb_of_id(op->id) : scene_rgb(v->color);
-        corner[i].uv = uv;
+        corner[i] = corner_of(d, v, op->id);
         normal[i] = normal_of(v->normal);
         alpha[i] = scene_byte(op->vertex_alpha[i]);
     }
@@ -174,12 +178,47 @@ static bool has_strokes(const struct drawing *d)
     return d->resources->scene->wide_lines || d->resources->scene->smooth_lines;
 }
 
+/* How lines of the scene are drawn; for ids hard and opaque. */
+static qtri_stroke stroke_of(const struct drawing *d, const struct scene_stroke *from)
+{
+    static const qtri_cap caps[] = {[SCENE_CAP_ROUND] = QTRI_CAP_ROUND,
+                                    [SCENE_CAP_BUTT] = QTRI_CAP_BUTT,
+                                    [SCENE_CAP_SQUARE] = QTRI_CAP_SQUARE};
+    qtri_stroke stroke = qtri_stroke_default();
+    const bool for_ids = d->pass == SCENE_IDS;
+    const int32_t samples = d->surface->width / d->resources->scene->width; /* 2: 2x2 samples */
+    const int64_t width = (int64_t)from->width * (from->in_space ? 1 : samples);
+    stroke.width = (q16)(width > INT32_MAX ? INT32_MAX : width < INT32_MIN ? INT32_MIN : width);
+    stroke.cap = caps[from->cap];
+    stroke.edges = from->smooth && !for_ids ? &qtri_stroke_smooth : NULL;
+    stroke.alpha = for_ids ? 255 : scene_byte(from->alpha);
+    stroke.closed = from->closed;
+    stroke.in_space = from->in_space;
+    return stroke;
+}
+
+static void draw_stroke(struct drawing *d, const struct scene_op *op)
+{
+    const struct scene_stroke *from = &op->u.stroke;
+    const qtri_stroke stroke = stroke_of(d, from);
+    const uint32_t count = (uint32_t)from->count;
+    qtri_corner *corners = malloc((from->count + 1) * sizeof *corners);
+    if (corners == NULL) {
+        abort();
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        const struct scene_vertex *v = &d->resources->scene->stroke_vertices[from->first + i];
+        corners[i] = corner_of(d, v, op->id);
+    }
+    (from->is_point ? qtri_draw_points : qtri_draw_polyline)(d->surface, &d->view, &d->modelview,
+                                                             corners, count, &stroke, &d->material);
+    free(corners);
+}
+
 static void draw_wide(struct drawing *d, const qtri_view *view, const qtri_mesh *mesh,
                       const qtri_material *material)
 {
-    const struct scene *scene = d->resources->scene;
-    const qtri_stroke stroke =
-        scene_stroke_of(scene, &scene->wide, d->surface, d->pass == SCENE_IDS);
+    const qtri_stroke stroke = stroke_of(d, &d->resources->scene->wide);
     qtri_draw_wide_wireframe(d->surface, view, &d->modelview, mesh, &stroke, material);
 }
 
@@ -335,18 +374,18 @@ static void draw_mesh(struct drawing *d, const struct scene_op *op)
     d->view.light = is_lit ? &d->resources->lights : d->white_light;
     d->material.color = scene_rgb(op->u.mesh.color);
     if (op->kind == SCENE_MODEL) {
-        struct scene_part part;
-        if (!scene_model_create(&part, scene, &scene->models[op->u.mesh.mesh])) {
+        qtri_mesh mesh;
+        if (!scene_model_create(&mesh, scene, &scene->models[op->u.mesh.mesh])) {
             abort(); /* no more than meshes take that were read before */
         }
-        draw_part(d, op, &part.mesh, id, true);
-        scene_part_free(&part);
+        draw_part(d, op, &mesh, id, true);
+        mesh_arrays_free(&mesh);
         return;
     }
     const struct scene_parts *parts = &d->resources->meshes[op->u.mesh.mesh];
     for (size_t i = 0; i < parts->count; i++) {
-        draw_part(d, op, &parts->part[i].mesh, id, parts->count == 1);
-        id += parts->part[i].mesh.triangle_count;
+        draw_part(d, op, &parts->part[i], id, parts->count == 1);
+        id += parts->part[i].triangle_count;
     }
 }
 
@@ -356,36 +395,33 @@ static void draw_mesh(struct drawing *d, const struct scene_op *op)
  */
 static void note_triangles(struct drawing *d, const struct scene_op *ops, size_t count)
 {
-    count = count < 1 ? 1 : count; /* never 0 */
-    qtri_vec3 *positions = malloc(3 * count * sizeof *positions);
-    uint16_t(*triangles)[3] = malloc(count * sizeof *triangles);
-    uint16_t(*neighbours)[3] = malloc(count * sizeof *neighbours);
-    qtri_vertex *vertices = malloc(3 * count * sizeof *vertices);
-    qtri_mesh mesh = {.positions = positions, .triangles = (const uint16_t(*)[3])triangles};
-    if (positions != NULL && triangles != NULL && neighbours != NULL && vertices != NULL) {
+    qtri_mesh mesh = {.vertex_count = 3 * (uint32_t)count, .triangle_count = (uint32_t)count};
+    qtri_vertex *vertices = malloc((3 * count + 1) * sizeof *vertices);
+    if (vertices != NULL && mesh_array_create(&mesh, MESH_POSITIONS) &&
+        mesh_array_create(&mesh, MESH_TRIANGLES)) {
+        mesh.vertex_count = mesh.triangle_count = 0;
         for (size_t i = 0; i < count; i++) {
             const struct scene_vertex *v = ops[i].u.triangle.vertex;
+            const int32_t first = (int32_t)mesh.vertex_count;
+            const int32_t corners[3] = {first, first + 1, first + 2};
             bool is_plain = true;
-            for (int k = 0; k < 3; k++) {
-                const qtri_vec3 p = {v[k].position[0], v[k].position[1], v[k].position[2]};
-                positions[mesh.vertex_count + (uint32_t)k] = p;
-                triangles[mesh.triangle_count][k] = (uint16_t)(mesh.vertex_count + (uint32_t)k);
+            for (uint32_t k = 0; k < 3; k++) {
+                mesh_array_put(&mesh, MESH_POSITIONS, mesh.vertex_count + k, v[k].position);
                 is_plain = is_plain && v[k].position[3] == Q16_ONE;
             }
+            mesh_array_put(&mesh, MESH_TRIANGLES, mesh.triangle_count, corners);
             mesh.vertex_count += is_plain ? 3 : 0;
             mesh.triangle_count += is_plain ? 1 : 0;
         }
         d->view.vertices = vertices;
         d->view.vertex_count = mesh.vertex_count;
-        if (mesh.triangle_count > 0 && mesh_neighbours_make(&mesh, neighbours)) {
+        if (mesh.triangle_count > 0 && mesh_neighbours_add(&mesh)) {
             note_edges(d, &mesh);
         }
         d->view.vertices = d->resources->vertices;
         d->view.vertex_count = d->resources->vertex_count;
     }
-    free(positions);
-    free(triangles);
-    free(neighbours);
+    mesh_arrays_free(&mesh);
     free(vertices);
 }
 
@@ -454,10 +490,8 @@ static void replay(struct drawing *d, struct scene_stacks *stacks)
         if (op->kind == SCENE_MESH || op->kind == SCENE_MODEL) {
             draw_mesh(d, op);
         } else if (op->kind == SCENE_STROKE) {
-            const qtri_rgb id = rgb_of_id(op->id);
             if (d->pass != SCENE_EDGES) {
-                scene_draw_stroke(scene, op, d->surface, &d->view, &d->modelview, &d->material,
-                                  d->pass == SCENE_IDS ? &id : NULL);
+                draw_stroke(d, op);
             }
         } else if (d->pass == SCENE_EDGES) {
             const size_t count = run_of(scene, i);

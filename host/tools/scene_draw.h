@@ -11,21 +11,8 @@
 #include "../io/scene.h"
 
 /* A mesh file as the core wants it: parts of at most 65536 vertices, in file order. */
-struct scene_part {
-    qtri_mesh mesh;
-    qtri_vec3 *positions;
-    qtri_normal *normals;
-    qtri_vec2 *uvs;   /* NULL when the file has none */
-    qtri_rgb *colors; /* so here */
-    uint16_t (*triangles)[3];
-    uint16_t (*neighbours)[3];
-    qtri_face8 *planes;           /* mesh.faces has them where they pay */
-    qtri_position16 *positions16; /* of a model that changes its shape, in place of positions */
-    qtri_normal8 *normals8;
-};
-
 struct scene_parts {
-    struct scene_part *part;
+    qtri_mesh *part;
     size_t count;
 };
 
@@ -85,10 +72,10 @@ void scene_painting_free(struct scene_resources *resources);
 void scene_paint(const struct scene_resources *resources, const qtri_surface *surface,
                  const struct scene_paint *paint);
 
-/* A model of the scene as it is at this moment; free it. False when memory runs out. */
-bool scene_model_create(struct scene_part *part, const struct scene *scene,
+/* A model of the scene as it is at this moment, to be freed by mesh_arrays_free(). False when
+   memory runs out. */
+bool scene_model_create(qtri_mesh *mesh, const struct scene *scene,
                         const struct scene_model *model);
-void scene_part_free(struct scene_part *part);
 
 /*
  * Clears the surface and draws the scene into the rows and scissor it has. The viewport is the

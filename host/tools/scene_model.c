@@ -4,20 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../assets/mesh_arrays.h"
 #include "scene_draw.h"
-
-void scene_part_free(struct scene_part *part)
-{
-    free(part->positions);
-    free(part->normals);
-    free(part->uvs);
-    free(part->colors);
-    free(part->triangles);
-    free(part->neighbours);
-    free(part->planes);
-    free(part->positions16);
-    free(part->normals8);
-}
 
 /* ---- Shapes ---- */
 
@@ -44,11 +32,18 @@ static enum qtri_error make_shape(qtri_mesh *mesh, const qtri_shape_memory *memo
     return qtri_shape_grid(mesh, memory, size[0], size[1], count[0], count[1]);
 }
 
-static bool create_shape(struct scene_part *part, const struct scene_model *model)
+static bool create_shape(qtri_mesh *mesh, const struct scene_model *model)
 {
-    const qtri_shape_memory memory = {part->positions, part->normals,   part->uvs,
-                                      part->triangles, model->vertices, model->triangles};
-    return make_shape(&part->mesh, &memory, model) == QTRI_OK;
+    const bool ok = mesh_array_create(mesh, MESH_POSITIONS) &&
+                    mesh_array_create(mesh, MESH_NORMALS) && mesh_array_create(mesh, MESH_UVS) &&
+                    mesh_array_create(mesh, MESH_TRIANGLES);
+    const qtri_shape_memory memory = {mesh_array(mesh, MESH_POSITIONS),
+                                      mesh_array(mesh, MESH_NORMALS),
+                                      mesh_array(mesh, MESH_UVS),
+                                      mesh_array(mesh, MESH_TRIANGLES),
+                                      model->vertices,
+                                      model->triangles};
+    return ok && make_shape(mesh, &memory, model) == QTRI_OK;
 }
 
 /* ---- Mixed ---- */
@@ -94,10 +89,9 @@ static int16_t position16(int32_t x, int32_t origin, int32_t extent)
 }
 
 /* Sets `to[0..count-1]` to the positions and normals of a mesh as the compact mesh stores them. */
-static void store(const struct scene_part *part, const struct obj_mesh *mesh, qtri_position16 *to,
+static void store(const qtri_mesh *out, const struct obj_mesh *mesh, qtri_position16 *to,
                   qtri_normal8 *normals)
 {
-    const qtri_mesh *out = &part->mesh;
     for (size_t i = 0; i < mesh->vertex_count; i++) {
         const int32_t *p = mesh->positions[i];
         const int32_t *n = mesh->normals[i];
@@ -110,9 +104,11 @@ static void store(const struct scene_part *part, const struct obj_mesh *mesh, qt
     }
 }
 
-static void mix(struct scene_part *part, const struct scene_model *model,
+static void mix(const qtri_mesh *mesh, const struct scene_model *model,
                 const qtri_position16 *positions, const qtri_normal8 *normals)
 {
+    qtri_position16 *mixed = mesh_array(mesh, MESH_POSITIONS16);
+    qtri_normal8 *mixed_normals = mesh_array(mesh, MESH_NORMALS8);
     const uint32_t count = model->vertices;
     const int frames = model->mesh_count;
     if (model->kind == SCENE_TARGETS) {
@@ -120,9 +116,8 @@ static void mix(struct scene_part *part, const struct scene_model *model,
         for (int i = 1; i < frames; i++) {
             targets[i - 1] = positions + (size_t)i * count;
         }
-        qtri_morph_targets(part->positions16, positions, targets, model->weight + 1, frames - 1,
-                           count);
-        memcpy(part->normals8, normals, count * sizeof *normals);
+        qtri_morph_targets(mixed, positions, targets, model->weight + 1, frames - 1, count);
+        memcpy(mixed_normals, normals, count * sizeof *normals);
         return;
     }
     int32_t first = 0;
@@ -132,15 +127,15 @@ static void mix(struct scene_part *part, const struct scene_model *model,
         const double at = model->at - turns * frames * 65536.0;
         first = (int32_t)(at / 65536.0);
         share = (q16)(at - first * 65536.0);
-        qtri_frames_positions(part->positions16, positions, frames, count, model->at);
+        qtri_frames_positions(mixed, positions, frames, count, model->at);
     } else {
-        qtri_morph_positions(part->positions16, positions, positions + count, count, share);
+        qtri_morph_positions(mixed, positions, positions + count, count, share);
     }
     const qtri_normal8 *to = normals + (size_t)((first + 1) % frames) * count;
-    qtri_morph_normals(part->normals8, normals + (size_t)first * count, to, count, share);
+    qtri_morph_normals(mixed_normals, normals + (size_t)first * count, to, count, share);
 }
 
-static bool create_mixed(struct scene_part *part, const struct scene *scene,
+static bool create_mixed(qtri_mesh *mesh, const struct scene *scene,
                          const struct scene_model *model)
 {
     const struct obj_mesh *base = &scene->meshes[model->mesh[0]];
@@ -153,57 +148,34 @@ static bool create_mixed(struct scene_part *part, const struct scene *scene,
         extent = fmax(extent, center[axis] - span.least[axis]);
     }
     const qtri_vec3 origin = {saturated(center[0]), saturated(center[1]), saturated(center[2])};
-    part->mesh.origin = origin;
-    part->mesh.extent = saturated(ceil(extent));
-    part->positions16 = malloc((model->vertices + 1) * sizeof *part->positions16);
-    part->normals8 = malloc((model->vertices + 1) * sizeof *part->normals8);
+    mesh->origin = origin;
+    mesh->extent = saturated(ceil(extent));
     qtri_position16 *positions = malloc(all * sizeof *positions);
     qtri_normal8 *normals = malloc(all * sizeof *normals);
-    const bool ok =
-        part->positions16 != NULL && part->normals8 != NULL && positions != NULL && normals != NULL;
+    const bool ok = positions != NULL && normals != NULL &&
+                    mesh_array_create(mesh, MESH_POSITIONS16) &&
+                    mesh_array_create(mesh, MESH_NORMALS8) &&
+                    (base->uvs == NULL || mesh_array_fill(mesh, MESH_UVS, base->uvs[0])) &&
+                    mesh_array_fill(mesh, MESH_TRIANGLES, (const int32_t *)base->triangles[0]);
     for (int i = 0; ok && i < model->mesh_count; i++) {
         const size_t first = (size_t)i * model->vertices;
-        store(part, &scene->meshes[model->mesh[i]], positions + first, normals + first);
+        store(mesh, &scene->meshes[model->mesh[i]], positions + first, normals + first);
     }
     if (ok) {
-        mix(part, model, positions, normals);
-        for (size_t i = 0; i < base->triangle_count; i++) {
-            for (int k = 0; k < 3; k++) {
-                part->triangles[i][k] = (uint16_t)base->triangles[i][k];
-            }
-        }
-        for (size_t i = 0; base->uvs != NULL && i < base->vertex_count; i++) {
-            const qtri_vec2 uv = {base->uvs[i][0], base->uvs[i][1]};
-            part->uvs[i] = uv;
-        }
-        part->mesh.positions16 = part->positions16;
-        part->mesh.normals8 = part->normals8;
-        part->mesh.uvs = base->uvs != NULL ? part->uvs : NULL;
-        part->mesh.triangles = (const uint16_t(*)[3])part->triangles;
-        part->mesh.vertex_count = model->vertices;
-        part->mesh.triangle_count = model->triangles;
+        mix(mesh, model, positions, normals);
     }
     free(positions);
     free(normals);
     return ok;
 }
 
-bool scene_model_create(struct scene_part *part, const struct scene *scene,
-                        const struct scene_model *model)
+bool scene_model_create(qtri_mesh *mesh, const struct scene *scene, const struct scene_model *model)
 {
-    memset(part, 0, sizeof *part);
-    part->uvs = malloc((model->vertices + 1) * sizeof *part->uvs);
-    part->triangles = malloc((model->triangles + 1) * sizeof *part->triangles);
-    bool ok = part->uvs != NULL && part->triangles != NULL;
-    if (model->kind == SCENE_SHAPE) {
-        part->positions = malloc((model->vertices + 1) * sizeof *part->positions);
-        part->normals = malloc((model->vertices + 1) * sizeof *part->normals);
-        ok = ok && part->positions != NULL && part->normals != NULL && create_shape(part, model);
-    } else {
-        ok = ok && create_mixed(part, scene, model);
-    }
+    *mesh = (qtri_mesh){.vertex_count = model->vertices, .triangle_count = model->triangles};
+    const bool ok =
+        model->kind == SCENE_SHAPE ? create_shape(mesh, model) : create_mixed(mesh, scene, model);
     if (!ok) {
-        scene_part_free(part);
+        mesh_arrays_free(mesh);
     }
     return ok;
 }

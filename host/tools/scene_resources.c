@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../assets/mesh_arrays.h"
 #include "mesh_faces.h"
 #include "mesh_neighbours.h"
 
@@ -15,22 +16,20 @@ static int16_t normal_q14(int32_t component)
     return (int16_t)(rounded > INT16_MAX ? INT16_MAX : (rounded < INT16_MIN ? INT16_MIN : rounded));
 }
 
-static void copy_vertex(struct scene_part *part, uint32_t to, const struct obj_mesh *mesh,
-                        uint32_t from)
+static void copy_vertex(qtri_mesh *part, uint32_t to, const struct obj_mesh *mesh, uint32_t from)
 {
-    qtri_vec3 position = {mesh->positions[from][0], mesh->positions[from][1],
-                          mesh->positions[from][2]};
-    qtri_normal normal = {normal_q14(mesh->normals[from][0]), normal_q14(mesh->normals[from][1]),
-                          normal_q14(mesh->normals[from][2])};
-    part->positions[to] = position;
-    part->normals[to] = normal;
+    int32_t normal[3], color[3];
+    for (int i = 0; i < 3; i++) {
+        normal[i] = normal_q14(mesh->normals[from][i]);
+        color[i] = mesh->colors != NULL ? mesh->colors[from][i] : 0;
+    }
+    mesh_array_put(part, MESH_POSITIONS, to, mesh->positions[from]);
+    mesh_array_put(part, MESH_NORMALS, to, normal);
     if (part->uvs != NULL) {
-        qtri_vec2 uv = {mesh->uvs[from][0], mesh->uvs[from][1]};
-        part->uvs[to] = uv;
+        mesh_array_put(part, MESH_UVS, to, mesh->uvs[from]);
     }
     if (part->colors != NULL) {
-        const uint8_t *c = mesh->colors[from];
-        part->colors[to] = (qtri_rgb){c[0], c[1], c[2]};
+        mesh_array_put(part, MESH_COLORS, to, color);
     }
 }
 
@@ -38,9 +37,9 @@ static void copy_vertex(struct scene_part *part, uint32_t to, const struct obj_m
  * Takes triangles from `first` on until a part is full; returns the first that did not fit.
  * local[v] is 1 + the part's index of vertex v, or 0; it comes and goes all zero.
  */
-static size_t part_fill(struct scene_part *part, const struct obj_mesh *mesh, size_t first,
-                        uint32_t *local)
+static size_t part_fill(qtri_mesh *part, const struct obj_mesh *mesh, size_t first, uint32_t *local)
 {
+    uint16_t(*triangles)[3] = mesh_array(part, MESH_TRIANGLES);
     size_t triangle = first;
     uint32_t vertices = 0;
     for (; triangle < mesh->triangle_count && vertices + 3 <= PART_VERTICES; triangle++) {
@@ -50,7 +49,7 @@ static size_t part_fill(struct scene_part *part, const struct obj_mesh *mesh, si
                 copy_vertex(part, vertices, mesh, vertex);
                 local[vertex] = ++vertices;
             }
-            part->triangles[triangle - first][i] = (uint16_t)(local[vertex] - 1);
+            triangles[triangle - first][i] = (uint16_t)(local[vertex] - 1);
         }
     }
     for (size_t done = first; done < triangle; done++) {
@@ -58,36 +57,22 @@ static size_t part_fill(struct scene_part *part, const struct obj_mesh *mesh, si
             local[mesh->triangles[done][i]] = 0;
         }
     }
-    qtri_mesh view = {
-        .positions = part->positions,
-        .normals = part->normals,
-        .uvs = part->uvs,
-        .colors = part->colors,
-        .triangles = (const uint16_t(*)[3])part->triangles,
-        .vertex_count = vertices,
-        .triangle_count = (uint32_t)(triangle - first),
-    };
-    part->mesh = view;
-    (void)mesh_faces_make(&part->mesh, part->planes);
-    (void)mesh_neighbours_make(&part->mesh, part->neighbours); /* without: found by sums */
+    part->vertex_count = vertices;
+    part->triangle_count = (uint32_t)(triangle - first);
+    mesh_faces_add(part);
+    (void)mesh_neighbours_add(part); /* without: found by sums */
     return triangle;
 }
 
-static bool part_allocate(struct scene_part *part, const struct obj_mesh *mesh, size_t triangles)
+/* Room for as many vertices as a part may have. */
+static bool part_allocate(qtri_mesh *part, const struct obj_mesh *mesh, size_t triangles)
 {
-    size_t vertices = mesh->vertex_count < PART_VERTICES ? mesh->vertex_count : PART_VERTICES;
-    memset(part, 0, sizeof *part);
-    part->positions = malloc((vertices + 1) * sizeof *part->positions);
-    part->normals = malloc((vertices + 1) * sizeof *part->normals);
-    part->uvs = mesh->uvs != NULL ? malloc((vertices + 1) * sizeof *part->uvs) : NULL;
-    part->colors = mesh->colors != NULL ? malloc((vertices + 1) * sizeof *part->colors) : NULL;
-    part->triangles = malloc((triangles + 1) * sizeof *part->triangles);
-    part->planes = malloc((triangles + 1) * sizeof *part->planes);
-    part->neighbours = malloc((triangles + 1) * sizeof *part->neighbours);
-    return part->positions != NULL && part->normals != NULL && part->triangles != NULL &&
-           part->planes != NULL && part->neighbours != NULL &&
-           (mesh->uvs == NULL || part->uvs != NULL) &&
-           (mesh->colors == NULL || part->colors != NULL);
+    const size_t vertices = mesh->vertex_count < PART_VERTICES ? mesh->vertex_count : PART_VERTICES;
+    *part = (qtri_mesh){.vertex_count = (uint32_t)vertices, .triangle_count = (uint32_t)triangles};
+    return mesh_array_create(part, MESH_POSITIONS) && mesh_array_create(part, MESH_NORMALS) &&
+           (mesh->uvs == NULL || mesh_array_create(part, MESH_UVS)) &&
+           (mesh->colors == NULL || mesh_array_create(part, MESH_COLORS)) &&
+           mesh_array_create(part, MESH_TRIANGLES);
 }
 
 static bool parts_create(struct scene_parts *parts, const struct obj_mesh *mesh)
@@ -95,11 +80,11 @@ static bool parts_create(struct scene_parts *parts, const struct obj_mesh *mesh)
     uint32_t *local = calloc(mesh->vertex_count + 1, sizeof *local);
     bool ok = local != NULL;
     for (size_t triangle = 0; ok && triangle < mesh->triangle_count;) {
-        struct scene_part *grown = realloc(parts->part, (parts->count + 1) * sizeof *grown);
+        qtri_mesh *grown = realloc(parts->part, (parts->count + 1) * sizeof *grown);
         ok = grown != NULL;
         if (ok) {
             parts->part = grown;
-            struct scene_part *part = &grown[parts->count++];
+            qtri_mesh *part = &grown[parts->count++];
             ok = part_allocate(part, mesh, mesh->triangle_count - triangle);
             if (ok) {
                 triangle = part_fill(part, mesh, triangle, local);
@@ -127,7 +112,7 @@ static bool create_pass(struct scene_resources *resources, const struct scene *s
         struct scene_parts *parts = &resources->meshes[i];
         ok = parts_create(parts, &scene->meshes[i]);
         for (size_t j = 0; ok && j < parts->count; j++) {
-            uint32_t count = parts->part[j].mesh.vertex_count;
+            uint32_t count = parts->part[j].vertex_count;
             resources->vertex_count =
                 count > resources->vertex_count ? count : resources->vertex_count;
         }
@@ -168,7 +153,7 @@ static void free_pass(struct scene_resources *resources)
 {
     for (size_t i = 0; resources->meshes != NULL && i < resources->scene->mesh_count; i++) {
         for (size_t j = 0; j < resources->meshes[i].count; j++) {
-            scene_part_free(&resources->meshes[i].part[j]);
+            mesh_arrays_free(&resources->meshes[i].part[j]);
         }
         free(resources->meshes[i].part);
     }

@@ -7,16 +7,6 @@
 #include "../io/mipmap.h"
 #include "../io/palette.h"
 
-static uint8_t log2_of(int side)
-{
-    uint8_t log2 = 0;
-    while (side > 1) {
-        side /= 2;
-        log2++;
-    }
-    return log2;
-}
-
 /* value of 255 as the nearest of steps + 1 levels; never a tie. */
 static uint32_t level(uint8_t value, uint32_t steps)
 {
@@ -209,8 +199,8 @@ bool scene_texture_create(struct scene_resources *resources, const struct scene 
     }
     texture->texels = resources->texels;
     texture->format = texel[scene->texel_format].format;
-    texture->width_log2 = log2_of(scene->texture.width);
-    texture->height_log2 = log2_of(scene->texture.height);
+    texture->width_log2 = mipmap_log2(scene->texture.width);
+    texture->height_log2 = mipmap_log2(scene->texture.height);
     texture->wrap_u = scene->texture_clamp[0] ? QTRI_CLAMP : QTRI_REPEAT;
     texture->wrap_v = scene->texture_clamp[1] ? QTRI_CLAMP : QTRI_REPEAT;
     texture->filter = scene->texture_bilinear ? &qtri_bilinear : NULL;

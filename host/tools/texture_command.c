@@ -103,8 +103,7 @@ static bool write_picture(const struct options *options, const struct texture *t
 {
     struct picture picture;
     if (!texture_picture(texture, &picture)) {
-        text_error_set(error, options->output, 0, "out of memory");
-        return false;
+        return text_error_set(error, options->output, 0, "out of memory");
     }
     bool ok = image_write_picture(options->output, &picture, error);
     picture_free(&picture);

@@ -87,9 +87,8 @@ static void run_test(table *out, const verify_test *test, const verify_options *
     verify_row rows[VERIFY_ROWS];
     verify_run(test, options, rows);
     for (int i = 0; i < VERIFY_ROWS; i++) {
-        verify_label label;
-        if (rows[i].inputs > 0 && test->label(test, i, &label)) {
-            print_row(out, &label, &rows[i]);
+        if (rows[i].inputs > 0 && test->label[i].function != NULL) {
+            print_row(out, &test->label[i], &rows[i]);
         }
     }
 }

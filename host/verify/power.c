@@ -94,19 +94,10 @@ static void power_run(const verify_test *test, const verify_options *options, ui
     }
 }
 
-static bool power_label(const verify_test *test, int index, verify_label *label)
-{
-    static const verify_label worst = {"pow", "_worst", "pow < 64, errors >= .515", 2, .52, false};
-    (void)test;
-    *label = worst;
-    return index == 0;
-}
-
-size_t verify_power_tests(verify_test *tests, size_t room)
-{
-    const verify_test search = {"pow_worst", power_run, power_chunks, power_label, NULL};
-    if (room > 0) {
-        tests[0] = search;
-    }
-    return room > 0;
-}
+const verify_test verify_power_test = {
+    "pow_worst",
+    power_run,
+    power_chunks,
+    NULL,
+    {{"pow", "_worst", "pow < 64, errors >= .515", 2, .52, false}},
+};

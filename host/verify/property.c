@@ -13,7 +13,6 @@
 enum { ODD, EVEN, UNIT, PAIR, PERIOD };
 
 typedef struct circle {
-    const char *suffix; /* of "sin", for the names of the rows */
     q16 (*sine)(q16);
     q16 (*cosine)(q16);
     void (*both)(q16, q16 *, q16 *);
@@ -21,8 +20,8 @@ typedef struct circle {
 } circle;
 
 static const circle circles[] = {
-    {"", q16_sin, q16_cos, q16_sincos, 0},
-    {"_deg", q16_sin_deg, q16_cos_deg, q16_sincos_deg, Q16(360)},
+    {q16_sin, q16_cos, q16_sincos, 0},
+    {q16_sin_deg, q16_cos_deg, q16_sincos_deg, Q16(360)},
 };
 
 static double unit_error(q16 sine, q16 cosine)
@@ -114,26 +113,6 @@ static void circle_run(const verify_test *test, const verify_options *options, u
     }
 }
 
-static bool circle_label(const verify_test *test, int index, verify_label *label)
-{
-    static const verify_label labels[2][5] = {
-        {{"sin", "_odd", "sin(-x) = -sin(x)", 1, 0, true},
-         {"cos", "_even", "cos(-x) = cos(x)", 1, 0, true},
-         {"sincos", "_unit", "sin^2 + cos^2 = 1", 1, 2, false},
-         {"sincos", "", "as sin and cos", 1, 0, true}},
-        {{"sin_deg", "_odd", "sin(-x) = -sin(x)", 1, 0, true},
-         {"cos_deg", "_even", "cos(-x) = cos(x)", 1, 0, true},
-         {"sincos_deg", "_unit", "sin^2 + cos^2 = 1", 1, 2, false},
-         {"sincos_deg", "", "as sin and cos", 1, 0, true},
-         {"sincos_deg", "_period", "as of x - 360 and x + 360", 1, 0, true}},
-    };
-    if (index > PERIOD) {
-        return false;
-    }
-    *label = labels[(const circle *)test->subject - circles][index];
-    return true;
-}
-
 /* Tangents: odd, and after half a turn the same, where there is one. */
 
 enum { TAN_ODD, TAN_DEG_ODD, TAN_PERIOD };
@@ -170,21 +149,6 @@ static void tangent_run(const verify_test *test, const verify_options *options, 
     }
 }
 
-static bool tangent_label(const verify_test *test, int index, verify_label *label)
-{
-    static const verify_label labels[] = {
-        {"tan", "_odd", "tan(-x) = -tan(x)", 1, 0, true},
-        {"tan_deg", "_odd", "tan(-x) = -tan(x)", 1, 0, true},
-        {"tan_deg", "_period", "as of x - 180 and x + 180", 1, 0, true},
-    };
-    (void)test;
-    if (index > TAN_PERIOD) {
-        return false;
-    }
-    *label = labels[index];
-    return true;
-}
-
 /* Multiples of 90 degrees: sine and cosine are whole. */
 
 static uint64_t right_chunks(const verify_test *test, const verify_options *options)
@@ -209,26 +173,34 @@ static void right_run(const verify_test *test, const verify_options *options, ui
     }
 }
 
-static bool right_label(const verify_test *test, int index, verify_label *label)
-{
-    static const verify_label right = {"sincos_deg", "_right", "multiples of 90", 1, 0, true};
-    (void)test;
-    *label = right;
-    return index == 0;
-}
-
-size_t verify_property_tests(verify_test *tests, size_t room)
-{
-    const verify_test all[] = {
-        {"sincos", circle_run, circle_chunks, circle_label, &circles[0]},
-        {"sincos_deg", circle_run, circle_chunks, circle_label, &circles[1]},
-        {"tangents", tangent_run, circle_chunks, tangent_label, NULL},
-        {"right_angles", right_run, right_chunks, right_label, NULL},
-    };
-    size_t count = sizeof all / sizeof all[0];
-    count = count < room ? count : room;
-    for (size_t i = 0; i < count; i++) {
-        tests[i] = all[i];
-    }
-    return count;
-}
+const verify_test verify_property_tests[VERIFY_PROPERTIES] = {
+    {"sincos",
+     circle_run,
+     circle_chunks,
+     &circles[0],
+     {[ODD] = {"sin", "_odd", "sin(-x) = -sin(x)", 1, 0, true},
+      [EVEN] = {"cos", "_even", "cos(-x) = cos(x)", 1, 0, true},
+      [UNIT] = {"sincos", "_unit", "sin^2 + cos^2 = 1", 1, 2, false},
+      [PAIR] = {"sincos", "", "as sin and cos", 1, 0, true}}},
+    {"sincos_deg",
+     circle_run,
+     circle_chunks,
+     &circles[1],
+     {[ODD] = {"sin_deg", "_odd", "sin(-x) = -sin(x)", 1, 0, true},
+      [EVEN] = {"cos_deg", "_even", "cos(-x) = cos(x)", 1, 0, true},
+      [UNIT] = {"sincos_deg", "_unit", "sin^2 + cos^2 = 1", 1, 2, false},
+      [PAIR] = {"sincos_deg", "", "as sin and cos", 1, 0, true},
+      [PERIOD] = {"sincos_deg", "_period", "as of x - 360 and x + 360", 1, 0, true}}},
+    {"tangents",
+     tangent_run,
+     circle_chunks,
+     NULL,
+     {[TAN_ODD] = {"tan", "_odd", "tan(-x) = -tan(x)", 1, 0, true},
+      [TAN_DEG_ODD] = {"tan_deg", "_odd", "tan(-x) = -tan(x)", 1, 0, true},
+      [TAN_PERIOD] = {"tan_deg", "_period", "as of x - 180 and x + 180", 1, 0, true}}},
+    {"right_angles",
+     right_run,
+     right_chunks,
+     NULL,
+     {{"sincos_deg", "_right", "multiples of 90", 1, 0, true}}},
+};

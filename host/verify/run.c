@@ -4,8 +4,10 @@
  */
 #define _POSIX_C_SOURCE 200809L /* isatty, clock_gettime */
 
-#include "verify.h"
+#include "table.h"
+#include "tuple.h"
 
+#include <assert.h>
 #include <pthread.h>
 #include <time.h>
 #include <unistd.h>
@@ -106,9 +108,21 @@ void verify_run(const verify_test *test, const verify_options *options, verify_r
 
 size_t verify_all_tests(verify_test tests[VERIFY_TESTS])
 {
-    size_t count = verify_scalar_tests(tests, VERIFY_TESTS);
-    count += verify_property_tests(tests + count, VERIFY_TESTS - count);
-    count += verify_tuple_tests(tests + count, VERIFY_TESTS - count);
-    count += verify_power_tests(tests + count, VERIFY_TESTS - count);
+    size_t count = 0;
+    assert(verify_function_count + VERIFY_PROPERTIES + verify_length_count + verify_product_count <
+           VERIFY_TESTS);
+    for (size_t i = 0; i < verify_function_count; i++) {
+        tests[count++] = verify_scalar_test(&verify_functions[i]);
+    }
+    for (size_t i = 0; i < VERIFY_PROPERTIES; i++) {
+        tests[count++] = verify_property_tests[i];
+    }
+    for (size_t i = 0; i < verify_length_count; i++) {
+        tests[count++] = verify_tuple_test(&verify_lengths[i]);
+    }
+    for (size_t i = 0; i < verify_product_count; i++) {
+        tests[count++] = verify_tuple_test(&verify_products[i]);
+    }
+    tests[count++] = verify_power_test;
     return count;
 }

@@ -326,47 +326,19 @@ static uint64_t scalar_chunks(const verify_test *test, const verify_options *opt
                : chunks_of(stress_tuples(f, options)) + chunks_of(random_tuples(options));
 }
 
-static bool scalar_label(const verify_test *test, int index, verify_label *label)
+verify_test verify_scalar_test(const verify_function *f)
 {
-    const verify_function *f = (const verify_function *)test->subject;
-    verify_label plain = {f->name,         "",       f->domain,
-                          arguments_of(f), f->limit, f->reference->fast == NULL};
-    switch (index) {
-    case PLAIN:
-        break;
-    case RELATIVE:
-        plain.suffix = "_relative";
-        plain.domain = f->relative_domain;
-        plain.limit = 1;
-        break;
-    case OUTSIDE:
-        plain.suffix = "_outside";
-        plain.domain = "elsewhere: as documented";
-        plain.limit = 0;
-        break;
-    case MONOTONE:
-        plain.suffix = "_monotone";
-        plain.domain = f->monotone > 0 ? "never falls" : "never rises";
-        plain.limit = 0;
-        break;
-    default:
-        return false;
-    }
-    *label = plain;
-    return true;
-}
-
-verify_test verify_scalar_test(const verify_function *function)
-{
-    verify_test test = {function->name, scalar_run, scalar_chunks, scalar_label, function};
+    const int arguments = arguments_of(f);
+    const bool all_correct = f->reference->fast == NULL;
+    const verify_test test = {
+        f->name,
+        scalar_run,
+        scalar_chunks,
+        f,
+        {[PLAIN] = {f->name, "", f->domain, arguments, f->limit, all_correct},
+         [RELATIVE] = {f->name, "_relative", f->relative_domain, arguments, 1, all_correct},
+         [OUTSIDE] = {f->name, "_outside", "elsewhere: as documented", arguments, 0, all_correct},
+         [MONOTONE] = {f->name, "_monotone", f->monotone > 0 ? "never falls" : "never rises",
+                       arguments, 0, all_correct}}};
     return test;
-}
-
-size_t verify_scalar_tests(verify_test *tests, size_t room)
-{
-    size_t count = verify_function_count < room ? verify_function_count : room;
-    for (size_t i = 0; i < count; i++) {
-        tests[i] = verify_scalar_test(&verify_functions[i]);
-    }
-    return count;
 }

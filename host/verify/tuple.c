@@ -125,27 +125,14 @@ static void tuple_run(const verify_test *test, const verify_options *options, ui
     }
 }
 
-static bool tuple_label(const verify_test *test, int index, verify_label *label)
+verify_test verify_tuple_test(const verify_tuple *t)
 {
-    const verify_tuple *t = (const verify_tuple *)test->subject;
-    verify_label component = {t->name, "", "components", t->arguments, t->limit, t->all_correct};
-    verify_label length = {t->name, "_unit", "length of the result is 1", t->arguments, 2, false};
-    *label = index == COMPONENT ? component : length;
-    return index == COMPONENT || index == LENGTH;
-}
-
-static size_t add_tests(const verify_tuple *tuples, size_t count, verify_test *tests, size_t room)
-{
-    count = count < room ? count : room;
-    for (size_t i = 0; i < count; i++) {
-        verify_test test = {tuples[i].name, tuple_run, tuple_chunks, tuple_label, &tuples[i]};
-        tests[i] = test;
-    }
-    return count;
-}
-
-size_t verify_tuple_tests(verify_test *tests, size_t room)
-{
-    size_t count = add_tests(verify_lengths, verify_length_count, tests, room);
-    return count + add_tests(verify_products, verify_product_count, tests + count, room - count);
+    const verify_test test = {
+        t->name,
+        tuple_run,
+        tuple_chunks,
+        t,
+        {[COMPONENT] = {t->name, "", "components", t->arguments, t->limit, t->all_correct},
+         [LENGTH] = {t->name, "_unit", "length of the result is 1", t->arguments, 2, false}}};
+    return test;
 }

@@ -35,6 +35,8 @@ typedef struct verify_tuple {
         memcpy(r, &result, sizeof result);                                                         \
     }
 
+verify_test verify_tuple_test(const verify_tuple *tuple);
+
 extern const verify_tuple verify_lengths[];
 extern const size_t verify_length_count;
 

@@ -92,9 +92,8 @@ typedef struct verify_test {
     void (*run)(const struct verify_test *test, const verify_options *options, uint64_t chunk,
                 verify_row *rows);
     uint64_t (*chunks)(const struct verify_test *test, const verify_options *options);
-    /* The label of rows[index], or false where the test has no such row. */
-    bool (*label)(const struct verify_test *test, int index, verify_label *label);
     const void *subject;
+    verify_label label[VERIFY_ROWS]; /* of each row; a test without one has no function there */
 } verify_test;
 
 /* --- rows (row.c) */
@@ -146,12 +145,10 @@ q16 verify_stratum(int index);
 
 /* --- the tests */
 
-size_t verify_scalar_tests(verify_test *tests, size_t room);   /* scalar.c, from table.c */
-size_t verify_property_tests(verify_test *tests, size_t room); /* property.c */
-size_t verify_tuple_tests(verify_test *tests, size_t room);    /* tuple.c */
-size_t verify_power_tests(verify_test *tests, size_t room);    /* power.c */
+enum { VERIFY_PROPERTIES = 4, VERIFY_TESTS = 160 };
+extern const verify_test verify_property_tests[VERIFY_PROPERTIES];
+extern const verify_test verify_power_test;
 
-enum { VERIFY_TESTS = 160 };
 size_t verify_all_tests(verify_test tests[VERIFY_TESTS]);
 
 /* Runs a test on options->threads threads; rows must have VERIFY_ROWS. */

@@ -111,13 +111,11 @@ bool file_read(const char *path, struct file_content *content, struct text_error
     const struct web_file *file = find(path);
     *content = (struct file_content){.bytes = NULL};
     if (file == NULL) {
-        text_error_set(error, path, 0, "is not among the files of the page");
-        return false;
+        return text_error_set(error, path, 0, "is not among the files of the page");
     }
     content->bytes = malloc(file->length + 1);
     if (content->bytes == NULL) {
-        text_error_set(error, path, 0, "out of memory");
-        return false;
+        return text_error_set(error, path, 0, "out of memory");
     }
     memcpy(content->bytes, file->bytes, file->length);
     content->length = file->length;

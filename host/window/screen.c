@@ -149,7 +149,8 @@ static bool shrink(const struct screen *screen, const uint8_t *rgb, struct pictu
     return true;
 }
 
-bool screen_read(struct screen *screen, struct picture *picture)
+/* The display, a pixel for each block; false after a message. */
+static bool read_back(struct screen *screen, struct picture *picture)
 {
     const SDL_Rect part = {0, 0, screen->scale * screen->width, screen->scale * screen->height};
     uint8_t *rgb = malloc(3 * (size_t)part.w * (size_t)part.h);
@@ -163,5 +164,18 @@ bool screen_read(struct screen *screen, struct picture *picture)
         ok = shrink(screen, rgb, picture);
     }
     free(rgb);
+    return ok;
+}
+
+bool screen_shoot(struct screen *screen, const char *path)
+{
+    struct picture seen = {0};
+    struct text_error error;
+    bool ok = read_back(screen, &seen);
+    if (ok && !picture_write_ppm(path, &seen, &error)) {
+        fprintf(stderr, "window: %s\n", error.message);
+        ok = false;
+    }
+    picture_free(&seen);
     return ok;
 }

@@ -32,9 +32,9 @@ bool screen_show(struct screen *screen, const struct picture *picture, const cha
 int screen_key(int wait_ms);
 
 /*
- * Reads the window back: the picture that is seen, one pixel for each block of the enlarged one.
- * False after a message: it cannot be read, or a block has not one colour.
+ * Writes what the window shows to a PPM file, one pixel for each block of the enlarged picture.
+ * False after a message: it cannot be read or written, or a block has not one colour.
  */
-bool screen_read(struct screen *screen, struct picture *picture);
+bool screen_shoot(struct screen *screen, const char *path);
 
 #endif

@@ -52,19 +52,6 @@ static bool wait_for_next(void)
     }
 }
 
-static bool shoot(void)
-{
-    struct picture picture = {0};
-    struct text_error error;
-    bool ok = screen_read(&seen.screen, &picture);
-    if (ok && !picture_write_ppm(seen.shot, &picture, &error)) {
-        fprintf(stderr, "window: %s\n", error.message);
-        ok = false;
-    }
-    picture_free(&picture);
-    return ok;
-}
-
 bool example_next_frame(qtri_panel *panel)
 {
     const int width = (int)qtri_panel_width(panel), height = (int)qtri_panel_height(panel);
@@ -81,7 +68,7 @@ bool example_next_frame(qtri_panel *panel)
     }
     seen.failed = seen.failed || !show();
     if (!seen.failed && seen.frame == seen.last) {
-        seen.failed = !shoot();
+        seen.failed = !screen_shoot(&seen.screen, seen.shot);
         return false;
     }
     seen.frame++;

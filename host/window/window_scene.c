@@ -74,19 +74,6 @@ static bool draw(struct screen *screen, const struct scene_view *view, const cha
     return ok;
 }
 
-static bool shoot(struct screen *screen, const char *path)
-{
-    struct picture seen = {0};
-    struct text_error error;
-    bool ok = screen_read(screen, &seen);
-    if (ok && !picture_write_ppm(path, &seen, &error)) {
-        fprintf(stderr, "window: %s\n", error.message);
-        ok = false;
-    }
-    picture_free(&seen);
-    return ok;
-}
-
 /* Until q; space runs the time. A scene that cannot be drawn any more ends it. */
 static bool run(struct screen *screen, struct scene_view *view, const char *path)
 {
@@ -133,7 +120,7 @@ int main(int argc, char **argv)
         (void)scene_view_key(&view, *keys);
     }
     ok = ok && draw(&screen, &view, path) &&
-         (shot != NULL ? shoot(&screen, shot) : run(&screen, &view, path));
+         (shot != NULL ? screen_shoot(&screen, shot) : run(&screen, &view, path));
     if (screen.window != NULL) {
         screen_close(&screen);
     }
