@@ -37,8 +37,8 @@ static void cover_hard(qtri_stroker *stroker)
     qtri_stroke_window *w = &stroker->window;
     const int32_t y = w->row * 256 + 128;
     int32_t depth[QTRI_COVERAGE_WINDOW + 1] = {0}; /* of shapes, added up from the left */
-    uint32_t at = 0;
-    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
+    uint32_t count = 0;
+    for (qtri_stroke_shape *s = NULL; (s = qtri_stroker_next(stroker, s, &count)) != NULL;) {
         if (y < s->top || y >= s->bottom) {
             continue;
         }
@@ -68,9 +68,9 @@ static void find_parts(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;
     uint32_t touched = 0;
-    uint32_t at = 0;
+    uint32_t count = 0;
     w->shared = 0;
-    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
+    for (qtri_stroke_shape *s = NULL; (s = qtri_stroker_next(stroker, s, &count)) != NULL;) {
         if (s->min_x >= w->coverage.end * 256 || s->max_x <= w->coverage.x * 256) {
             continue;
         }
@@ -104,11 +104,11 @@ QTRI_NOINLINE static void find_nearest(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;
     uint64_t min[QTRI_COVERAGE_WINDOW];
-    uint32_t at = 0;
+    uint32_t count = 0;
     for (int32_t i = 0; i < QTRI_COVERAGE_WINDOW; i++) {
         min[i] = UINT64_MAX;
     }
-    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
+    for (qtri_stroke_shape *s = NULL; (s = qtri_stroker_next(stroker, s, &count)) != NULL;) {
         for (uint32_t bits = w->shared; bits != 0; bits &= bits - 1) {
             const int32_t i = 31 - qtri_clz32(bits & (0 - bits));
             const uint64_t square = qtri_stroke_shape_distance(s, w->coverage.x + i, w->row);
@@ -153,7 +153,7 @@ static void draw_window(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;
     const qtri_rect *bounds = &stroker->to.state.bounds;
-    uint16_t weight[QTRI_COVERAGE_WINDOW];
+    uint16_t all[QTRI_COVERAGE_WINDOW]; /* weights of columns */
     w->first = QTRI_COVERAGE_WINDOW;
     w->end = 0;
     if (stroker->edges != NULL) {
@@ -170,15 +170,14 @@ static void draw_window(qtri_stroker *stroker)
     for (int32_t i = w->first; i < w->end; i++) {
         sum += w->coverage.sum[i];
         w->coverage.sum[i] = 0;
-        if (i >= first && i < end) {
-            const uint32_t cover = (uint32_t)qtri_hold32(sum, 0, QTRI_COVERAGE_FULL);
-            weight[i - first] = (uint16_t)qtri_stroke_weight(cover, stroker->to.alpha_q16);
-        }
+        const uint32_t cover = (uint32_t)qtri_hold32(sum, 0, QTRI_COVERAGE_FULL);
+        all[i] = (uint16_t)qtri_stroke_weight(cover, stroker->to.alpha_q16);
     }
     w->coverage.sum[w->end] = 0;
     if (first >= end) {
         return;
     }
+    const uint16_t *weight = &all[first];
     if (stroker->has_one_look) {
         draw_span(stroker, &stroker->shape[0], w->coverage.x + first, w->coverage.x + end, weight);
     } else {
@@ -193,12 +192,18 @@ static void draw_row(qtri_stroker *stroker, int32_t x)
     const int32_t end = x + QTRI_COVERAGE_WINDOW;
     int32_t width = QTRI_COVERAGE_WINDOW;
     while (x < end) {
-        w->coverage.x = x;
-        w->coverage.end = x + width;
-        qtri_stroker_find_shapes(stroker);
+        if (w->row >= w->same_end || w->coverage.x != x || w->coverage.end != x + width) {
+            w->coverage.x = x;
+            w->coverage.end = x + width;
+            qtri_stroker_find_shapes(stroker);
+        }
         if (!w->is_complete && width > MIN_WIDTH) {
             width >>= 1;
             continue;
+        }
+        for (int i = 0; !stroker->has_one_look && i < QTRI_STROKE_SHAPES; i++) {
+            stroker->shape[i].min_x = w->is_complete ? INT32_MAX : INT32_MIN;
+            stroker->shape[i].max_x = w->is_complete ? INT32_MIN : INT32_MAX;
         }
         draw_window(stroker);
         x += width;
@@ -218,6 +223,7 @@ static void draw_strip(qtri_stroker *stroker, int32_t x, int32_t y0, int32_t y1)
         y0 = qtri_greatest32(first, y0);
         y1 = qtri_least32(end, y1);
     }
+    stroker->window.same_end = INT32_MIN;
     for (stroker->window.row = y0; stroker->window.row < y1; stroker->window.row++) {
         draw_row(stroker, x);
     }

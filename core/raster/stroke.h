@@ -53,7 +53,8 @@ typedef struct qtri_stroke_window {
     uint32_t part[QTRI_COVERAGE_WINDOW]; /* and whose colours they have */
     qtri_stroke_shape *shape[QTRI_STROKE_SHAPES];
     uint32_t shape_count;
-    bool is_complete; /* these are all that the row has */
+    bool is_complete; /* these are all that the row has, or there are none here, */
+    int32_t same_end; /* and all that rows up to this have */
 } qtri_stroke_window;
 
 /* What the points of one size share; see stroke_point.c. */
@@ -141,17 +142,20 @@ qtri_stroke_shape *qtri_stroker_shape(qtri_stroker *stroker, uint32_t part);
 /* Finds the shapes of the window's columns in its row. */
 void qtri_stroker_find_shapes(qtri_stroker *stroker);
 
-/* Looks for the row's next shape where there is no room for all of them. */
-qtri_stroke_shape *qtri_stroker_find_next(qtri_stroker *stroker, uint32_t *at);
+/* The shape of the row's next part from `part` on, where there is no room for all; NULL: none. */
+qtri_stroke_shape *qtri_stroker_find_next(qtri_stroker *stroker, uint32_t part);
 
-/* The row's shapes, *at being 0 at first; NULL behind the last. One is there until the next. */
-static inline qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at)
+/* The row's shape after `shape`, NULL before the first, which is there until the next; *count, 0 at
+   first, counts them. NULL behind the last. */
+static inline qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker,
+                                                   const qtri_stroke_shape *shape, uint32_t *count)
 {
     const qtri_stroke_window *w = &stroker->window;
-    if (w->is_complete) {
-        return *at < w->shape_count ? w->shape[(*at)++] : NULL;
+    if (*count < w->shape_count) {
+        return w->shape[(*count)++];
     }
-    return qtri_stroker_find_next(stroker, at);
+    return w->is_complete ? NULL
+                          : qtri_stroker_find_next(stroker, shape != NULL ? shape->part + 1 : 0);
 }
 
 /* Adds columns of the window that lie from x0 to x1 to those that are covered. */
