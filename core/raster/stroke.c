@@ -136,12 +136,13 @@ QTRI_NOINLINE static void draw_looks(qtri_stroker *stroker, int32_t first, int32
             i++;
             continue;
         }
+        qtri_stroke_place place;
         qtri_stroke_end ends[2];
         const uint32_t part = w->part[i];
         while (i < end && weight[i - first] != 0 && w->part[i] == part) {
             i++;
         }
-        qtri_stroker_ends(stroker, part, ends);
+        (void)qtri_stroker_find(stroker, part, &place, ends);
         qtri_stroke_look_init(&stroker->look, ends);
         draw_span(stroker, qtri_stroker_shape(stroker, part), w->coverage.x + from,
                   w->coverage.x + i, weight + (from - first));
@@ -277,16 +278,15 @@ void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *plac
 static bool find_look(qtri_stroker *stroker)
 {
     const qtri_stroke_source *source = stroker->source;
-    qtri_point place[2];
+    qtri_point at[2];
     qtri_stroke_look first;
     bool is_first = true;
     for (uint32_t part = 0; part < source->count; part++) {
         qtri_stroke_end end[2];
-        if (!source->place(source->from, part, place)) {
+        if (!source->find(source->from, part, at, end)) {
             continue;
         }
         qtri_stroke_look *look = is_first ? &first : &stroker->look;
-        qtri_stroker_ends(stroker, part, end);
         qtri_stroke_look_init(look, end);
         if (!look->is_level || look->z_16p16 != first.z_16p16 ||
             look->color_8p8[0] != first.color_8p8[0] || look->color_8p8[1] != first.color_8p8[1] ||
@@ -311,8 +311,7 @@ void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source)
     if (source->count == 1) {
         qtri_stroke_place place;
         qtri_stroke_end end[2];
-        if (qtri_stroker_place(stroker, 0, &place)) {
-            source->ends(source->from, 0, end);
+        if (qtri_stroker_find(stroker, 0, &place, end)) {
             qtri_stroke_look_init(&stroker->look, end);
             qtri_stroker_draw_part(stroker, &place);
         }
@@ -345,33 +344,20 @@ typedef struct polyline {
     uint32_t count;
 } polyline;
 
-/* Both ends as lines have them, and their colours. */
-static void find_ends(const polyline *line, uint32_t part, qtri_vertex end[2],
-                      qtri_line_color color[2])
+static bool find_part(const void *from, uint32_t part, qtri_point at[2], qtri_stroke_end end[2])
 {
-    qtri_line_end(&end[0], color[0], &line->v[part]);
-    qtri_line_end(&end[1], color[1], &line->v[part + 1 < line->count ? part + 1 : 0]);
-}
-
-static bool place(const void *from, uint32_t part, qtri_point end[2])
-{
-    qtri_vertex v[2];
-    qtri_line_color color[2];
-    find_ends(from, part, v, color);
-    end[0] = v[0].at;
-    end[1] = v[1].at;
-    return true;
-}
-
-static void ends(const void *from, uint32_t part, qtri_stroke_end end[2])
-{
-    qtri_vertex v[2];
-    qtri_line_color color[2];
-    find_ends(from, part, v, color);
-    for (int i = 0; i < 2; i++) {
-        end[i].depth_16p8 = v[i].depth_16p8;
-        memcpy(end[i].color_8p16, color[i], sizeof color[i]);
+    const polyline *line = from;
+    for (uint32_t i = 0; i < 2; i++) {
+        qtri_vertex v;
+        qtri_line_color color;
+        qtri_line_end(&v, color, &line->v[part + i < line->count ? part + i : 0]);
+        at[i] = v.at;
+        if (end != NULL) {
+            end[i].depth_16p8 = v.depth_16p8;
+            memcpy(end[i].color_8p16, color, sizeof color);
+        }
     }
+    return true;
 }
 
 void qtri_raster_polyline(const qtri_surface *surface, const qtri_material *material,
@@ -385,7 +371,7 @@ void qtri_raster_polyline(const qtri_surface *surface, const qtri_material *mate
     const polyline line = {v, count};
     const bool closed = stroke->closed && count > 2;
     const qtri_stroke_source source = {&line, closed || count == 1 ? count : count - 1, closed,
-                                       place, ends};
+                                       find_part};
     if (count > 0 && qtri_stroker_init(&stroker, surface, material, stroke) && stroker.radius > 0) {
         qtri_stroker_draw(&stroker, &source);
     }

@@ -24,13 +24,13 @@ enum {
     QTRI_STROKE_BLOCKS = 8  /* of parts that follow each other, with their boxes */
 };
 
-/* Parts 0 .. count-1 of a line. `place` says false of what is not to be seen. */
+/* Parts 0 .. count-1 of a line. `find` says where a part is and, if `end` is not NULL, what its
+   ends look like; false: it is not to be seen. */
 typedef struct qtri_stroke_source {
     const void *from;
     uint32_t count;
     bool closed;
-    bool (*place)(const void *from, uint32_t part, qtri_point end[2]);
-    void (*ends)(const void *from, uint32_t part, qtri_stroke_end end[2]);
+    bool (*find)(const void *from, uint32_t part, qtri_point at[2], qtri_stroke_end end[2]);
 } qtri_stroke_source;
 
 /* Pixels: x0 <= x < x1. */
@@ -122,9 +122,9 @@ void qtri_stroke_point_cover(const qtri_stroke_disc *disc, const qtri_stroke_blo
 
 #define QTRI_STROKE_NONE UINT32_MAX
 
-/* stroke_parts.c: a part's position; false: it is not seen. The disc of a joint may be one. */
-bool qtri_stroker_place(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place);
-void qtri_stroker_ends(const qtri_stroker *stroker, uint32_t part, qtri_stroke_end end[2]);
+/* stroke_parts.c: as a source's `find`. The disc of a joint may be a part. */
+bool qtri_stroker_find(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place,
+                       qtri_stroke_end end[2]);
 
 /* Pixels that a part may touch. */
 qtri_stroke_box qtri_stroke_box_of(const qtri_stroke_place *place);

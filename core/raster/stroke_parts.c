@@ -24,12 +24,13 @@ static uint32_t count_of(const qtri_stroker *stroker)
     return source->count + (has_discs ? 2 : 0);
 }
 
-bool qtri_stroker_place(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place)
+bool qtri_stroker_find(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place,
+                       qtri_stroke_end end[2])
 {
     const qtri_stroke_source *source = stroker->source;
     const uint32_t last = source->count - 1;
     const uint32_t owner = part <= last ? part : part == last + 1 ? 0 : last;
-    if (!source->place(source->from, owner, place->end)) {
+    if (!source->find(source->from, owner, place->end, end)) {
         return false;
     }
     place->radius_24p8 = stroker->radius;
@@ -42,18 +43,10 @@ bool qtri_stroker_place(const qtri_stroker *stroker, uint32_t part, qtri_stroke_
     const bool is_disc = is_short(place);
     place->end[1 - joint] = place->end[joint];
     place->caps[0] = place->caps[1] = QTRI_CAP_ROUND;
-    return is_disc;
-}
-
-void qtri_stroker_ends(const qtri_stroker *stroker, uint32_t part, qtri_stroke_end end[2])
-{
-    const qtri_stroke_source *source = stroker->source;
-    const uint32_t last = source->count - 1;
-    source->ends(source->from, part <= last ? part : part == last + 1 ? 0 : last, end);
-    if (part > last) {
-        const int joint = part == last + 1 ? 1 : 0;
+    if (end != NULL) {
         end[1 - joint] = end[joint];
     }
+    return is_disc;
 }
 
 /*
@@ -69,7 +62,7 @@ static void set_joints(const qtri_stroker *stroker, uint32_t part, qtri_stroke_p
             place->caps[place->caps[0] == QTRI_CAP_ROUND ? 0 : 1] = QTRI_CAP_BUTT;
         }
     } else if (place->caps[0] == QTRI_CAP_ROUND && part > 0 &&
-               qtri_stroker_place(stroker, part - 1, &before) &&
+               qtri_stroker_find(stroker, part - 1, &before, NULL) &&
                before.end[1].x_24p8 == place->end[0].x_24p8 &&
                before.end[1].y_24p8 == place->end[0].y_24p8) {
         place->caps[0] = QTRI_CAP_BUTT;
@@ -102,7 +95,7 @@ static bool is_near(const qtri_stroker *stroker, uint32_t part, const qtri_strok
                     qtri_stroke_box *own)
 {
     qtri_stroke_place place;
-    if (!qtri_stroker_place(stroker, part, &place)) {
+    if (!qtri_stroker_find(stroker, part, &place, NULL)) {
         return false;
     }
     *own = qtri_stroke_box_of(&place);
@@ -131,7 +124,7 @@ qtri_stroke_box qtri_stroker_find_blocks(qtri_stroker *stroker)
         *block = none;
         for (; part < end; part++) {
             qtri_stroke_place place;
-            if (qtri_stroker_place(stroker, part, &place)) {
+            if (qtri_stroker_find(stroker, part, &place, NULL)) {
                 const qtri_stroke_box box = qtri_stroke_box_of(&place);
                 add_box(block, &box);
             }
@@ -213,7 +206,7 @@ qtri_stroke_shape *qtri_stroker_shape(qtri_stroker *stroker, uint32_t part)
     }
     qtri_stroke_place place;
     qtri_stroke_shape *shape = free_shape(stroker);
-    (void)qtri_stroker_place(stroker, part, &place);
+    (void)qtri_stroker_find(stroker, part, &place, NULL);
     set_joints(stroker, part, &place);
     qtri_stroker_init_shape(stroker, shape, &place);
     shape->part = part;
