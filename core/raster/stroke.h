@@ -71,6 +71,7 @@ typedef struct qtri_stroke_disc {
 /* Pixels, from the point's centre to their left and upper sides: 24.8. */
 typedef struct qtri_stroke_block {
     int32_t x, y, count, rows;
+    int32_t radius;
     bool is_round;
 } qtri_stroke_block;
 
@@ -98,10 +99,9 @@ struct qtri_stroke_edges {
     void (*set_ring)(qtri_stroke_ring *ring, int32_t radius);
     /* Adds what the row's shapes cover together to the window. */
     void (*cover)(qtri_stroker *stroker);
-    /* Points: what their size says, and what they cover of a block, row by row. */
-    void (*set_disc)(qtri_stroke_disc *disc, int32_t radius);
-    void (*cover_point)(const qtri_stroke_disc *disc, const qtri_stroke_block *block,
-                        uint32_t alpha_q16, uint16_t *weight);
+    /* What a point covers of a block, row by row. The disc is of any point before it. */
+    void (*cover_point)(qtri_stroke_disc *disc, const qtri_stroke_block *block, uint32_t alpha_q16,
+                        uint16_t *weight);
     qtri_line_draws line; /* thin ones, each by itself: see line.h */
 };
 
@@ -116,8 +116,7 @@ void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *plac
 /* stroke_point.c: a disc or a square of at most QTRI_STROKE_POINT_RADIUS, of stroker->look. */
 void qtri_stroker_draw_point(qtri_stroker *stroker, const qtri_point *center, int32_t radius,
                              bool is_round);
-void qtri_stroke_disc_init(qtri_stroke_disc *disc, int32_t radius);
-void qtri_stroke_point_cover(const qtri_stroke_disc *disc, const qtri_stroke_block *block,
+void qtri_stroke_point_cover(qtri_stroke_disc *disc, const qtri_stroke_block *block,
                              uint32_t alpha_q16, uint16_t *weight);
 
 #define QTRI_STROKE_NONE UINT32_MAX

@@ -237,7 +237,6 @@ static void cover(qtri_stroker *stroker)
 const qtri_stroke_edges qtri_stroke_smooth = {
     .set_ring = qtri_stroke_ring_init,
     .cover = cover,
-    .set_disc = qtri_stroke_disc_init,
     .cover_point = qtri_stroke_point_cover,
     .line = qtri_stroke_line_draw,
 };
