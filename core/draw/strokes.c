@@ -111,9 +111,10 @@ static bool find_corners(const stroke_job *job, uint32_t part, uint32_t corner[2
     return is_inside(&v[0]) && is_inside(&v[1]);
 }
 
-/* The ends of what clipping leaves of a part, and how far along it they lie. False: nothing. */
-static bool clip_part(const stroke_job *job, const uint32_t corner[2], qtri_vertex end[2],
-                      int32_t share_q30[2])
+/* The ends of what clipping leaves of a part, and how far along it they lie. False: nothing. A
+   function of its own: few parts need its stack. */
+QTRI_NOINLINE static bool clip_part(const stroke_job *job, const uint32_t corner[2],
+                                    qtri_vertex end[2], int32_t share_q30[2])
 {
     const qtri_vec4 *const position[2] = {&job->corners[corner[0]].position,
                                           &job->corners[corner[1]].position};
