@@ -384,20 +384,6 @@ void qtri_edge_note(const qtri_edge_axis axis[2], const qtri_vertex *a, const qt
 
 /* ---- The blend ---- */
 
-/* The lowest bit's number, of a word that is not 0. */
-static inline uint32_t lowest(uint32_t marks)
-{
-#if defined(__GNUC__) && QTRI_LONG_MULTIPLY && (__SIZEOF_INT__ == 4)
-    return (uint32_t)__builtin_ctz(marks);
-#else
-    /* The product's upper five bits are another for each power of two (Leiserson 1998). */
-    static const uint8_t number[32] = {0,  1,  28, 2,  29, 14, 24, 3,  30, 22, 20,
-                                       15, 25, 17, 4,  8,  31, 27, 13, 23, 21, 19,
-                                       16, 7,  26, 12, 18, 6,  11, 5,  10, 9};
-    return number[(marks & (0 - marks)) * 0x077CB531u >> 27];
-#endif
-}
-
 /* From a note and from a pixel to a neighbour's, by the direction of a note. */
 typedef struct steps {
     int32_t note[4];
@@ -469,7 +455,7 @@ QTRI_INLINE void blend(const qtri_edges *edges, bool is_565)
         }
         const uint32_t first = (uint32_t)(word - 1 - edges->marks) * WORD_PIXELS;
         for (; marks != 0; marks &= marks - 1) {
-            const uint32_t i = first + lowest(marks);
+            const uint32_t i = first + 31 - (uint32_t)qtri_clz32(marks & (0 - marks));
             while (i >= row_end) {
                 row_end += length;
                 pixels += gap;

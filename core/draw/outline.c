@@ -78,38 +78,6 @@ static inline uint32_t front_bit(const uint32_t *front, uint32_t triangle)
     return qtri_rotated(front[triangle / 32], triangle);
 }
 
-/* Edges to neighbours that are not front. */
-static uint32_t silhouettes_of(const uint32_t *front, const uint16_t *neighbours)
-{
-    // NOLINTNEXTLINE(clang-analyzer-core.*): of meshes that have no sums, and neighbours
-    return ((front_bit(front, neighbours[0]) & 1) | (front_bit(front, neighbours[1]) & 1) << 1 |
-            (front_bit(front, neighbours[2]) & 1) << 2) ^
-           ALL_EDGES;
-}
-
-/* The next front triangle, from i on, that has an edge to one that is not; `count`: none has. */
-QTRI_NOINLINE static uint32_t next_silhouette(const uint32_t *front,
-                                              const uint16_t (*neighbours)[3], uint32_t i,
-                                              uint32_t count)
-{
-    while (i < count) {
-        const uint32_t word_end = (i | 31) + 1;
-        const uint16_t *n = neighbours[i];
-        for (uint32_t bits = front[i / 32] >> (i & 31); bits != 0; bits >>= 1, i++, n += 3) {
-            if ((int32_t)(bits << 31) < 0) {
-                uint32_t all = front_bit(front, n[0]);
-                all &= front_bit(front, n[1]);
-                all &= front_bit(front, n[2]);
-                if ((int32_t)(all << 31) >= 0) {
-                    return i;
-                }
-            }
-        }
-        i = word_end;
-    }
-    return count;
-}
-
 /* The vertices of a triangle; false: one is not there. */
 QTRI_INLINE bool find_vertices(const qtri_outline *outline, uint32_t triangle, uint32_t index[3],
                                qtri_vertex *vertex[3])
@@ -359,9 +327,18 @@ static uint32_t is_alone(const uint32_t *sums, uint32_t a, uint32_t b)
            fits(sums[b], 2 * a, false);
 }
 
-/* Silhouettes of a mesh without neighbours. */
-static uint32_t silhouettes_by_sums(const qtri_outline *outline, uint32_t triangle)
+/* Edges of a front triangle to neighbours that are not front; of a mesh without neighbours those
+   that are alone. */
+static uint32_t silhouettes_of(const qtri_outline *outline, uint32_t triangle)
 {
+    const uint32_t *front = outline->front;
+    if (outline->sums == NULL) {
+        const uint16_t *n = outline->mesh->neighbours[triangle];
+        const uint32_t a = front_bit(front, n[0]);
+        const uint32_t b = front_bit(front, n[1]);
+        const uint32_t c = front_bit(front, n[2]);
+        return (a & b & c & 1) != 0 ? 0 : ((a & 1) | (b & 1) << 1 | (c & 1) << 2) ^ ALL_EDGES;
+    }
     const bool narrow = qtri_mesh_has_bytes(outline->mesh);
     uint32_t i[3];
     qtri_mesh_indices(i, qtri_mesh_triangle(outline->mesh, triangle, narrow), narrow);
@@ -388,29 +365,16 @@ static uint32_t creases_of(const finder *f, uint32_t triangle)
     return edges;
 }
 
-/* False, here and below: there is no room in lists. */
-static bool find_silhouettes(finder *f)
+/* Of front triangles silhouettes, or creases, which are weaker. False, here and below: there is no
+   room in lists. */
+static bool find_front_edges(finder *f, bool creases)
 {
     const qtri_outline *outline = f->outline;
-    const uint16_t(*neighbours)[3] = outline->mesh->neighbours;
+    const uint32_t *front = outline->front;
     const uint32_t count = outline->mesh->triangle_count;
-    uint32_t i = 0;
-    while ((i = next_silhouette(outline->front, neighbours, i, count)) < count) {
-        if (!take_edges(f, i, silhouettes_of(outline->front, neighbours[i]), false)) {
-            return false;
-        }
-        i++;
-    }
-    return true;
-}
-
-/* Of front triangles silhouettes by sums, or creases, weaker than silhouettes. */
-static bool find_others(finder *f, bool creases)
-{
-    const qtri_outline *outline = f->outline;
-    for (uint32_t i = 0; i < outline->mesh->triangle_count; i++) {
-        if ((front_bit(outline->front, i) & 1) != 0) {
-            const uint32_t edges = creases ? creases_of(f, i) : silhouettes_by_sums(outline, i);
+    for (uint32_t i = 0; i < count; i++) {
+        if ((front_bit(front, i) & 1) != 0) {
+            const uint32_t edges = creases ? creases_of(f, i) : silhouettes_of(outline, i);
             if (edges != 0 && !take_edges(f, i, edges, creases)) {
                 return false;
             }
@@ -456,7 +420,7 @@ QTRI_NOINLINE static bool find_creases(finder *f)
     f->axis[1].weak = UINT32_MAX;
     // NOLINTNEXTLINE(clang-analyzer-core.*): what reads the job has returned by then
     return !qtri_mesh_job_place(&job, outline->view, outline->pose) || !job.lit_per_face ||
-           find_others(f, true);
+           find_front_edges(f, true);
 }
 
 static bool find_edges(finder *f)
@@ -464,8 +428,7 @@ static bool find_edges(finder *f)
     const qtri_outline *outline = f->outline;
     const bool has_creases =
         outline->creases && outline->view->light != NULL && outline->mesh->neighbours != NULL;
-    return (outline->sums != NULL ? find_others(f, false) : find_silhouettes(f)) &&
-           find_borders(f) && (!has_creases || find_creases(f));
+    return find_front_edges(f, false) && find_borders(f) && (!has_creases || find_creases(f));
 }
 
 /* ---- Bands ---- */

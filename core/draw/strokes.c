@@ -111,9 +111,10 @@ static bool find_corners(const stroke_job *job, uint32_t part, uint32_t corner[2
     return is_inside(&v[0]) && is_inside(&v[1]);
 }
 
-/* The ends of what clipping leaves of a part, and how far along it they lie. False: nothing. */
-static bool clip_part(const stroke_job *job, const uint32_t corner[2], qtri_vertex end[2],
-                      int32_t share_q30[2])
+/* The ends of what clipping leaves of a part, and how far along it they lie. False: nothing. A
+   function of its own: few parts need its stack. */
+QTRI_NOINLINE static bool clip_part(const stroke_job *job, const uint32_t corner[2],
+                                    qtri_vertex end[2], int32_t share_q30[2])
 {
     const qtri_vec4 *const position[2] = {&job->corners[corner[0]].position,
                                           &job->corners[corner[1]].position};
@@ -133,21 +134,7 @@ static bool clip_part(const stroke_job *job, const uint32_t corner[2], qtri_vert
     return true;
 }
 
-/* The corners' parts, one after the other. */
-static bool job_place(const void *from, uint32_t part, qtri_point end[2])
-{
-    uint32_t corner[2];
-    qtri_vertex v[2];
-    int32_t share_q30[2];
-    if (!find_corners(from, part, corner, v) && !clip_part(from, corner, v, share_q30)) {
-        return false;
-    }
-    end[0] = v[0].at;
-    end[1] = v[1].at;
-    return true;
-}
-
-/* Its colour moves towards the other end's by what was cut off. */
+/* An end's colour moves towards the other one's by what was cut off. */
 static void mix_colors(qtri_stroke_end end[2], const int32_t share_q30[2])
 {
     for (int i = 0; i < 3; i++) {
@@ -159,15 +146,21 @@ static void mix_colors(qtri_stroke_end end[2], const int32_t share_q30[2])
     }
 }
 
-static void job_ends(const void *from, uint32_t part, qtri_stroke_end end[2])
+/* The corners' parts, one after the other. */
+static bool find_part(const void *from, uint32_t part, qtri_point at[2], qtri_stroke_end end[2])
 {
     const stroke_job *job = from;
     uint32_t corner[2];
     qtri_vertex v[2];
-    int32_t share_q30[2] = {0, (int32_t)1 << 30}; /* all of it */
+    int32_t share_q30[2];
     const bool is_cut = !find_corners(job, part, corner, v);
-    if (is_cut) {
-        (void)clip_part(job, corner, v, share_q30); /* something is left: the part was placed */
+    if (is_cut && !clip_part(job, corner, v, share_q30)) {
+        return false;
+    }
+    at[0] = v[0].at;
+    at[1] = v[1].at;
+    if (end == NULL) {
+        return true;
     }
     for (int i = 0; i < 2; i++) {
         end[i].depth_16p8 = v[i].depth_16p8;
@@ -176,6 +169,7 @@ static void job_ends(const void *from, uint32_t part, qtri_stroke_end end[2])
     if (is_cut) {
         mix_colors(end, share_q30);
     }
+    return true;
 }
 
 /* Lines -----------------------------------------------------------------------------------------
@@ -216,8 +210,7 @@ void qtri_draw_polyline(const qtri_surface *surface, const qtri_view *view,
     job.kept = kept;
     const bool closed = stroke->closed && corner_count > 2;
     const qtri_stroke_source source = {
-        &job, closed || corner_count == 1 ? corner_count : corner_count - 1, closed, job_place,
-        job_ends};
+        &job, closed || corner_count == 1 ? corner_count : corner_count - 1, closed, find_part};
     qtri_stroker_draw(&stroker, &source);
 }
 
@@ -234,7 +227,7 @@ void qtri_draw_wide_lines(const qtri_surface *surface, const qtri_view *view,
         return;
     }
     job_init(&job, view, pose, corners, 2, material);
-    const qtri_stroke_source source = {&job, 1, false, job_place, job_ends};
+    const qtri_stroke_source source = {&job, 1, false, find_part};
     qtri_vertex v[2];
     job.vertices = v;
     job.kept = 2;

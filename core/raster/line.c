@@ -20,20 +20,28 @@ void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_ve
     }
 }
 
+/* Pixels begin..end - 1 of a path are inside along the major axis, these on the minor one. */
+typedef struct limits {
+    int32_t begin, end;
+    int32_t minor;
+    uint32_t minor_count;
+} limits;
+
 /* What of a line is inside of the bounds. */
-void qtri_line_limits_init(qtri_line_limits *in, const qtri_line_job *job, const qtri_line_path *l)
+static limits limits_of(const qtri_line_job *job, const qtri_line_path *l)
 {
     const int32_t left = job->left_24p8 >> 8;
     const int32_t top = job->top_24p8 >> 8;
     const int32_t width = (int32_t)(job->width_24p8 >> 8);
     const int32_t height = (int32_t)(job->height_24p8 >> 8);
-    in->begin = (l->steep ? top : left) - l->position;
-    in->end = in->begin + (l->steep ? height : width);
-    in->minor = l->steep ? left : top;
-    in->minor_count = (uint32_t)(l->steep ? width : height);
+    const int32_t begin = (l->steep ? top : left) - l->position;
+    const limits in = {begin, begin + (l->steep ? height : width), l->steep ? left : top,
+                       (uint32_t)(l->steep ? width : height)};
+    return in;
 }
 
-int32_t qtri_line_walk_cut(qtri_line_walk *w, const qtri_line_limits *in, int32_t end)
+/* Moves w to the first pixel inside; returns the end of those that are, at most `end`. */
+static int32_t cut(qtri_line_walk *w, const limits *in, int32_t end)
 {
     end = qtri_least32(end, in->end);
     while (w->k < end &&
@@ -49,9 +57,8 @@ int32_t qtri_line_walk_cut(qtri_line_walk *w, const qtri_line_limits *in, int32_
 
 int32_t qtri_line_cut_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l)
 {
-    qtri_line_limits in;
-    qtri_line_limits_init(&in, job, l);
-    return qtri_line_walk_cut(w, &in, l->count);
+    const limits in = limits_of(job, l);
+    return cut(w, &in, l->count);
 }
 
 /* To pixel k of any line. */
@@ -86,24 +93,42 @@ QTRI_NOINLINE static void ramp_init(qtri_line_ramp *r, int32_t from, int32_t to,
     r->step = (uint32_t)quotient * 256u + (uint32_t)qtri_divide(remainder * 256, by);
 }
 
-void qtri_line_lit_colors(qtri_line_color color[2], const qtri_line_job *job, const qtri_vertex *a,
-                          const qtri_vertex *b)
+/* The colours of two ends in the material's colour, which are lit. */
+static void set_lit_colors(qtri_line_color color[2], const qtri_line_job *job, const qtri_vertex *a,
+                           const qtri_vertex *b)
 {
     qtri_line_color_set(color[0], &job->to->material.color, a->intensity_q15);
     qtri_line_color_set(color[1], &job->to->material.color, b->intensity_q15);
 }
 
-void qtri_line_look_of(qtri_stroke_look *look, const qtri_line_job *job, const qtri_vertex *a,
-                       const qtri_vertex *b, const qtri_line_color *color)
+bool qtri_line_has_table(const qtri_line_job *job)
+{
+    qtri_draw_state *state = &job->to->state;
+    if (!state->has_table && qtri_kind_of(&state->options) == QTRI_IN_565) {
+        qtri_draw_state_set_table(state);
+    }
+    return state->has_table;
+}
+
+void qtri_line_look(qtri_stroke_look *look, const qtri_line_job *job, const qtri_vertex *a,
+                    const qtri_vertex *b, const qtri_line_color *color)
 {
     qtri_line_color lit[2];
-    if (color == NULL) {
-        qtri_line_lit_colors(lit, job, a, b);
-        color = (const qtri_line_color *)lit;
-    }
     qtri_stroke_end end[2];
     end[0].depth_16p8 = a->depth_16p8 & job->depth_mask;
     end[1].depth_16p8 = b->depth_16p8 & job->depth_mask;
+    if (color == NULL && qtri_line_has_table(job)) {
+        qtri_stroke_look_set_depth(look, end[0].depth_16p8, end[1].depth_16p8);
+        look->is_level = look->is_even = false;
+        look->tints = job->to->state.table;
+        look->light_q29 = (int32_t)((uint32_t)a->intensity_q15 << 14);
+        look->light_step = (int32_t)b->intensity_q15 - (int32_t)a->intensity_q15;
+        return;
+    }
+    if (color == NULL) {
+        set_lit_colors(lit, job, a, b);
+        color = (const qtri_line_color *)lit;
+    }
     memcpy(end[0].color_8p16, color[0], sizeof end[0].color_8p16);
     memcpy(end[1].color_8p16, color[1], sizeof end[1].color_8p16);
     qtri_stroke_look_init(look, end);
@@ -119,7 +144,7 @@ QTRI_NOINLINE static void set_colors(qtri_line_run *run, const qtri_line_job *jo
     uint32_t to[3];
     const int turned = color != NULL && l->first != a;
     if (color == NULL) {
-        qtri_line_lit_colors(lit, job, l->first, l->last);
+        set_lit_colors(lit, job, l->first, l->last);
         color = (const qtri_line_color *)lit;
     }
     job->packing->channels(from, (const uint32_t *)color[turned]);
@@ -166,10 +191,9 @@ QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_pa
                                     const qtri_vertex *a, const qtri_line_color *color,
                                     qtri_line_runs draw)
 {
-    qtri_line_limits in;
+    const limits in = limits_of(job, l);
     qtri_divider by;
     qtri_line_run run;
-    qtri_line_limits_init(&in, job, l);
     const int32_t minor_first = (l->minor >> 8) - in.minor;
     const int32_t minor_last = ((l->minor + l->delta) >> 8) - in.minor;
     const int32_t minor_end = (int32_t)in.minor_count;
@@ -185,7 +209,7 @@ QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_pa
         const int32_t start = k & ~(QTRI_LINE_CHUNK - 1);
         walk_long(&run.walk, l, k);
         k = qtri_least32(count, start + QTRI_LINE_CHUNK);
-        const int32_t end = qtri_line_walk_cut(&run.walk, &in, k);
+        const int32_t end = cut(&run.walk, &in, k);
         if (run.walk.k < end) {
             ramp_init(&run.z, qtri_line_depth(job, l->first), qtri_line_depth(job, l->last),
                       l->along, &by, start);
@@ -194,15 +218,6 @@ QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_pa
             draw_run(job->to, &run, draw);
         }
     }
-}
-
-bool qtri_line_has_table(const qtri_line_job *job)
-{
-    qtri_draw_state *state = &job->to->state;
-    if (!state->has_table && qtri_kind_of(&state->options) == QTRI_IN_565) {
-        qtri_draw_state_set_table(state);
-    }
-    return state->has_table;
 }
 
 void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,

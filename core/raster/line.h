@@ -84,29 +84,9 @@ static inline void qtri_line_color_set(qtri_line_color out, const qtri_rgb *rgb,
     out[2] = rgb->b * light;
 }
 
-/* Those of two ends in the material's colour, which are lit. */
-void qtri_line_lit_colors(qtri_line_color color[2], const qtri_line_job *job, const qtri_vertex *a,
-                          const qtri_vertex *b);
-
 /* The look of a line from a to b as a part of a stroke; color: as qtri_line_draws has it. */
-void qtri_line_look_of(qtri_stroke_look *look, const qtri_line_job *job, const qtri_vertex *a,
-                       const qtri_vertex *b, const qtri_line_color *color);
-
-static inline void qtri_line_look(qtri_stroke_look *look, const qtri_line_job *job,
-                                  const qtri_vertex *a, const qtri_vertex *b,
-                                  const qtri_line_color *color)
-{
-    if (color == NULL && qtri_line_has_table(job)) {
-        qtri_stroke_look_set_depth(look, a->depth_16p8 & job->depth_mask,
-                                   b->depth_16p8 & job->depth_mask);
-        look->is_level = look->is_even = false;
-        look->tints = job->to->state.table;
-        look->light_q29 = (int32_t)((uint32_t)a->intensity_q15 << 14);
-        look->light_step = (int32_t)b->intensity_q15 - (int32_t)a->intensity_q15;
-    } else {
-        qtri_line_look_of(look, job, a, b, color);
-    }
-}
+void qtri_line_look(qtri_stroke_look *look, const qtri_line_job *job, const qtri_vertex *a,
+                    const qtri_vertex *b, const qtri_line_color *color);
 
 /* Whether all of a triangle lies above or below the rows of this surface. */
 static inline bool qtri_line_misses(const qtri_line_job *job, int32_t y0_24p8, int32_t y1_24p8,

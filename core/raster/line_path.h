@@ -249,18 +249,6 @@ QTRI_INLINE bool qtri_line_is_inside(const qtri_line_job *job, const qtri_vertex
            (uint32_t)(b->at.y_24p8 - job->top_24p8) < job->height_24p8;
 }
 
-/* Pixels begin..end - 1 of a path are inside along the major axis, these on the minor one. */
-typedef struct qtri_line_limits {
-    int32_t begin, end;
-    int32_t minor;
-    uint32_t minor_count;
-} qtri_line_limits;
-
-void qtri_line_limits_init(qtri_line_limits *in, const qtri_line_job *job, const qtri_line_path *l);
-
-/* Moves w to the first pixel inside; returns the end of those that are, at most `end`. */
-int32_t qtri_line_walk_cut(qtri_line_walk *w, const qtri_line_limits *in, int32_t end);
-
 /* Moves w to the first pixel inside of a short line; returns the end of those that are. */
 int32_t qtri_line_cut_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l);
 

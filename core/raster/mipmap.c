@@ -108,38 +108,6 @@ static int32_t scaled(int64_t x, int32_t down, int32_t factor)
 }
 
 /*
- * The length of a step, of parts that are linear in x, is linear where the same of them is the
- * longer one and neither changes its sign, which is so if it is at both ends; a shorter one that
- * does, as by rounding, is left out if it is below 2^-7: .005 of a level.
- */
-static void set_along(qtri_footprint_plane *f, const int32_t column[2])
-{
-    int32_t end[2][2];
-    uint32_t size[2][2];
-    for (int i = 0; i < 2; i++) {
-        for (int k = 0; k < 2; k++) {
-            end[i][k] = (int32_t)(f->down[i] + (uint32_t)column[k] * f->down_dx[i]);
-            size[i][k] = qtri_magnitude32(end[i][k]);
-        }
-    }
-    const int longer = size[0][0] > size[1][0] ? 0 : 1;
-    const uint32_t *most = size[longer], *least = size[1 - longer];
-    const bool alike = (end[1 - longer][0] ^ end[1 - longer][1]) >= 0;
-    const bool slight = least[0] <= most[0] >> 7 && least[1] <= most[1] >> 7;
-    f->straight =
-        most[1] >= least[1] && (end[longer][0] ^ end[longer][1]) >= 0 && (alike || slight);
-    const uint32_t dx = end[longer][0] < 0 ? 0u - f->down_dx[longer] : f->down_dx[longer];
-    f->along = most[0];
-    f->along_dx = column[0] == column[1] ? 0 : dx; /* the slope of one column may be any */
-    if (alike && column[0] != column[1]) {         /* |.| < 2^29 */
-        const int32_t less = (int32_t)f->down_dx[1 - longer];
-        const int32_t share = 3 * (end[1 - longer][0] < 0 ? -less : less);
-        f->along_dx += (uint32_t)(share >> 3);
-    }
-    f->along += (alike ? 3 * (least[0] >> 3) : 0) - (uint32_t)column[0] * f->along_dx;
-}
-
-/*
  * In texels a pixel, of a coordinate that has 2^texel_shift a texel, x of `ends` is
  *
  *     x 2^(exponent + 32 + 8) / area / q^2 = x r 2^(exponent + 40 - 94 + zeros) / q^2
@@ -180,7 +148,6 @@ static void set_footprint(qtri_footprint_plane *out, const qtri_large_job *job)
                        (uint32_t)f.column[0] * out->down_dx[i];
     }
     out->before = -most + 41 - 2 * job->q_up;
-    set_along(out, f.column);
 }
 
 enum {
@@ -273,14 +240,9 @@ void qtri_large_set_levels(qtri_large *t)
 /* The longer of both steps at pixel x of the row. < 2^29 */
 static inline uint32_t length_at(const qtri_footprint_plane *f, int32_t x)
 {
-    uint32_t down;
-    if (f->straight) {
-        down = f->along + (uint32_t)x * f->along_dx;
-    } else {
-        down =
-            step_length_of(qtri_magnitude32((int32_t)(f->down[0] + (uint32_t)x * f->down_dx[0])),
-                           qtri_magnitude32((int32_t)(f->down[1] + (uint32_t)x * f->down_dx[1])));
-    }
+    const uint32_t down =
+        step_length_of(qtri_magnitude32((int32_t)(f->down[0] + (uint32_t)x * f->down_dx[0])),
+                       qtri_magnitude32((int32_t)(f->down[1] + (uint32_t)x * f->down_dx[1])));
     return f->length > down ? f->length : down;
 }
 

@@ -37,8 +37,8 @@ static void cover_hard(qtri_stroker *stroker)
     qtri_stroke_window *w = &stroker->window;
     const int32_t y = w->row * 256 + 128;
     int32_t depth[QTRI_COVERAGE_WINDOW + 1] = {0}; /* of shapes, added up from the left */
-    uint32_t at = 0;
-    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
+    uint32_t count = 0;
+    for (qtri_stroke_shape *s = NULL; (s = qtri_stroker_next(stroker, s, &count)) != NULL;) {
         if (y < s->top || y >= s->bottom) {
             continue;
         }
@@ -68,9 +68,9 @@ static void find_parts(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;
     uint32_t touched = 0;
-    uint32_t at = 0;
+    uint32_t count = 0;
     w->shared = 0;
-    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
+    for (qtri_stroke_shape *s = NULL; (s = qtri_stroker_next(stroker, s, &count)) != NULL;) {
         if (s->min_x >= w->coverage.end * 256 || s->max_x <= w->coverage.x * 256) {
             continue;
         }
@@ -104,11 +104,11 @@ QTRI_NOINLINE static void find_nearest(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;
     uint64_t min[QTRI_COVERAGE_WINDOW];
-    uint32_t at = 0;
+    uint32_t count = 0;
     for (int32_t i = 0; i < QTRI_COVERAGE_WINDOW; i++) {
         min[i] = UINT64_MAX;
     }
-    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
+    for (qtri_stroke_shape *s = NULL; (s = qtri_stroker_next(stroker, s, &count)) != NULL;) {
         for (uint32_t bits = w->shared; bits != 0; bits &= bits - 1) {
             const int32_t i = 31 - qtri_clz32(bits & (0 - bits));
             const uint64_t square = qtri_stroke_shape_distance(s, w->coverage.x + i, w->row);
@@ -136,12 +136,13 @@ QTRI_NOINLINE static void draw_looks(qtri_stroker *stroker, int32_t first, int32
             i++;
             continue;
         }
+        qtri_stroke_place place;
         qtri_stroke_end ends[2];
         const uint32_t part = w->part[i];
         while (i < end && weight[i - first] != 0 && w->part[i] == part) {
             i++;
         }
-        qtri_stroker_ends(stroker, part, ends);
+        (void)qtri_stroker_find(stroker, part, &place, ends);
         qtri_stroke_look_init(&stroker->look, ends);
         draw_span(stroker, qtri_stroker_shape(stroker, part), w->coverage.x + from,
                   w->coverage.x + i, weight + (from - first));
@@ -153,7 +154,7 @@ static void draw_window(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;
     const qtri_rect *bounds = &stroker->to.state.bounds;
-    uint16_t weight[QTRI_COVERAGE_WINDOW];
+    uint16_t all[QTRI_COVERAGE_WINDOW]; /* weights of columns */
     w->first = QTRI_COVERAGE_WINDOW;
     w->end = 0;
     if (stroker->edges != NULL) {
@@ -170,15 +171,14 @@ static void draw_window(qtri_stroker *stroker)
     for (int32_t i = w->first; i < w->end; i++) {
         sum += w->coverage.sum[i];
         w->coverage.sum[i] = 0;
-        if (i >= first && i < end) {
-            const uint32_t cover = (uint32_t)qtri_hold32(sum, 0, QTRI_COVERAGE_FULL);
-            weight[i - first] = (uint16_t)qtri_stroke_weight(cover, stroker->to.alpha_q16);
-        }
+        const uint32_t cover = (uint32_t)qtri_hold32(sum, 0, QTRI_COVERAGE_FULL);
+        all[i] = (uint16_t)qtri_stroke_weight(cover, stroker->to.alpha_q16);
     }
     w->coverage.sum[w->end] = 0;
     if (first >= end) {
         return;
     }
+    const uint16_t *weight = &all[first];
     if (stroker->has_one_look) {
         draw_span(stroker, &stroker->shape[0], w->coverage.x + first, w->coverage.x + end, weight);
     } else {
@@ -193,12 +193,18 @@ static void draw_row(qtri_stroker *stroker, int32_t x)
     const int32_t end = x + QTRI_COVERAGE_WINDOW;
     int32_t width = QTRI_COVERAGE_WINDOW;
     while (x < end) {
-        w->coverage.x = x;
-        w->coverage.end = x + width;
-        qtri_stroker_find_shapes(stroker);
+        if (w->row >= w->same_end || w->coverage.x != x || w->coverage.end != x + width) {
+            w->coverage.x = x;
+            w->coverage.end = x + width;
+            qtri_stroker_find_shapes(stroker);
+        }
         if (!w->is_complete && width > MIN_WIDTH) {
             width >>= 1;
             continue;
+        }
+        for (int i = 0; !stroker->has_one_look && i < QTRI_STROKE_SHAPES; i++) {
+            stroker->shape[i].min_x = w->is_complete ? INT32_MAX : INT32_MIN;
+            stroker->shape[i].max_x = w->is_complete ? INT32_MIN : INT32_MAX;
         }
         draw_window(stroker);
         x += width;
@@ -218,6 +224,7 @@ static void draw_strip(qtri_stroker *stroker, int32_t x, int32_t y0, int32_t y1)
         y0 = qtri_greatest32(first, y0);
         y1 = qtri_least32(end, y1);
     }
+    stroker->window.same_end = INT32_MIN;
     for (stroker->window.row = y0; stroker->window.row < y1; stroker->window.row++) {
         draw_row(stroker, x);
     }
@@ -271,16 +278,15 @@ void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *plac
 static bool find_look(qtri_stroker *stroker)
 {
     const qtri_stroke_source *source = stroker->source;
-    qtri_point place[2];
+    qtri_point at[2];
     qtri_stroke_look first;
     bool is_first = true;
     for (uint32_t part = 0; part < source->count; part++) {
         qtri_stroke_end end[2];
-        if (!source->place(source->from, part, place)) {
+        if (!source->find(source->from, part, at, end)) {
             continue;
         }
         qtri_stroke_look *look = is_first ? &first : &stroker->look;
-        qtri_stroker_ends(stroker, part, end);
         qtri_stroke_look_init(look, end);
         if (!look->is_level || look->z_16p16 != first.z_16p16 ||
             look->color_8p8[0] != first.color_8p8[0] || look->color_8p8[1] != first.color_8p8[1] ||
@@ -305,8 +311,7 @@ void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source)
     if (source->count == 1) {
         qtri_stroke_place place;
         qtri_stroke_end end[2];
-        if (qtri_stroker_place(stroker, 0, &place)) {
-            source->ends(source->from, 0, end);
+        if (qtri_stroker_find(stroker, 0, &place, end)) {
             qtri_stroke_look_init(&stroker->look, end);
             qtri_stroker_draw_part(stroker, &place);
         }
@@ -339,33 +344,20 @@ typedef struct polyline {
     uint32_t count;
 } polyline;
 
-/* Both ends as lines have them, and their colours. */
-static void find_ends(const polyline *line, uint32_t part, qtri_vertex end[2],
-                      qtri_line_color color[2])
+static bool find_part(const void *from, uint32_t part, qtri_point at[2], qtri_stroke_end end[2])
 {
-    qtri_line_end(&end[0], color[0], &line->v[part]);
-    qtri_line_end(&end[1], color[1], &line->v[part + 1 < line->count ? part + 1 : 0]);
-}
-
-static bool place(const void *from, uint32_t part, qtri_point end[2])
-{
-    qtri_vertex v[2];
-    qtri_line_color color[2];
-    find_ends(from, part, v, color);
-    end[0] = v[0].at;
-    end[1] = v[1].at;
-    return true;
-}
-
-static void ends(const void *from, uint32_t part, qtri_stroke_end end[2])
-{
-    qtri_vertex v[2];
-    qtri_line_color color[2];
-    find_ends(from, part, v, color);
-    for (int i = 0; i < 2; i++) {
-        end[i].depth_16p8 = v[i].depth_16p8;
-        memcpy(end[i].color_8p16, color[i], sizeof color[i]);
+    const polyline *line = from;
+    for (uint32_t i = 0; i < 2; i++) {
+        qtri_vertex v;
+        qtri_line_color color;
+        qtri_line_end(&v, color, &line->v[part + i < line->count ? part + i : 0]);
+        at[i] = v.at;
+        if (end != NULL) {
+            end[i].depth_16p8 = v.depth_16p8;
+            memcpy(end[i].color_8p16, color, sizeof color);
+        }
     }
+    return true;
 }
 
 void qtri_raster_polyline(const qtri_surface *surface, const qtri_material *material,
@@ -379,7 +371,7 @@ void qtri_raster_polyline(const qtri_surface *surface, const qtri_material *mate
     const polyline line = {v, count};
     const bool closed = stroke->closed && count > 2;
     const qtri_stroke_source source = {&line, closed || count == 1 ? count : count - 1, closed,
-                                       place, ends};
+                                       find_part};
     if (count > 0 && qtri_stroker_init(&stroker, surface, material, stroke) && stroker.radius > 0) {
         qtri_stroker_draw(&stroker, &source);
     }

@@ -24,13 +24,13 @@ enum {
     QTRI_STROKE_BLOCKS = 8  /* of parts that follow each other, with their boxes */
 };
 
-/* Parts 0 .. count-1 of a line. `place` says false of what is not to be seen. */
+/* Parts 0 .. count-1 of a line. `find` says where a part is and, if `end` is not NULL, what its
+   ends look like; false: it is not to be seen. */
 typedef struct qtri_stroke_source {
     const void *from;
     uint32_t count;
     bool closed;
-    bool (*place)(const void *from, uint32_t part, qtri_point end[2]);
-    void (*ends)(const void *from, uint32_t part, qtri_stroke_end end[2]);
+    bool (*find)(const void *from, uint32_t part, qtri_point at[2], qtri_stroke_end end[2]);
 } qtri_stroke_source;
 
 /* Pixels: x0 <= x < x1. */
@@ -53,7 +53,8 @@ typedef struct qtri_stroke_window {
     uint32_t part[QTRI_COVERAGE_WINDOW]; /* and whose colours they have */
     qtri_stroke_shape *shape[QTRI_STROKE_SHAPES];
     uint32_t shape_count;
-    bool is_complete; /* these are all that the row has */
+    bool is_complete; /* these are all that the row has, or there are none here, */
+    int32_t same_end; /* and all that rows up to this have */
 } qtri_stroke_window;
 
 /* What the points of one size share; see stroke_point.c. */
@@ -70,6 +71,7 @@ typedef struct qtri_stroke_disc {
 /* Pixels, from the point's centre to their left and upper sides: 24.8. */
 typedef struct qtri_stroke_block {
     int32_t x, y, count, rows;
+    int32_t radius;
     bool is_round;
 } qtri_stroke_block;
 
@@ -97,10 +99,9 @@ struct qtri_stroke_edges {
     void (*set_ring)(qtri_stroke_ring *ring, int32_t radius);
     /* Adds what the row's shapes cover together to the window. */
     void (*cover)(qtri_stroker *stroker);
-    /* Points: what their size says, and what they cover of a block, row by row. */
-    void (*set_disc)(qtri_stroke_disc *disc, int32_t radius);
-    void (*cover_point)(const qtri_stroke_disc *disc, const qtri_stroke_block *block,
-                        uint32_t alpha_q16, uint16_t *weight);
+    /* What a point covers of a block, row by row. The disc is of any point before it. */
+    void (*cover_point)(qtri_stroke_disc *disc, const qtri_stroke_block *block, uint32_t alpha_q16,
+                        uint16_t *weight);
     qtri_line_draws line; /* thin ones, each by itself: see line.h */
 };
 
@@ -115,15 +116,14 @@ void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *plac
 /* stroke_point.c: a disc or a square of at most QTRI_STROKE_POINT_RADIUS, of stroker->look. */
 void qtri_stroker_draw_point(qtri_stroker *stroker, const qtri_point *center, int32_t radius,
                              bool is_round);
-void qtri_stroke_disc_init(qtri_stroke_disc *disc, int32_t radius);
-void qtri_stroke_point_cover(const qtri_stroke_disc *disc, const qtri_stroke_block *block,
+void qtri_stroke_point_cover(qtri_stroke_disc *disc, const qtri_stroke_block *block,
                              uint32_t alpha_q16, uint16_t *weight);
 
 #define QTRI_STROKE_NONE UINT32_MAX
 
-/* stroke_parts.c: a part's position; false: it is not seen. The disc of a joint may be one. */
-bool qtri_stroker_place(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place);
-void qtri_stroker_ends(const qtri_stroker *stroker, uint32_t part, qtri_stroke_end end[2]);
+/* stroke_parts.c: as a source's `find`. The disc of a joint may be a part. */
+bool qtri_stroker_find(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place,
+                       qtri_stroke_end end[2]);
 
 /* Pixels that a part may touch. */
 qtri_stroke_box qtri_stroke_box_of(const qtri_stroke_place *place);
@@ -141,17 +141,20 @@ qtri_stroke_shape *qtri_stroker_shape(qtri_stroker *stroker, uint32_t part);
 /* Finds the shapes of the window's columns in its row. */
 void qtri_stroker_find_shapes(qtri_stroker *stroker);
 
-/* Looks for the row's next shape where there is no room for all of them. */
-qtri_stroke_shape *qtri_stroker_find_next(qtri_stroker *stroker, uint32_t *at);
+/* The shape of the row's next part from `part` on, where there is no room for all; NULL: none. */
+qtri_stroke_shape *qtri_stroker_find_next(qtri_stroker *stroker, uint32_t part);
 
-/* The row's shapes, *at being 0 at first; NULL behind the last. One is there until the next. */
-static inline qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker, uint32_t *at)
+/* The row's shape after `shape`, NULL before the first, which is there until the next; *count, 0 at
+   first, counts them. NULL behind the last. */
+static inline qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker,
+                                                   const qtri_stroke_shape *shape, uint32_t *count)
 {
     const qtri_stroke_window *w = &stroker->window;
-    if (w->is_complete) {
-        return *at < w->shape_count ? w->shape[(*at)++] : NULL;
+    if (*count < w->shape_count) {
+        return w->shape[(*count)++];
     }
-    return qtri_stroker_find_next(stroker, at);
+    return w->is_complete ? NULL
+                          : qtri_stroker_find_next(stroker, shape != NULL ? shape->part + 1 : 0);
 }
 
 /* Adds columns of the window that lie from x0 to x1 to those that are covered. */

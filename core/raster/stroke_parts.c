@@ -24,12 +24,13 @@ static uint32_t count_of(const qtri_stroker *stroker)
     return source->count + (has_discs ? 2 : 0);
 }
 
-bool qtri_stroker_place(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place)
+bool qtri_stroker_find(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place,
+                       qtri_stroke_end end[2])
 {
     const qtri_stroke_source *source = stroker->source;
     const uint32_t last = source->count - 1;
     const uint32_t owner = part <= last ? part : part == last + 1 ? 0 : last;
-    if (!source->place(source->from, owner, place->end)) {
+    if (!source->find(source->from, owner, place->end, end)) {
         return false;
     }
     place->radius_24p8 = stroker->radius;
@@ -42,18 +43,10 @@ bool qtri_stroker_place(const qtri_stroker *stroker, uint32_t part, qtri_stroke_
     const bool is_disc = is_short(place);
     place->end[1 - joint] = place->end[joint];
     place->caps[0] = place->caps[1] = QTRI_CAP_ROUND;
-    return is_disc;
-}
-
-void qtri_stroker_ends(const qtri_stroker *stroker, uint32_t part, qtri_stroke_end end[2])
-{
-    const qtri_stroke_source *source = stroker->source;
-    const uint32_t last = source->count - 1;
-    source->ends(source->from, part <= last ? part : part == last + 1 ? 0 : last, end);
-    if (part > last) {
-        const int joint = part == last + 1 ? 1 : 0;
+    if (end != NULL) {
         end[1 - joint] = end[joint];
     }
+    return is_disc;
 }
 
 /*
@@ -69,7 +62,7 @@ static void set_joints(const qtri_stroker *stroker, uint32_t part, qtri_stroke_p
             place->caps[place->caps[0] == QTRI_CAP_ROUND ? 0 : 1] = QTRI_CAP_BUTT;
         }
     } else if (place->caps[0] == QTRI_CAP_ROUND && part > 0 &&
-               qtri_stroker_place(stroker, part - 1, &before) &&
+               qtri_stroker_find(stroker, part - 1, &before, NULL) &&
                before.end[1].x_24p8 == place->end[0].x_24p8 &&
                before.end[1].y_24p8 == place->end[0].y_24p8) {
         place->caps[0] = QTRI_CAP_BUTT;
@@ -102,7 +95,7 @@ static bool is_near(const qtri_stroker *stroker, uint32_t part, const qtri_strok
                     qtri_stroke_box *own)
 {
     qtri_stroke_place place;
-    if (!qtri_stroker_place(stroker, part, &place)) {
+    if (!qtri_stroker_find(stroker, part, &place, NULL)) {
         return false;
     }
     *own = qtri_stroke_box_of(&place);
@@ -131,7 +124,7 @@ qtri_stroke_box qtri_stroker_find_blocks(qtri_stroker *stroker)
         *block = none;
         for (; part < end; part++) {
             qtri_stroke_place place;
-            if (qtri_stroker_place(stroker, part, &place)) {
+            if (qtri_stroker_find(stroker, part, &place, NULL)) {
                 const qtri_stroke_box box = qtri_stroke_box_of(&place);
                 add_box(block, &box);
             }
@@ -213,7 +206,7 @@ qtri_stroke_shape *qtri_stroker_shape(qtri_stroker *stroker, uint32_t part)
     }
     qtri_stroke_place place;
     qtri_stroke_shape *shape = free_shape(stroker);
-    (void)qtri_stroker_place(stroker, part, &place);
+    (void)qtri_stroker_find(stroker, part, &place, NULL);
     set_joints(stroker, part, &place);
     qtri_stroker_init_shape(stroker, shape, &place);
     shape->part = part;
@@ -238,61 +231,76 @@ bool qtri_stroker_list(qtri_stroker *stroker, const qtri_stroke_box *box)
     return true;
 }
 
-/* The row's parts: *at counts those that are listed, then others. QTRI_STROKE_NONE: there are no
- * more. */
-static uint32_t next_part(const qtri_stroker *stroker, uint32_t *at)
+/* The box of the window's columns in its row. */
+static qtri_stroke_box row_box(const qtri_stroke_window *w)
 {
-    const qtri_stroke_window *w = &stroker->window;
-    const uint32_t count = stroker->near_count;
-    const int32_t row = w->row;
-    for (uint32_t i = *at; i < count; i++) {
-        const qtri_stroke_near *near = &stroker->near[i];
-        if (near->box.y0 <= row && row < near->box.y1 && near->box.x0 < w->coverage.end &&
-            near->box.x1 > w->coverage.x) {
-            *at = i + 1;
-            return near->part;
-        }
-    }
-    *at = *at > count ? *at : count;
-    if (stroker->others == QTRI_STROKE_NONE) {
-        return QTRI_STROKE_NONE;
-    }
-    qtri_stroke_box own;
-    const qtri_stroke_box box = {(int16_t)w->coverage.x, (int16_t)row, (int16_t)w->coverage.end,
-                                 (int16_t)(row + 1)};
-    const uint32_t part = next_near(stroker, stroker->others + (*at - count), &box, &own);
-    if (part != QTRI_STROKE_NONE) {
-        *at = part + 1 - stroker->others + count;
-    }
-    return part;
+    const qtri_stroke_box box = {(int16_t)w->coverage.x, (int16_t)w->row, (int16_t)w->coverage.end,
+                                 (int16_t)(w->row + 1)};
+    return box;
 }
 
-qtri_stroke_shape *qtri_stroker_find_next(qtri_stroker *stroker, uint32_t *at)
+qtri_stroke_shape *qtri_stroker_find_next(qtri_stroker *stroker, uint32_t part)
 {
-    const uint32_t part = next_part(stroker, at);
+    const qtri_stroke_box box = row_box(&stroker->window);
+    qtri_stroke_box own;
+    for (uint32_t i = 0; i < stroker->near_count; i++) {
+        const qtri_stroke_near *near = &stroker->near[i];
+        if (near->part >= part && do_meet(&near->box, &box)) {
+            return qtri_stroker_shape(stroker, near->part);
+        }
+    }
+    part = part > stroker->others ? part : stroker->others;
+    part = next_near(stroker, part, &box, &own);
     return part != QTRI_STROKE_NONE ? qtri_stroker_shape(stroker, part) : NULL;
 }
 
-/* Most often there is room for all shapes of a row, and nothing is looked up again. */
+/* Adds a part's shape if it is in the row; false: the last room is for those to come. */
+static bool add_shape(qtri_stroker *stroker, uint32_t part)
+{
+    qtri_stroke_window *w = &stroker->window;
+    qtri_stroke_shape *s = qtri_stroker_shape(stroker, part);
+    const int32_t first = s->top >> 8, end = (s->bottom + 255) >> 8; /* rows */
+    if (first <= w->row && w->row < end) {
+        w->shape[w->shape_count++] = s;
+        w->same_end = qtri_least32(w->same_end, end);
+    } else if (first > w->row) {
+        w->same_end = qtri_least32(w->same_end, first);
+    }
+    return w->shape_count < QTRI_STROKE_SHAPES;
+}
+
+/* Whether there is room for all shapes of the row, as there is most often: nothing is looked up
+   again then, in rows that have the same ones neither. */
+static bool find_all(qtri_stroker *stroker)
+{
+    qtri_stroke_window *w = &stroker->window;
+    const qtri_stroke_box box = row_box(w);
+    qtri_stroke_box own;
+    w->shape_count = 0;
+    w->same_end = stroker->others == QTRI_STROKE_NONE ? INT32_MAX : w->row + 1;
+    for (uint32_t i = 0; i < stroker->near_count; i++) {
+        const qtri_stroke_near *near = &stroker->near[i];
+        if (near->box.y0 > w->row) {
+            w->same_end = qtri_least32(w->same_end, near->box.y0);
+        } else if (do_meet(&near->box, &box) && !add_shape(stroker, near->part)) {
+            return false;
+        }
+    }
+    for (uint32_t part = stroker->others;
+         (part = next_near(stroker, part, &box, &own)) != QTRI_STROKE_NONE; part++) {
+        if (!add_shape(stroker, part)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 void qtri_stroker_find_shapes(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;
-    uint32_t at = 0;
-    w->shape_count = 0;
-    w->is_complete = true;
-    for (qtri_stroke_shape *s; (s = qtri_stroker_find_next(stroker, &at)) != NULL;) {
-        if (s->top >= (w->row + 1) * 256 || s->bottom <= w->row * 256) {
-            continue;
-        }
-        w->shape[w->shape_count++] = s;
-        if (w->shape_count == QTRI_STROKE_SHAPES) { /* the last room is for those to come */
-            w->shape_count = 0;
-            w->is_complete = false;
-            break;
-        }
-    }
-    for (int i = 0; !stroker->has_one_look && i < QTRI_STROKE_SHAPES; i++) {
-        stroker->shape[i].min_x = w->is_complete ? INT32_MAX : INT32_MIN;
-        stroker->shape[i].max_x = w->is_complete ? INT32_MIN : INT32_MAX;
+    w->is_complete = find_all(stroker);
+    if (!w->is_complete) {
+        w->shape_count = 0;
+        w->same_end = w->row;
     }
 }

@@ -66,7 +66,7 @@ static inline int32_t area_to(const qtri_stroke_disc *disc, int32_t x)
     return (int32_t)((unit_q16 * disc->square) >> disc->down);
 }
 
-void qtri_stroke_disc_init(qtri_stroke_disc *disc, int32_t radius)
+static void disc_init(qtri_stroke_disc *disc, int32_t radius)
 {
     const uint32_t square = (uint32_t)(radius * radius); /* <= 2^24 */
     const int32_t zeros = qtri_clz32((uint32_t)radius);  /* 19..31 */
@@ -114,11 +114,14 @@ static inline uint16_t weight_of(int32_t cover_q16, uint32_t alpha_q16)
     return (uint16_t)(weight | (cover & QTRI_STROKE_WRITES));
 }
 
-void qtri_stroke_point_cover(const qtri_stroke_disc *disc, const qtri_stroke_block *b,
-                             uint32_t alpha_q16, uint16_t *weight)
+void qtri_stroke_point_cover(qtri_stroke_disc *disc, const qtri_stroke_block *b, uint32_t alpha_q16,
+                             uint16_t *weight)
 {
     corner column[COLUMNS + 1];
-    const int32_t radius = disc->radius;
+    const int32_t radius = b->radius;
+    if (disc->radius != radius) {
+        disc_init(disc, radius);
+    }
     const bool is_round = b->is_round;
     const corner *const end = &column[b->count];
     const line top = line_at(disc, b->y, is_round);
@@ -149,9 +152,9 @@ void qtri_stroke_point_cover(const qtri_stroke_disc *disc, const qtri_stroke_blo
 }
 
 /* Hard edges: pixels whose centres lie inside. */
-static void cover_centers(int32_t radius, const qtri_stroke_block *b, uint16_t all,
-                          uint16_t *weight)
+static void cover_centers(const qtri_stroke_block *b, uint16_t all, uint16_t *weight)
 {
+    const int32_t radius = b->radius;
     const int32_t square = radius * radius;
     for (int32_t row = 0; row < b->rows; row++) {
         const int32_t y = b->y + 256 * row + 128;
@@ -180,25 +183,18 @@ void qtri_stroker_draw_point(qtri_stroker *stroker, const qtri_point *center, in
     }
     uint16_t weight[WEIGHTS];
     const uint32_t alpha_q16 = stroker->to.alpha_q16;
-    qtri_stroke_block block = {x0 * 256 - x, y0 * 256 - y, x1 - x0, y1 - y0, is_round};
+    qtri_stroke_block block = {x0 * 256 - x, y0 * 256 - y, x1 - x0, y1 - y0, radius, is_round};
     qtri_stroke_span span = {&stroker->to.state, &stroker->look, x0,     y0,
                              block.count,        block.rows,     weight, weight};
     while (span.rows * span.count > WEIGHTS) {
         span.rows = (span.rows + 1) >> 1;
-    }
-    block.rows = span.rows;
-    if (stroker->disc.radius != radius) {
-        stroker->disc.radius = (uint16_t)radius;
-        if (stroker->edges != NULL) {
-            stroker->edges->set_disc(&stroker->disc, radius);
-        }
     }
     while (span.y < y1) {
         block.rows = span.rows = qtri_least32(span.rows, y1 - span.y);
         if (stroker->edges != NULL) {
             stroker->edges->cover_point(&stroker->disc, &block, alpha_q16, weight);
         } else {
-            cover_centers(radius, &block, (uint16_t)qtri_stroke_weight(QTRI_STROKE_FULL, alpha_q16),
+            cover_centers(&block, (uint16_t)qtri_stroke_weight(QTRI_STROKE_FULL, alpha_q16),
                           weight);
         }
         qtri_stroke_target_draw(&stroker->to, &span);

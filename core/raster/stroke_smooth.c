@@ -20,6 +20,7 @@ enum { SPANS = 8 };
 typedef struct spans {
     span of[SPANS];
     int count;
+    int32_t min_x, max_x; /* of all slices of the row */
 } spans;
 
 /* Takes the sides that are further out at the middle. */
@@ -66,6 +67,10 @@ static int32_t up_to_crossings(const spans *all, const span *more, int32_t heigh
 {
     for (int i = 0; i < all->count; i++) {
         const span *other = &all->of[i];
+        if (((other->right[0] - more->left[0]) & (other->right[1] - more->left[1])) < 0 ||
+            ((more->right[0] - other->left[0]) & (more->right[1] - other->left[1])) < 0) {
+            continue; /* one lies left of the other */
+        }
         height = up_to_crossing(other->left, more->left, height);
         height = up_to_crossing(other->right, more->right, height);
         height = up_to_crossing(other->left, more->right, height);
@@ -119,8 +124,8 @@ static inline int32_t slice_end(qtri_stroke_shape *s, int32_t y, int32_t bottom)
 /* The next level below y where a part begins, ends, or bends. */
 static int32_t next_level(qtri_stroker *stroker, int32_t y, int32_t bottom)
 {
-    uint32_t at = 0;
-    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
+    uint32_t count = 0;
+    for (qtri_stroke_shape *s = NULL; (s = qtri_stroker_next(stroker, s, &count)) != NULL;) {
         if (s->top > y) {
             bottom = qtri_least32(bottom, s->top);
         } else if (s->bottom > y) {
@@ -130,12 +135,13 @@ static int32_t next_level(qtri_stroker *stroker, int32_t y, int32_t bottom)
     return bottom;
 }
 
-/* A part's span from level y0 to y1; false: it has no column of the window. */
-static bool set_span(span *out, qtri_stroke_shape *s, const qtri_coverage *c, int32_t y0,
-                     int32_t y1)
+/* A part's span from level y0 to y1, where it has straight pieces; false: it has no column of the
+   window. */
+QTRI_INLINE bool set_span(span *out, spans *all, qtri_stroke_shape *s, const qtri_coverage *c,
+                          int32_t y0, int32_t y1)
 {
-    const qtri_stroke_piece *left = qtri_stroke_shape_piece(s, 0, y0);
-    const qtri_stroke_piece *right = qtri_stroke_shape_piece(s, 1, y0);
+    const qtri_stroke_piece *left = &s->piece[0];
+    const qtri_stroke_piece *right = &s->piece[1];
     out->left[0] = qtri_stroke_piece_x(left, y0);
     out->left[1] = qtri_stroke_piece_x(left, y1);
     out->right[0] = qtri_stroke_piece_x(right, y0);
@@ -146,25 +152,36 @@ static bool set_span(span *out, qtri_stroke_shape *s, const qtri_coverage *c, in
     const int32_t max = qtri_greatest32(out->right[0], out->right[1]);
     s->min_x = qtri_least32(s->min_x, min);
     s->max_x = qtri_greatest32(s->max_x, max);
-    return min < c->end * 256 && max > c->x * 256;
+    if (min >= c->end * 256 || max <= c->x * 256) {
+        return false;
+    }
+    all->min_x = qtri_least32(all->min_x, min);
+    all->max_x = qtri_greatest32(all->max_x, max);
+    return true;
 }
 
 /* The spans of the slice from y0 to y1; returns where it ends, earlier where sides cross. */
 static int32_t find_spans(spans *all, qtri_stroker *stroker, int32_t y0, int32_t y1)
 {
-    uint32_t at = 0;
+    uint32_t count = 0;
     all->count = 0;
-    for (qtri_stroke_shape *s; (s = qtri_stroker_next(stroker, &at)) != NULL;) {
+    for (qtri_stroke_shape *s = NULL; (s = qtri_stroker_next(stroker, s, &count)) != NULL;) {
         span more;
-        if (s->top > y0 || s->bottom <= y0 ||
-            !set_span(&more, s, &stroker->window.coverage, y0, y1)) {
+        if (s->top > y0 || s->bottom <= y0) {
+            continue;
+        }
+        if (!stroker->window.is_complete) {
+            (void)slice_end(s, y0, y1); /* made ready anew since next_level() */
+        }
+        if (!set_span(&more, all, s, &stroker->window.coverage, y0, y1)) {
             continue;
         }
         const int32_t height = up_to_crossings(all, &more, y1 - y0);
         if (height < y1 - y0) {
             y1 = y0 + height; /* sides are others: once more */
             all->count = 0;
-            at = 0;
+            count = 0;
+            s = NULL;
             continue;
         }
         add_span(all, &more);
@@ -172,29 +189,25 @@ static int32_t find_spans(spans *all, qtri_stroker *stroker, int32_t y0, int32_t
     return y1;
 }
 
+/* Adds a span from y0 to y1 below the row's upper side. */
+static inline void cover_span(qtri_coverage *c, const span *s, int32_t y0, int32_t y1)
+{
+    qtri_coverage_add(c, s->left[0], y0, s->left[1], y1, 1);
+    qtri_coverage_add(c, s->right[0], y0, s->right[1], y1, -1);
+}
+
 /* A row that has one part: slice by slice, without a union. */
-static void cover_one(qtri_stroke_window *w, qtri_stroke_shape *s)
+static void cover_one(spans *all, qtri_stroke_window *w, qtri_stroke_shape *s)
 {
     const int32_t row = w->row * 256;
     const int32_t bottom = qtri_least32(s->bottom, row + 256);
-    int32_t min = INT32_MAX;
-    int32_t max = INT32_MIN;
     for (int32_t y = qtri_greatest32(s->top, row); y < bottom;) {
-        const qtri_stroke_piece *left = qtri_stroke_shape_piece(s, 0, y);
-        const qtri_stroke_piece *right = qtri_stroke_shape_piece(s, 1, y);
-        const int32_t to = qtri_least32(qtri_least32(left->bottom, right->bottom), bottom);
-        const int32_t left_x[2] = {qtri_stroke_piece_x(left, y), qtri_stroke_piece_x(left, to)};
-        const int32_t right_x[2] = {qtri_stroke_piece_x(right, y), qtri_stroke_piece_x(right, to)};
-        qtri_coverage_add(&w->coverage, left_x[0], y - row, left_x[1], to - row, 1);
-        qtri_coverage_add(&w->coverage, right_x[0], y - row, right_x[1], to - row, -1);
-        min = qtri_least32(min, qtri_least32(left_x[0], left_x[1]));
-        max = qtri_greatest32(max, qtri_greatest32(right_x[0], right_x[1]));
+        span one;
+        const int32_t to = slice_end(s, y, bottom);
+        if (set_span(&one, all, s, &w->coverage, y, to)) {
+            cover_span(&w->coverage, &one, y - row, to - row);
+        }
         y = to;
-    }
-    s->min_x = qtri_least32(s->min_x, min);
-    s->max_x = qtri_greatest32(s->max_x, max);
-    if (min < w->coverage.end * 256 && max > w->coverage.x * 256) {
-        qtri_stroke_window_add(w, min, max);
     }
 }
 
@@ -202,28 +215,28 @@ static void cover(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;
     const int32_t row = w->row * 256;
+    spans all;
+    all.min_x = INT32_MAX;
+    all.max_x = INT32_MIN;
     if (w->is_complete && w->shape_count == 1) {
-        cover_one(w, w->shape[0]);
-        return;
-    }
-    for (int32_t y = row; y < row + 256;) {
-        spans all;
-        const int32_t to = find_spans(&all, stroker, y, next_level(stroker, y, row + 256));
-        for (int i = 0; i < all.count; i++) {
-            const span *s = &all.of[i];
-            qtri_coverage_add(&w->coverage, s->left[0], y - row, s->left[1], to - row, 1);
-            qtri_coverage_add(&w->coverage, s->right[0], y - row, s->right[1], to - row, -1);
-            qtri_stroke_window_add(w, qtri_least32(s->left[0], s->left[1]),
-                                   qtri_greatest32(s->right[0], s->right[1]));
+        cover_one(&all, w, w->shape[0]);
+    } else {
+        for (int32_t y = row; y < row + 256;) {
+            const int32_t to = find_spans(&all, stroker, y, next_level(stroker, y, row + 256));
+            for (const span *s = all.of; s != &all.of[all.count]; s++) {
+                cover_span(&w->coverage, s, y - row, to - row);
+            }
+            y = to;
         }
-        y = to;
+    }
+    if (all.min_x < all.max_x) {
+        qtri_stroke_window_add(w, all.min_x, all.max_x);
     }
 }
 
 const qtri_stroke_edges qtri_stroke_smooth = {
     .set_ring = qtri_stroke_ring_init,
     .cover = cover,
-    .set_disc = qtri_stroke_disc_init,
     .cover_point = qtri_stroke_point_cover,
     .line = qtri_stroke_line_draw,
 };

@@ -6,16 +6,13 @@
 #define QTRI_DIVIDE        0
 
 #define qtri_line_cut_short   narrow_line_cut_short
-#define qtri_line_limits_init narrow_line_limits_init
-#define qtri_line_walk_cut    narrow_line_walk_cut
 #define qtri_line_draw        narrow_line_draw
 #define qtri_line_end         narrow_line_end
 #define qtri_line_job_init    narrow_line_job_init
-#define qtri_line_lit_colors  narrow_line_lit_colors
 #define qtri_line_has_table   narrow_line_has_table
 #define qtri_stroke_any       narrow_stroke_any
 #define qtri_raster_line      narrow_raster_line
-#define qtri_line_look_of     narrow_line_look_of
+#define qtri_line_look        narrow_line_look
 #define qtri_line_any         narrow_line_any
 #define qtri_line_pipelines   narrow_line_pipelines
 #define qtri_stroke_pipelines narrow_stroke_pipelines

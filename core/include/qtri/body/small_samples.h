@@ -186,13 +186,29 @@ QTRI_BODY void qtri_small_samples_skip(const qtri_options *o, qtri_pixel_walk *w
     }
 }
 
+/* A curve at a place of a pixel, x columns from vertex 0's: along its slopes there. */
+QTRI_BODY uint32_t qtri_small_curve_at_place(const qtri_small_curve *c, uint32_t x, int32_t place)
+{
+    const int32_t dx = (int32_t)(c->dx + 2 * x * c->xx) >> 1;
+    const int32_t dy = (int32_t)(c->dy + x * c->xy) >> 1;
+    const int32_t a = dx >> 2, b = dy >> 2; /* |dx|, |dy| <= 2^30: three times a quarter fits */
+    const int32_t r = dx & 3, s = dy & 3;
+    return qtri_small_curve_at(c, x) +
+           qtri_samples_more(place, (uint32_t)(a + 3 * b + ((r + 3 * s) >> 2)),
+                             (uint32_t)(3 * a - b + ((3 * r - s) >> 2)));
+}
+
+/* Curved: texture coordinates, or light, follow curves, which are found anew for each pixel: with
+   four samples that is little of it. */
 QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_body *pixel,
                                        qtri_pixel_walk *w, const qtri_small_place *p,
                                        const qtri_small_samples *s,
-                                       const qtri_small_sampled_values *values)
+                                       const qtri_small_sampled_values *values,
+                                       qtri_small_curves *curves, bool curved)
 {
     const bool textured = qtri_is_textured(o), varies = qtri_varies(o);
     const bool two_words = qtri_has_two_words(o);
+    const bool has_light_curve = qtri_is_lit(o) && curved && curves->light_piece != 0;
     const ptrdiff_t pitch = w->state->surface->pitch, depth_pitch = w->state->depth_pitch;
     const uint32_t *left = &s->left[s->first], *right = &s->right[s->first];
     int32_t at = 0; /* the column */
@@ -218,12 +234,21 @@ QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_body *p
             qtri_small_samples_skip(o, w, (int32_t)first - at);
             at = (int32_t)first;
             while ((out & QTRI_SAMPLES_ALL) != QTRI_SAMPLES_ALL) {
+                const uint32_t x = (uint32_t)(at - QTRI_SMALL_REACH);
                 w->samples = in & ~out & QTRI_SAMPLES_ALL;
                 int32_t place = QTRI_CENTER;
                 if (qtri_small_has_places(o) && w->samples != QTRI_SAMPLES_ALL) {
                     place = qtri_small_place_of(p, w->samples, at, y);
                 }
-                qtri_small_samples_pixel(o, pixel, w, values, place, textured, varies);
+                if (curved && textured) {
+                    w->u = qtri_small_curve_at_place(&curves->u, x, place);
+                    w->v = qtri_small_curve_at_place(&curves->v, x, place);
+                }
+                if (has_light_curve) {
+                    w->c = qtri_small_curve_at_place(&curves->c, x, place);
+                }
+                qtri_small_samples_pixel(o, pixel, w, values, place, textured && !curved,
+                                         varies && !has_light_curve);
                 in += QTRI_SMALL_LANES;
                 out += QTRI_SMALL_LANES;
                 at++;
@@ -240,6 +265,9 @@ QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_body *p
             w->u += values->u.r.dy;
             w->v += values->v.r.dy;
         }
+        if (curved) {
+            qtri_small_curves_next_row(o, curves);
+        }
         if (o->vertex_alpha) {
             w->alpha += values->alpha.r.dy;
         }
@@ -248,73 +276,6 @@ QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_body *p
             w->depth += depth_pitch;
         }
         w->y++;
-    }
-}
-
-/* A curve at a place of a pixel, x columns from vertex 0's: along its slopes there. */
-QTRI_BODY uint32_t qtri_small_curve_at_place(const qtri_small_curve *c, uint32_t x, int32_t place)
-{
-    const int32_t dx = (int32_t)(c->dx + 2 * x * c->xx) >> 1;
-    const int32_t dy = (int32_t)(c->dy + x * c->xy) >> 1;
-    const int32_t a = dx >> 2, b = dy >> 2; /* |dx|, |dy| <= 2^30: three times a quarter fits */
-    const int32_t r = dx & 3, s = dy & 3;
-    return qtri_small_curve_at(c, x) +
-           qtri_samples_more(place, (uint32_t)(a + 3 * b + ((r + 3 * s) >> 2)),
-                             (uint32_t)(3 * a - b + ((3 * r - s) >> 2)));
-}
-
-/* Curves are found anew for each pixel: with four samples that is little of it. */
-QTRI_BODY void qtri_small_samples_fill_curved(const qtri_options *o, qtri_pixel_body *pixel,
-                                              qtri_pixel_walk *w, const qtri_small_place *p,
-                                              const qtri_small_samples *s,
-                                              const qtri_small_sampled_values *values,
-                                              qtri_small_curves *curves)
-{
-    const bool has_light = qtri_is_lit(o) && curves->light_piece != 0;
-    const bool varies = qtri_varies(o) && !has_light;
-    const bool two_words = qtri_has_two_words(o);
-    w->z_step = p->z.dx;
-    w->g_step = two_words ? values->g.r.dx : 0;
-    w->alpha_step = o->vertex_alpha ? values->alpha.r.dx : 0;
-    for (int32_t y = 0; y < s->rows; y++, qtri_small_curves_next_row(o, curves)) {
-        const uint32_t l = s->left[s->first + y], r = s->right[s->first + y];
-        int32_t x = (int32_t)qtri_samples_least(l);
-        uint32_t in = ((uint32_t)x * QTRI_SMALL_LANES | QTRI_SAMPLES_ALL) - l;
-        uint32_t out = ((uint32_t)x * QTRI_SMALL_LANES | QTRI_SAMPLES_ALL) - r;
-        if (l == r) {
-            continue;
-        }
-        qtri_small_samples_begin(o, w, p, s);
-        w->pixel += y * w->state->surface->pitch;
-        if (qtri_tests_depth(o)) {
-            w->depth += y * w->state->depth_pitch;
-        }
-        w->y += y;
-        w->z = p->z.at + QTRI_DEPTH_HALF + (uint32_t)y * p->z.dy;
-        w->c = varies ? values->c.r.at + (uint32_t)y * values->c.r.dy : 0;
-        w->c_step = varies ? values->c.r.dx : 0;
-        w->g = two_words ? values->g.r.at + (uint32_t)y * values->g.r.dy : 0;
-        w->alpha = o->vertex_alpha ? values->alpha.r.at + (uint32_t)y * values->alpha.r.dy : 0;
-        qtri_small_samples_skip(o, w, x);
-        while ((out & QTRI_SAMPLES_ALL) != QTRI_SAMPLES_ALL) {
-            w->samples = in & ~out & QTRI_SAMPLES_ALL;
-            const uint32_t column = (uint32_t)(x - QTRI_SMALL_REACH);
-            const int32_t place = qtri_small_place_of(p, w->samples, x, y);
-            if (qtri_is_textured(o)) {
-                w->u = qtri_small_curve_at_place(&curves->u, column, place);
-                w->v = qtri_small_curve_at_place(&curves->v, column, place);
-            }
-            if (has_light) {
-                w->c = qtri_small_curve_at_place(&curves->c, column, place);
-            }
-            if (p->cut && (x < p->left || x >= p->right)) {
-                w->samples = 0;
-            }
-            qtri_small_samples_pixel(o, pixel, w, values, place, false, varies);
-            in += QTRI_SMALL_LANES;
-            out += QTRI_SMALL_LANES;
-            x++;
-        }
     }
 }
 
@@ -383,7 +344,7 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_pixel_body *p
     qtri_small_sampled_values values = QTRI_BODY_ZERO;
     qtri_small_curves curves;
     qtri_small_uv f;
-    bool has_curved_light = false;
+    bool has_curved_light = false, is_curved = false;
     qtri_pixel_walk w = QTRI_BODY_ZERO;
     qtri_draw_state *state = t->state;
     const qtri_small_found found = qtri_small_samples_find(&p, &s, t);
@@ -425,15 +386,16 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_pixel_body *p
             return false;
         }
         w.axis = curves.axis;
-        if (curves.is_curved) {
-            qtri_small_samples_fill_curved(o, pixel, &w, &p, &s, &values, &curves);
-            return true;
-        }
+        is_curved = curves.is_curved;
     }
     if (p.cut) {
         qtri_small_samples_cut(&s, p.left, p.right);
     }
-    qtri_small_samples_fill(o, pixel, &w, &p, &s, &values);
+    if (is_curved) { /* a loop of its own: the other one needs the registers */
+        qtri_small_samples_fill(o, pixel, &w, &p, &s, &values, &curves, true);
+    } else {
+        qtri_small_samples_fill(o, pixel, &w, &p, &s, &values, &curves, false);
+    }
     return true;
 }
 
