@@ -354,14 +354,9 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, in
         at[0][i] = both_shifts(from, a->at_left, a->at_right) + a->start;
         step[0][i] = both_shifts(rise1, a->step_left, a->step_right);
         qtri_large_clamp_chord(a, &at[0][i], &step[0][i], qtri_least32(h, rest));
-        if (rest > h) {
-            at[1][i] = both_shifts(from + rise1, a->at_left, a->at_right) + a->start;
-            step[1][i] = both_shifts(rise - rise1, a->step_left, a->step_right);
-            qtri_large_clamp_chord(a, &at[1][i], &step[1][i], qtri_least32(h, rest - h));
-        } else {
-            at[1][i] = at[0][i];
-            step[1][i] = 0;
-        }
+        at[1][i] = both_shifts(from + rise1, a->at_left, a->at_right) + a->start;
+        step[1][i] = both_shifts(rise - rise1, a->step_left, a->step_right);
+        qtri_large_clamp_chord(a, &at[1][i], &step[1][i], qtri_hold32(rest - h, 1, h));
         a->point = end[i];
     }
     qtri_large_pack(job, &job->piece[0], at[0], step[0], qtri_least32(h, rest));
