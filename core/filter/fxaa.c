@@ -78,7 +78,7 @@ static const qtri_colors *kind_of(const void *window)
 static void decode_row(const qtri_surface *surface, int32_t y, uint32_t *out)
 {
     const qtri_format *format = surface->format;
-    const uint8_t *pixel = surface->pixels + (y - surface->first_row) * surface->pitch;
+    const uint8_t *pixel = qtri_surface_at(surface, 0, y);
     for (int32_t x = 0; x < surface->width; x++) {
         const uint32_t color = qtri_color_of(format, format->pixels->load(pixel));
         out[x] = color | luma_of(format->colors, color) << LUMA_SHIFT;
@@ -108,7 +108,7 @@ QTRI_NOINLINE static void filter_rows_any(const qtri_surface *surface, qtri_rect
         if (w.window.row[1] == NULL || w.window.row[3] == NULL) { /* between two there is one */
             continue;
         }
-        uint8_t *row = surface->pixels + (y - surface->first_row) * surface->pitch;
+        uint8_t *row = qtri_surface_at(surface, 0, y);
         for (int32_t x = first; x < end; x++) {
             const uint32_t old = w.window.row[2][x];
             const uint32_t color = filter_any(&w.window, x, width);
@@ -341,31 +341,13 @@ static bool are_pairs(const qtri_surface *surface)
 
 static uint16_t *row_of(const qtri_surface *surface, int32_t y)
 {
-    return (uint16_t *)(void *)(surface->pixels + (y - surface->first_row) * surface->pitch);
+    return (uint16_t *)(void *)qtri_surface_at(surface, 0, y);
 }
 
 static void fill_words(qtri_pair *to, int32_t count, uint32_t word)
 {
     if (count > 0) {
         qtri_fill_words((uint8_t *)to, 0, 4 * (size_t)count, 1, word);
-    }
-}
-
-static void copy_words(qtri_pair *to, const qtri_pair *from, const qtri_pair *end)
-{
-    for (; end - from >= 4; to += 4, from += 4) {
-        const uint32_t a = from[0];
-        const uint32_t b = from[1];
-        const uint32_t c = from[2];
-        const uint32_t d = from[3];
-        to[0] = a;
-        to[1] = b;
-        to[2] = c;
-        to[3] = d;
-        QTRI_OPAQUE(to)
-    }
-    while (from != end) {
-        *to++ = *from++;
     }
 }
 
@@ -403,7 +385,8 @@ static void keep_row(uint32_t *out, const uint16_t *row, const extent *e, int32_
     if (luma) {
         luma_words(to + first, from + first, from + end);
     } else {
-        copy_words(to + first, from + first, from + end);
+        qtri_copy((uint8_t *)(to + first), (const uint8_t *)(from + first),
+                  4 * (size_t)(end - first));
     }
     fill_words(to + end, width / 2 - end, about);
 }
