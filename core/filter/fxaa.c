@@ -219,21 +219,6 @@ static inline uint32_t bit_of(bool first)
     return (uint32_t)1 << (is_first_low() == first ? HALF_BIT : 16 + HALF_BIT);
 }
 
-/* The same one by one, for cores with few registers. Without calls: those of the loop stay. */
-QTRI_NOINLINE static uint32_t edges_by_one(const uint16_t *above, const uint16_t *own,
-                                           const uint16_t *below)
-{
-    uint32_t edges = 0;
-    /* Of five lumas in any order: the two pixels as one pair, which is sorted once for both. */
-    if (!is_flat(above[0], own[0], own[1], below[0], own[-1])) {
-        edges = bit_of(true);
-    }
-    if (!is_flat(above[1], own[0], own[1], below[1], own[2])) {
-        edges |= bit_of(false);
-    }
-    return edges;
-}
-
 /* Those of pixels x and x + 1 whose halves have the high bit. */
 QTRI_NOINLINE static void resolve_two(const window_565 *w, uint16_t *out, int32_t x, int32_t width,
                                       uint32_t edges)
@@ -273,9 +258,7 @@ QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32
         const uint32_t most = both + near;
         if ((((most - above) | (most - below) | (most - left) | (most - right)) & ~0x00070007u) !=
             0) {
-            const uint32_t edges = QTRI_LONG_MULTIPLY
-                                       ? edges_of_two(both, above, below, left, right)
-                                       : edges_by_one(up + x, own + x, down + x);
+            const uint32_t edges = edges_of_two(both, above, below, left, right);
             if (edges != 0) {
                 resolve_two(w, out, x, width, edges);
             }
