@@ -228,32 +228,10 @@ q16 q16_round(q16 x);
 /* ---- Overflow that is meant ---- */
 
 /* The same results; QTRI_CHECK_MATH does not report that they saturate. */
-#ifdef QTRI_CHECK_MATH
 q16 q16_add_sat(q16 a, q16 b);
 q16 q16_sub_sat(q16 a, q16 b);
 q16 q16_mul_sat(q16 a, q16 b);
 q16 q16_div_sat(q16 a, q16 b);
-#else
-static inline q16 q16_add_sat(q16 a, q16 b)
-{
-    return q16_add(a, b);
-}
-
-static inline q16 q16_sub_sat(q16 a, q16 b)
-{
-    return q16_sub(a, b);
-}
-
-static inline q16 q16_mul_sat(q16 a, q16 b)
-{
-    return q16_mul(a, b);
-}
-
-static inline q16 q16_div_sat(q16 a, q16 b)
-{
-    return q16_div(a, b);
-}
-#endif
 
 /* ---- Trigonometry, in radians as in <math.h> and in degrees, where right angles are exact ---- */
 
