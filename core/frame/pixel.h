@@ -124,6 +124,24 @@ QTRI_INLINE void qtri_stored_put(int32_t bytes, uint8_t *at, uint32_t stored)
     }
 }
 
+/*
+ * The cases of a switch over a pixel's 1 to 4 bytes: calls `function` with them, constants that the
+ * compiler makes a loop each of.
+ */
+#define QTRI_BYTES_CASES(function, ...)                                                            \
+    case 1:                                                                                        \
+        function(1, __VA_ARGS__);                                                                  \
+        break;                                                                                     \
+    case 2:                                                                                        \
+        function(2, __VA_ARGS__);                                                                  \
+        break;                                                                                     \
+    case 3:                                                                                        \
+        function(3, __VA_ARGS__);                                                                  \
+        break;                                                                                     \
+    default:                                                                                       \
+        function(4, __VA_ARGS__);                                                                  \
+        break
+
 /* ---- Memory filled with one value, and copied ---- */
 
 /*

@@ -241,8 +241,9 @@ qtri_image qtri_image_of(const qtri_surface *surface)
 
 /* Pixels that are not the key, four at a time. */
 QTRI_INLINE void keyed_row(int32_t bytes, uint8_t *to, const uint8_t *from, int32_t count,
-                           uint32_t key, uint32_t mask)
+                           uint32_t key, uint32_t key_mask)
 {
+    const uint32_t mask = bytes == 4 ? key_mask : UINT32_MAX;
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint32_t stored = qtri_stored_get(bytes, from + (i)*bytes);                          \
@@ -274,18 +275,7 @@ static void paint_keyed(const qtri_image *image, uint8_t *to, const uint8_t *fro
     const uint32_t mask = qtri_picture_key_mask(image);
     const uint32_t key = image->key & mask;
     switch (image->format->pixels->bytes) {
-    case 1:
-        keyed_row(1, to, from, count, key, UINT32_MAX);
-        break;
-    case 2:
-        keyed_row(2, to, from, count, key, UINT32_MAX);
-        break;
-    case 3:
-        keyed_row(3, to, from, count, key, UINT32_MAX);
-        break;
-    default:
-        keyed_row(4, to, from, count, key, mask);
-        break;
+        QTRI_BYTES_CASES(keyed_row, to, from, count, key, mask);
     }
 }
 
