@@ -319,7 +319,8 @@ static void lights(void **state)
             unit.y = (int16_t)lrint(normal[1] / length * 16384);
             unit.z = (int16_t)lrint(normal[2] / length * 16384);
         }
-        uint32_t vertex = qtri_lighting_vertex(&lighting, &unit);
+        const qtri_mesh mesh = {.normals = &unit};
+        uint32_t vertex = qtri_light_by_vertex.vertex(&lighting, &mesh, 0);
         assert_int_equal(vertex, narrow_light_vertex(&light, &identity, &unit));
         vertex_worst = fmax(vertex_worst, fabs(vertex / 32768. - intensity(&light, normal)));
     }
@@ -376,7 +377,8 @@ static void last_bits_of_light(void **state)
         qtri_lighting lighting;
         qtri_lighting_init(&lighting, &light, &identity, false, NULL);
         hash = (hash ^ qtri_lighting_face8(&lighting, &face)) * 16777619u;
-        hash = (hash ^ qtri_lighting_vertex8(&lighting, &normal)) * 16777619u;
+        const qtri_mesh mesh = {.normals8 = &normal};
+        hash = (hash ^ qtri_light_by_vertex.vertex(&lighting, &mesh, 0)) * 16777619u;
     }
     assert_int_equal(hash, 0xbd7332a8u);
 }

@@ -349,20 +349,4 @@ static inline const qtri_rgb *qtri_mesh_color(const qtri_mesh_job *draw, uint32_
     return draw->mesh->colors != NULL ? &draw->mesh->colors[index] : &draw->material.color;
 }
 
-/* The normal of a vertex of a mesh that has some, Q14: of 8 bits it is shorter by 1/128. */
-static inline void qtri_lit_vertex_normal(int32_t n[3], const qtri_mesh *mesh, uint32_t index)
-{
-    if (mesh->normals8 != NULL) {
-        const qtri_normal8 *normal = &mesh->normals8[index];
-        n[0] = normal->x * 128;
-        n[1] = normal->y * 128;
-        n[2] = normal->z * 128;
-    } else {
-        const qtri_normal *normal = &mesh->normals[index];
-        n[0] = normal->x;
-        n[1] = normal->y;
-        n[2] = normal->z;
-    }
-}
-
 #endif

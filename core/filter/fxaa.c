@@ -78,7 +78,7 @@ static const qtri_colors *kind_of(const void *window)
 static void decode_row(const qtri_surface *surface, int32_t y, uint32_t *out)
 {
     const qtri_format *format = surface->format;
-    const uint8_t *pixel = surface->pixels + (y - surface->first_row) * surface->pitch;
+    const uint8_t *pixel = qtri_surface_at(surface, 0, y);
     for (int32_t x = 0; x < surface->width; x++) {
         const uint32_t color = qtri_color_of(format, format->pixels->load(pixel));
         out[x] = color | luma_of(format->colors, color) << LUMA_SHIFT;
@@ -108,7 +108,7 @@ QTRI_NOINLINE static void filter_rows_any(const qtri_surface *surface, qtri_rect
         if (w.window.row[1] == NULL || w.window.row[3] == NULL) { /* between two there is one */
             continue;
         }
-        uint8_t *row = surface->pixels + (y - surface->first_row) * surface->pitch;
+        uint8_t *row = qtri_surface_at(surface, 0, y);
         for (int32_t x = first; x < end; x++) {
             const uint32_t old = w.window.row[2][x];
             const uint32_t color = filter_any(&w.window, x, width);
@@ -219,21 +219,6 @@ static inline uint32_t bit_of(bool first)
     return (uint32_t)1 << (is_first_low() == first ? HALF_BIT : 16 + HALF_BIT);
 }
 
-/* The same one by one, for cores with few registers. Without calls: those of the loop stay. */
-QTRI_NOINLINE static uint32_t edges_by_one(const uint16_t *above, const uint16_t *own,
-                                           const uint16_t *below)
-{
-    uint32_t edges = 0;
-    /* Of five lumas in any order: the two pixels as one pair, which is sorted once for both. */
-    if (!is_flat(above[0], own[0], own[1], below[0], own[-1])) {
-        edges = bit_of(true);
-    }
-    if (!is_flat(above[1], own[0], own[1], below[1], own[2])) {
-        edges |= bit_of(false);
-    }
-    return edges;
-}
-
 /* Those of pixels x and x + 1 whose halves have the high bit. */
 QTRI_NOINLINE static void resolve_two(const window_565 *w, uint16_t *out, int32_t x, int32_t width,
                                       uint32_t edges)
@@ -273,9 +258,7 @@ QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32
         const uint32_t most = both + near;
         if ((((most - above) | (most - below) | (most - left) | (most - right)) & ~0x00070007u) !=
             0) {
-            const uint32_t edges = QTRI_LONG_MULTIPLY
-                                       ? edges_of_two(both, above, below, left, right)
-                                       : edges_by_one(up + x, own + x, down + x);
+            const uint32_t edges = edges_of_two(both, above, below, left, right);
             if (edges != 0) {
                 resolve_two(w, out, x, width, edges);
             }
@@ -341,31 +324,13 @@ static bool are_pairs(const qtri_surface *surface)
 
 static uint16_t *row_of(const qtri_surface *surface, int32_t y)
 {
-    return (uint16_t *)(void *)(surface->pixels + (y - surface->first_row) * surface->pitch);
+    return (uint16_t *)(void *)qtri_surface_at(surface, 0, y);
 }
 
 static void fill_words(qtri_pair *to, int32_t count, uint32_t word)
 {
     if (count > 0) {
         qtri_fill_words((uint8_t *)to, 0, 4 * (size_t)count, 1, word);
-    }
-}
-
-static void copy_words(qtri_pair *to, const qtri_pair *from, const qtri_pair *end)
-{
-    for (; end - from >= 4; to += 4, from += 4) {
-        const uint32_t a = from[0];
-        const uint32_t b = from[1];
-        const uint32_t c = from[2];
-        const uint32_t d = from[3];
-        to[0] = a;
-        to[1] = b;
-        to[2] = c;
-        to[3] = d;
-        QTRI_OPAQUE(to)
-    }
-    while (from != end) {
-        *to++ = *from++;
     }
 }
 
@@ -403,7 +368,8 @@ static void keep_row(uint32_t *out, const uint16_t *row, const extent *e, int32_
     if (luma) {
         luma_words(to + first, from + first, from + end);
     } else {
-        copy_words(to + first, from + first, from + end);
+        qtri_copy((uint8_t *)(to + first), (const uint8_t *)(from + first),
+                  4 * (size_t)(end - first));
     }
     fill_words(to + end, width / 2 - end, about);
 }

@@ -51,8 +51,8 @@ static void halve_any(const qtri_surface *band, const qtri_surface *half)
     const qtri_pixels *pixels = half->format->pixels;
     const ptrdiff_t bytes = pixels->bytes;
     for (int32_t y = half->scissor.y0; y < half->scissor.y1; y++) {
-        const uint8_t *from = band->pixels + (2 * y - band->first_row) * band->pitch;
-        uint8_t *to = half->pixels + (y - half->first_row) * half->pitch;
+        const uint8_t *from = qtri_surface_at(band, 0, 2 * y);
+        uint8_t *to = qtri_surface_at(half, 0, y);
         for (int32_t x = half->scissor.x0; x < half->scissor.x1; x++) {
             const uint8_t *at = from + 2 * x * bytes;
             const uint32_t stored[4] = {pixels->load(at), pixels->load(at + bytes),
@@ -110,9 +110,8 @@ static void halve_565(const qtri_surface *band, const qtri_surface *half)
 {
     const qtri_rect *scissor = &half->scissor;
     for (int32_t y = scissor->y0; y < scissor->y1; y++) {
-        const uint8_t *from =
-            band->pixels + (2 * y - band->first_row) * band->pitch + 4 * scissor->x0;
-        uint8_t *to = half->pixels + (y - half->first_row) * half->pitch + 2 * scissor->x0;
+        const uint8_t *from = qtri_surface_at(band, 2 * scissor->x0, 2 * y);
+        uint8_t *to = qtri_surface_at(half, scissor->x0, y);
         halve_pairs((const qtri_pair *)(const void *)from,
                     (const qtri_pair *)(const void *)(from + band->pitch), (uint16_t *)(void *)to,
                     scissor->x1 - scissor->x0);

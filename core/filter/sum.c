@@ -29,13 +29,7 @@ static bool begin(const qtri_surface *surface, const uint32_t *sums, uint32_t wo
     return *error == QTRI_OK;
 }
 
-/* The bounds' first pixel of row y, and its place among the surface's pixels. */
-static uint8_t *pixels_at(const qtri_surface *surface, const qtri_rect *bounds, int32_t y)
-{
-    return surface->pixels + (y - surface->first_row) * surface->pitch +
-           bounds->x0 * (ptrdiff_t)surface->format->pixels->bytes;
-}
-
+/* The place of the bounds' first pixel of row y among the surface's pixels. */
 static uint32_t place_of(const qtri_surface *surface, const qtri_rect *bounds, int32_t y)
 {
     return (uint32_t)(y - surface->first_row) * (uint32_t)surface->width + (uint32_t)bounds->x0;
@@ -141,7 +135,7 @@ enum qtri_error qtri_sum_add(uint32_t *sums, uint32_t words, const qtri_surface 
         const int32_t count = bounds.x1 - bounds.x0;
         for (int32_t y = bounds.y0; y < bounds.y1; y++) {
             uint32_t *sum = sums + pixel_words * place_of(surface, &bounds, y);
-            uint8_t *pixels = pixels_at(surface, &bounds, y);
+            uint8_t *pixels = qtri_surface_at(surface, bounds.x0, y);
             if (pixel_words == 1) {
                 add_row_565(sum, (uint16_t *)(void *)pixels, count);
             } else {
@@ -163,7 +157,7 @@ enum qtri_error qtri_sum_store(const qtri_surface *surface, const uint32_t *sums
         const int32_t count = bounds.x1 - bounds.x0;
         for (int32_t y = bounds.y0; y < bounds.y1; y++) {
             const uint32_t *sum = sums + pixel_words * place_of(surface, &bounds, y);
-            uint8_t *pixels = pixels_at(surface, &bounds, y);
+            uint8_t *pixels = qtri_surface_at(surface, bounds.x0, y);
             if (pixel_words == 1) {
                 store_row_565((uint16_t *)(void *)pixels, sum, count, log2);
             } else {

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "pixel.h"
 
+#include "barrier.h"
+
 /* Pixels that a mask has bits for. */
 #define MASK_PIXELS 32
 
@@ -81,6 +83,74 @@ void qtri_fill_words(uint8_t *first, ptrdiff_t pitch, size_t bytes, int32_t rows
     }
 }
 
+/* ---- Copies ---- */
+
+/* What is copied at once, by instructions that load and store several registers. */
+typedef struct block {
+    uint32_t word[12];
+}
+#ifdef __GNUC__
+__attribute__((__may_alias__))
+#endif
+block;
+
+/* As many bytes as its words have, from word to word; how many there are is returned. */
+static size_t copy_words(uint8_t *to, const uint8_t *from, size_t bytes)
+{
+    size_t left = bytes;
+    for (; left >= sizeof(block); left -= sizeof(block)) {
+        *(block *)(void *)to = *(const block *)(const void *)from;
+        to += sizeof(block);
+        from += sizeof(block);
+    }
+    for (; left >= 4; left -= 4) {
+        *(word *)(void *)to = *(const word *)(const void *)from;
+        to += 4;
+        from += 4;
+    }
+    return bytes - left;
+}
+
+static size_t copy_halves(uint8_t *to, const uint8_t *from, size_t bytes)
+{
+    uint16_t *out = (uint16_t *)(void *)to;
+    const uint16_t *in = (const uint16_t *)(const void *)from;
+    size_t left = bytes;
+    for (; left >= 8; left -= 8) {
+        out[0] = in[0];
+        QTRI_OPAQUE(out) /* or two would become a word that is not aligned */
+        out[1] = in[1];
+        QTRI_OPAQUE(out)
+        out[2] = in[2];
+        QTRI_OPAQUE(out)
+        out[3] = in[3];
+        out += 4;
+        in += 4;
+        QTRI_OPAQUE(out)
+        QTRI_OPAQUE(in)
+    }
+    return bytes - left;
+}
+
+void qtri_copy(uint8_t *to, const uint8_t *from, size_t bytes)
+{
+    const uintptr_t apart = (uintptr_t)to ^ (uintptr_t)from;
+    const uintptr_t unit = (apart & 3) == 0 ? 4 : ((apart & 1) == 0 ? 2 : 1);
+    for (; bytes > 0 && ((uintptr_t)to & (unit - 1)) != 0; bytes--) {
+        *to++ = *from++;
+    }
+    const size_t done = unit == 4   ? copy_words(to, from, bytes)
+                        : unit == 2 ? copy_halves(to, from, bytes)
+                                    : 0;
+    to += done;
+    from += done;
+    for (bytes -= done; bytes > 0; bytes--) {
+        *to++ = *from++;
+    }
+}
+
+/* ---- Rectangles ---- */
+
 /* Memory of pixels of another size than a word has room for. */
 static void fill_row_of_pixels(const qtri_pixels *pixels, uint8_t *at, int32_t count,
                                uint32_t stored)
@@ -133,8 +203,7 @@ void qtri_fill_rect(const qtri_surface *surface, const qtri_rect *rect, uint32_t
     const size_t pixel_bytes = pixels->bytes;
     const int32_t columns = rect->x1 - rect->x0;
     const int32_t rows = rect->y1 - rect->y0;
-    uint8_t *first = surface->pixels + (ptrdiff_t)(rect->y0 - surface->first_row) * surface->pitch +
-                     (ptrdiff_t)(pixel_bytes * (size_t)rect->x0);
+    uint8_t *first = qtri_surface_at(surface, rect->x0, rect->y0);
     if (pixel_bytes == 1 || pixel_bytes == 2 || pixel_bytes == 4) {
         if (pixel_bytes == 1) {
             stored = (stored & 0xFF) * 0x101u;

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/frame.h"
 
-#include <string.h>
-
 #include "checked.h"
+#include "pixel.h"
 
 static const qtri_rect nothing = {0, 0, 0, 0};
 
@@ -220,31 +219,6 @@ void qtri_frame_shown(const qtri_frame *frame, const qtri_surface *band, qtri_su
 
 /* ---- Rows that are kept ---- */
 
-/* Words that are copied at once, by instructions that load and store several registers. */
-typedef struct words {
-    uint32_t word[12];
-}
-#ifdef __GNUC__
-__attribute__((__may_alias__))
-#endif
-words;
-
-/* `bytes` bytes, which do not overlap; in words where both sides are at words. */
-static void copy(uint8_t *to, const uint8_t *from, size_t bytes)
-{
-    if ((((uintptr_t)to | (uintptr_t)from) & 3) == 0) {
-        for (; bytes >= 2 * sizeof(words); bytes -= 2 * sizeof(words)) {
-            words *out = (words *)(void *)to;
-            const words *in = (const words *)(const void *)from;
-            out[0] = in[0];
-            out[1] = in[1];
-            to += 2 * sizeof(words);
-            from += 2 * sizeof(words);
-        }
-    }
-    memcpy(to, from, bytes);
-}
-
 /*
  * Depth of the first row is not kept: no pixel that is shown depends on it, since only edges on
  * that row itself would ask for it. The rest begins at a word where the pixels do.
@@ -263,16 +237,16 @@ void qtri_frame_join(const qtri_frame *frame, qtri_surface *band)
     uint8_t *kept_depth = frame->kept + (pixel_bytes + 3) / 4 * 4;
     if (first > 0) {
         take_rows(band, band, first - rows, first + band->rows);
-        copy(band->pixels, frame->kept, pixel_bytes);
+        qtri_copy(band->pixels, frame->kept, pixel_bytes);
         if (band->depth != NULL) {
-            copy((uint8_t *)depth_at(band, 1), kept_depth, depth_bytes);
+            qtri_copy((uint8_t *)depth_at(band, 1), kept_depth, depth_bytes);
         }
     }
     if (frame->next_row < frame->height) {
         const int32_t before = band->rows - rows;
-        copy(frame->kept, band->pixels + before * band->pitch, pixel_bytes);
+        qtri_copy(frame->kept, band->pixels + before * band->pitch, pixel_bytes);
         if (band->depth != NULL) {
-            copy(kept_depth, (const uint8_t *)depth_at(band, before + 1), depth_bytes);
+            qtri_copy(kept_depth, (const uint8_t *)depth_at(band, before + 1), depth_bytes);
         }
     }
 }

@@ -80,7 +80,14 @@ qtri_channels qtri_channels_from_color(const qtri_colors *colors, const int32_t 
 /* An 8-bit colour as a stored pixel. */
 uint32_t qtri_pixel_from_rgb(const qtri_format *format, qtri_rgb color);
 
-/* ---- Stored pixels, of a size that a loop knows ---- */
+/* ---- Stored pixels ---- */
+
+/* Where a pixel of a row that the surface holds is stored. */
+static inline uint8_t *qtri_surface_at(const qtri_surface *surface, int32_t x, int32_t row)
+{
+    return surface->pixels + (ptrdiff_t)(row - surface->first_row) * surface->pitch +
+           (ptrdiff_t)surface->format->pixels->bytes * x;
+}
 
 /* A pixel of 1 to 4 bytes. */
 QTRI_INLINE uint32_t qtri_stored_get(int32_t bytes, const uint8_t *at)
@@ -117,13 +124,34 @@ QTRI_INLINE void qtri_stored_put(int32_t bytes, uint8_t *at, uint32_t stored)
     }
 }
 
-/* ---- Memory filled with one value, in the widest stores that there are ---- */
+/*
+ * The cases of a switch over a pixel's 1 to 4 bytes: calls `function` with them, constants that the
+ * compiler makes a loop each of.
+ */
+#define QTRI_BYTES_CASES(function, ...)                                                            \
+    case 1:                                                                                        \
+        function(1, __VA_ARGS__);                                                                  \
+        break;                                                                                     \
+    case 2:                                                                                        \
+        function(2, __VA_ARGS__);                                                                  \
+        break;                                                                                     \
+    case 3:                                                                                        \
+        function(3, __VA_ARGS__);                                                                  \
+        break;                                                                                     \
+    default:                                                                                       \
+        function(4, __VA_ARGS__);                                                                  \
+        break
+
+/* ---- Memory filled with one value, and copied ---- */
 
 /*
  * Fills `rows` rows of `bytes` > 0 bytes with a word `value` as it lies in memory, at whichever
  * byte a row begins. Rows without gaps are one row.
  */
 void qtri_fill_words(uint8_t *first, ptrdiff_t pitch, size_t bytes, int32_t rows, uint32_t value);
+
+/* Copies bytes that do not overlap, in the widest units in which both sides can be aligned. */
+void qtri_copy(uint8_t *to, const uint8_t *from, size_t bytes);
 
 /* Fills a rectangle, which is not empty and lies in qtri_surface_bounds, with a stored pixel. */
 void qtri_fill_rect(const qtri_surface *surface, const qtri_rect *rect, uint32_t stored);

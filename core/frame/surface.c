@@ -120,9 +120,7 @@ qtri_rgb qtri_surface_pixel(const qtri_surface *surface, int32_t x, int32_t y)
         (int64_t)y - surface->first_row >= surface->rows) {
         return rgb;
     }
-    const uint8_t *row = surface->pixels + (y - surface->first_row) * surface->pitch;
-    const qtri_pixels *pixels = format->pixels;
-    const uint32_t color = format->decode(pixels->load(row + (ptrdiff_t)pixels->bytes * x));
+    const uint32_t color = format->decode(format->pixels->load(qtri_surface_at(surface, x, y)));
     rgb.r = (uint8_t)(color >> 16);
     rgb.g = (uint8_t)(color >> 8);
     rgb.b = (uint8_t)color;

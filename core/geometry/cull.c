@@ -11,19 +11,24 @@
 #include "../math/unit.h"
 #include "cull.h"
 
-/* Position i, rounded down or up to Q16.16 on all axes. */
-static qtri_vec3 position_of(const qtri_mesh *mesh, uint32_t i, bool is_up)
+/* Position i, rounded down and up to Q16.16. */
+static void get_position(q16 low[3], q16 high[3], const qtri_mesh *mesh, uint32_t i)
 {
     if (mesh->positions16 == NULL) {
-        return mesh->positions[i];
+        const qtri_vec3 *p = &mesh->positions[i];
+        low[0] = high[0] = p->x;
+        low[1] = high[1] = p->y;
+        low[2] = high[2] = p->z;
+        return;
     }
     const qtri_position16 *p = &mesh->positions16[i];
-    const int64_t up = is_up ? 32767 : 0;
-    const qtri_vec3 v = {
-        qtri_saturate32(mesh->origin.x + ((qtri_mul_s32(mesh->extent, p->x) + up) >> 15)),
-        qtri_saturate32(mesh->origin.y + ((qtri_mul_s32(mesh->extent, p->y) + up) >> 15)),
-        qtri_saturate32(mesh->origin.z + ((qtri_mul_s32(mesh->extent, p->z) + up) >> 15))};
-    return v;
+    const int16_t n[3] = {p->x, p->y, p->z};
+    const q16 origin[3] = {mesh->origin.x, mesh->origin.y, mesh->origin.z};
+    for (int axis = 0; axis < 3; axis++) {
+        const int64_t way_q31 = qtri_mul_s32(mesh->extent, n[axis]);
+        low[axis] = qtri_saturate32(origin[axis] + (way_q31 >> 15));
+        high[axis] = qtri_saturate32(origin[axis] + ((way_q31 + 32767) >> 15));
+    }
 }
 
 static uint32_t count_of(const qtri_mesh *mesh)
@@ -51,22 +56,22 @@ qtri_box qtri_mesh_box(const qtri_mesh *mesh)
     if (count == 0) {
         return empty;
     }
-    qtri_vec3 low = position_of(mesh, 0, false);
-    qtri_vec3 high = position_of(mesh, 0, true);
+    q16 low[3];
+    q16 high[3];
+    get_position(low, high, mesh, 0);
     for (uint32_t i = 1; i < count; i++) {
-        const qtri_vec3 down = position_of(mesh, i, false);
-        const qtri_vec3 up = position_of(mesh, i, true);
-        low.x = qtri_least32(low.x, down.x);
-        low.y = qtri_least32(low.y, down.y);
-        low.z = qtri_least32(low.z, down.z);
-        high.x = qtri_greatest32(high.x, up.x);
-        high.y = qtri_greatest32(high.y, up.y);
-        high.z = qtri_greatest32(high.z, up.z);
+        q16 down[3];
+        q16 up[3];
+        get_position(down, up, mesh, i);
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = qtri_least32(low[axis], down[axis]);
+            high[axis] = qtri_greatest32(high[axis], up[axis]);
+        }
     }
     qtri_box box;
-    set_axis(&box.center.x, &box.half.x, low.x, high.x);
-    set_axis(&box.center.y, &box.half.y, low.y, high.y);
-    set_axis(&box.center.z, &box.half.z, low.z, high.z);
+    set_axis(&box.center.x, &box.half.x, low[0], high[0]);
+    set_axis(&box.center.y, &box.half.y, low[1], high[1]);
+    set_axis(&box.center.z, &box.half.z, low[2], high[2]);
     return box;
 }
 
@@ -76,28 +81,23 @@ static uint32_t apart(q16 a, q16 b)
     return (uint32_t)qtri_magnitude64((int64_t)a - b);
 }
 
-/* The greater of the distances of the position's two roundings from the centre, squared / 4. */
-static uint64_t distance_squared(const qtri_vec3 *center, const qtri_vec3 *a, const qtri_vec3 *b)
-{
-    const uint32_t d[3] = {apart(a->x, center->x), apart(a->y, center->y), apart(a->z, center->z)};
-    const uint32_t e[3] = {apart(b->x, center->x), apart(b->y, center->y), apart(b->z, center->z)};
-    uint64_t sum = 0;
-    for (int i = 0; i < 3; i++) { /* halves rounded up, <= 2^31: three squares below 2^64 */
-        const uint32_t half = ((d[i] > e[i] ? d[i] : e[i]) >> 1) + 1;
-        sum += qtri_mul_u32(half, half);
-    }
-    return sum;
-}
-
 qtri_ball qtri_mesh_ball(const qtri_mesh *mesh)
 {
     const qtri_box box = qtri_mesh_box(mesh);
     const uint32_t count = count_of(mesh);
     uint64_t most = 0;
+    const q16 center[3] = {box.center.x, box.center.y, box.center.z};
     for (uint32_t i = 0; i < count; i++) {
-        const qtri_vec3 down = position_of(mesh, i, false);
-        const qtri_vec3 up = position_of(mesh, i, true);
-        const uint64_t square = distance_squared(&box.center, &down, &up);
+        q16 down[3];
+        q16 up[3];
+        uint64_t square = 0; /* of the distance / 2 of the rounding that is farther */
+        get_position(down, up, mesh, i);
+        for (int axis = 0; axis < 3; axis++) { /* halves rounded up, <= 2^31: three fit 64 bits */
+            const uint32_t d = apart(down[axis], center[axis]);
+            const uint32_t e = apart(up[axis], center[axis]);
+            const uint32_t half = ((d > e ? d : e) >> 1) + 1;
+            square += qtri_mul_u32(half, half);
+        }
         most = square > most ? square : most;
     }
     qtri_ball ball = {box.center, 0};

@@ -10,6 +10,7 @@
 #include "../math/q16_trig.h"
 #include "../math/unit.h"
 #include "illumination.h"
+#include "lighting.h"
 #include "row.h"
 
 /* ---- Set-up ---- */
@@ -450,14 +451,8 @@ void qtri_sphere_map(qtri_uv16 *uvs, const qtri_transform *camera, const qtri_tr
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         int32_t n[3] = {0, 0, 0};
         int32_t unit_q14[3];
-        if (mesh->normals8 != NULL) {
-            n[0] = mesh->normals8[i].x * 128;
-            n[1] = mesh->normals8[i].y * 128;
-            n[2] = mesh->normals8[i].z * 128;
-        } else if (mesh->normals != NULL) {
-            n[0] = mesh->normals[i].x;
-            n[1] = mesh->normals[i].y;
-            n[2] = mesh->normals[i].z;
+        if (mesh->normals8 != NULL || mesh->normals != NULL) {
+            qtri_lit_vertex_normal(n, mesh, i);
         }
         normal_q14(unit_q14, m_q28[0], n);
         uvs[i].x = half_q14(unit_q14[0]);

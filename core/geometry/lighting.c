@@ -110,29 +110,12 @@ static inline uint32_t light_plain(const qtri_row16 *row, uint32_t least_q15, in
     return (uint32_t)sum_q15 > QTRI_INTENSITY_ONE ? QTRI_INTENSITY_ONE : (uint32_t)sum_q15;
 }
 
-static inline uint32_t light_normal(const qtri_lighting *lighting, int32_t x, int32_t y, int32_t z)
-{
-    if (!lighting->plain) {
-        const int32_t normal[3] = {x, y, z};
-        return lighting->uneven->direction(lighting, normal);
-    }
-    return light_plain(&lighting->by.row, lighting->least_q15, x, y, z);
-}
-
-uint32_t qtri_lighting_vertex(const qtri_lighting *lighting, const qtri_normal *normal)
-{
-    return light_normal(lighting, normal->x, normal->y, normal->z);
-}
-
-uint32_t qtri_lighting_vertex8(const qtri_lighting *lighting, const qtri_normal8 *normal)
-{
-    return light_normal(lighting, normal->x * 128, normal->y * 128, normal->z * 128);
-}
-
 static uint32_t light_vertex(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t index)
 {
-    return mesh->normals8 != NULL ? qtri_lighting_vertex8(lighting, &mesh->normals8[index])
-                                  : qtri_lighting_vertex(lighting, &mesh->normals[index]);
+    int32_t n[3];
+    qtri_lit_vertex_normal(n, mesh, index);
+    return lighting->plain ? light_plain(&lighting->by.row, lighting->least_q15, n[0], n[1], n[2])
+                           : lighting->uneven->direction(lighting, n);
 }
 
 static void light_list(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t count,

@@ -51,11 +51,10 @@ void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
 
 #define QTRI_INTENSITY_ONE 0x8000u /* intensities have 15 fraction bits */
 
-/* min(1, ambient + diffuse max(0, n . towards)) in 0..1, for a unit normal. */
-uint32_t qtri_lighting_vertex(const qtri_lighting *lighting, const qtri_normal *normal);
-uint32_t qtri_lighting_vertex8(const qtri_lighting *lighting, const qtri_normal8 *normal);
-
-/* Likewise for the face a b c, counter-clockwise; a face without area gets the ambient light. */
+/*
+ * min(1, ambient + diffuse max(0, n . towards)) in 0..1 for the face a b c, counter-clockwise; a
+ * face without area gets the ambient light.
+ */
 uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, const qtri_vec3 *b,
                             const qtri_vec3 *c);
 /*
@@ -63,6 +62,22 @@ uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, c
  * the face times the diffuse part, and 2^-11. For light that is plain.
  */
 uint32_t qtri_lighting_face8(const qtri_lighting *lighting, const qtri_face8 *face);
+
+/* The normal of a vertex of a mesh that has some, Q14: of 8 bits it is shorter by 1/128. */
+static inline void qtri_lit_vertex_normal(int32_t n[3], const qtri_mesh *mesh, uint32_t index)
+{
+    if (mesh->normals8 != NULL) {
+        const qtri_normal8 *normal = &mesh->normals8[index];
+        n[0] = normal->x * 128;
+        n[1] = normal->y * 128;
+        n[2] = normal->z * 128;
+    } else {
+        const qtri_normal *normal = &mesh->normals[index];
+        n[0] = normal->x;
+        n[1] = normal->y;
+        n[2] = normal->z;
+    }
+}
 
 /* Positions of a triangle, in a scale that does not matter for its normal. */
 static inline void qtri_mesh_positions(qtri_vec3 p[3], const qtri_mesh *mesh,
@@ -85,6 +100,7 @@ struct qtri_vertex_light {
     void (*init)(qtri_lighting *lighting, const qtri_light *light,
                  const qtri_transform *object_to_eye, bool is_bytes,
                  const qtri_uneven_light *uneven);
+    /* min(1, ambient + diffuse max(0, n . towards)) in 0..1, for its unit normal. */
     uint32_t (*vertex)(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t index);
     /* The vertices whose indices are vertices[0..count-1].index, each in its slot. */
     void (*list)(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t count,

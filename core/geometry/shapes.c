@@ -225,6 +225,27 @@ enum qtri_error qtri_shape_grid(qtri_mesh *mesh, const qtri_shape_memory *memory
 
 /* ---- Round shapes ---- */
 
+/*
+ * Rings of a tube around the y axis, from the top outwards and down: all around its middle, or half
+ * of that, from point to point, for a sphere.
+ */
+static enum qtri_error add_rings(shape_builder *builder, q16 radius, q16 tube, int32_t slices,
+                                 int32_t rings, bool is_half)
+{
+    for (int32_t i = 0; i <= rings; i++) {
+        shape_ring ring;
+        q16_sincos_deg(angle_of(i, is_half ? 2 * rings : rings), &ring.out, &ring.up);
+        ring.radius = q16_add(radius, q16_mul(tube, ring.out));
+        ring.y = q16_mul(tube, ring.up);
+        ring.v = part_of(i, rings);
+        builder_ring(builder, slices, &ring);
+        if (i > 0) {
+            builder_join(builder, slices, is_half && i == 1, is_half && i == rings);
+        }
+    }
+    return builder_end(builder);
+}
+
 enum qtri_error qtri_shape_sphere(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
                                   int32_t slices, int32_t rows)
 {
@@ -234,21 +255,7 @@ enum qtri_error qtri_shape_sphere(qtri_mesh *mesh, const qtri_shape_memory *memo
     enum qtri_error error = builder_begin(&builder, mesh, memory,
                                           is_valid ? QTRI_SPHERE_VERTICES(slices, rows) : INT32_MAX,
                                           is_valid ? QTRI_SPHERE_TRIANGLES(slices, rows) : 0);
-    if (error != QTRI_OK) {
-        return error;
-    }
-    for (int32_t i = 0; i <= rows; i++) {
-        shape_ring ring;
-        q16_sincos_deg(angle_of(i, 2 * rows), &ring.out, &ring.up);
-        ring.radius = q16_mul(radius, ring.out);
-        ring.y = q16_mul(radius, ring.up);
-        ring.v = part_of(i, rows);
-        builder_ring(&builder, slices, &ring);
-        if (i > 0) {
-            builder_join(&builder, slices, i == 1, i == rows);
-        }
-    }
-    return builder_end(&builder);
+    return error == QTRI_OK ? add_rings(&builder, 0, radius, slices, rows, true) : error;
 }
 
 enum qtri_error qtri_shape_torus(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
@@ -260,21 +267,7 @@ enum qtri_error qtri_shape_torus(qtri_mesh *mesh, const qtri_shape_memory *memor
     enum qtri_error error = builder_begin(&builder, mesh, memory,
                                           is_valid ? QTRI_TORUS_VERTICES(slices, rings) : INT32_MAX,
                                           is_valid ? QTRI_TORUS_TRIANGLES(slices, rings) : 0);
-    if (error != QTRI_OK) {
-        return error;
-    }
-    for (int32_t i = 0; i <= rings; i++) { /* from the top outwards and down */
-        shape_ring ring;
-        q16_sincos_deg(angle_of(i, rings), &ring.out, &ring.up);
-        ring.radius = q16_add(radius, q16_mul(tube, ring.out));
-        ring.y = q16_mul(tube, ring.up);
-        ring.v = part_of(i, rings);
-        builder_ring(&builder, slices, &ring);
-        if (i > 0) {
-            builder_join(&builder, slices, false, false);
-        }
-    }
-    return builder_end(&builder);
+    return error == QTRI_OK ? add_rings(&builder, radius, tube, slices, rings, false) : error;
 }
 
 /* A radius of 0 has the triangles of any other, though none has an area. */

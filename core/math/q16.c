@@ -183,7 +183,6 @@ q16 q16_round(q16 x)
     return integer_below(x, 0x8000);
 }
 
-#ifdef QTRI_CHECK_MATH
 q16 q16_add_sat(q16 a, q16 b)
 {
     bool over;
@@ -202,7 +201,6 @@ q16 q16_mul_sat(q16 a, q16 b)
 {
     return saturated_product(a, b, NEAREST, true);
 }
-#endif
 
 /*
  * Q16.16 from and to integers and other fixed-point formats.
@@ -354,7 +352,6 @@ q16 q16_mod(q16 a, q16 b)
     return rest != 0 && (rest ^ b) < 0 ? rest + b : rest;
 }
 
-#ifdef QTRI_CHECK_MATH
 q16 q16_div_sat(q16 a, q16 b)
 {
     if (b == 0) {
@@ -362,7 +359,6 @@ q16 q16_div_sat(q16 a, q16 b)
     }
     return divided(a, b, true);
 }
-#endif
 
 /*
  * Divisions under other names; apart from q16_div, which they would be made copies of.

@@ -40,6 +40,30 @@ static void add_stop(stops *s, int32_t x, int32_t winding)
     s->count = kept + 1;
 }
 
+/* Most sides lie above, or below; rows lie between -2^21 and 2^21, where no point is held. */
+QTRI_NOINLINE static const qtri_ink_edge *side_of(const qtri_contour *contour, int32_t i,
+                                                  int32_t top, int32_t end, qtri_ink_edge *room)
+{
+    const int32_t a = contour->points[i].y_24p8;
+    const int32_t b = contour->points[i + 1 < contour->count ? i + 1 : 0].y_24p8;
+    const bool is_beside = (a <= top && b <= top) || (a >= end && b >= end);
+    return !is_beside && qtri_contour_edge(contour, i, room) ? room : NULL;
+}
+
+/*
+ * Edge i where it reaches between the heights `top` and `end`, `room` being for a side of a
+ * polygon. NULL: it does not.
+ */
+static inline const qtri_ink_edge *edge_of(const qtri_contour *contour, int32_t i, int32_t top,
+                                           int32_t end, qtri_ink_edge *room)
+{
+    if (contour->points != NULL) {
+        return side_of(contour, i, top, end, room);
+    }
+    const qtri_ink_edge *edge = &contour->edges[i];
+    return edge->y0 < end && edge->y1 > top ? edge : NULL;
+}
+
 /* Those behind the column `from`. Two arcs that follow each other are often of one circle. */
 static void find_stops(stops *s, const qtri_contour *contour, int32_t row, int32_t from)
 {
@@ -48,14 +72,9 @@ static void find_stops(stops *s, const qtri_contour *contour, int32_t row, int32
     int32_t half = 0;                 /* and half of its chord */
     s->count = 0;
     for (int32_t i = 0; i < contour->count; i++) {
-        qtri_ink_edge side;
-        const qtri_ink_edge *edge = &side;
-        if (contour->points == NULL) {
-            edge = &contour->edges[i];
-        } else if (!qtri_contour_side_near(contour, i, row * 256, &side)) {
-            continue;
-        }
-        if (edge->y0 > y || edge->y1 <= y) {
+        qtri_ink_edge room;
+        const qtri_ink_edge *edge = edge_of(contour, i, y, y + 1, &room);
+        if (edge == NULL) {
             continue;
         }
         int32_t x;
@@ -213,28 +232,6 @@ bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *ed
     return true;
 }
 
-/* Most sides lie above the row, or below. */
-bool qtri_contour_side_near(const qtri_contour *contour, int32_t i, int32_t top,
-                            qtri_ink_edge *side)
-{
-    const int32_t a = contour->points[i].y_24p8;
-    const int32_t b = contour->points[i + 1 < contour->count ? i + 1 : 0].y_24p8;
-    const int32_t end = top + 256; /* rows lie between -2^21 and 2^21, where no point is held */
-    const bool is_beside = (a <= top && b <= top) || (a >= end && b >= end);
-    return !is_beside && qtri_contour_edge(contour, i, side);
-}
-
-/* Edge i where it may cross the row, `room` being for a side of a polygon. NULL: it does not. */
-static inline const qtri_ink_edge *edge_of(const qtri_contour *contour, int32_t i, int32_t top,
-                                           qtri_ink_edge *room)
-{
-    if (contour->points == NULL) {
-        const qtri_ink_edge *edge = &contour->edges[i];
-        return edge->y0 < top + 256 && edge->y1 > top ? edge : NULL;
-    }
-    return qtri_contour_side_near(contour, i, top, room) ? room : NULL;
-}
-
 /* x of another arc at the level where `arc` is at x. */
 static int32_t mirrored(const qtri_ink_edge *arc, const qtri_ink_edge *other, int32_t x)
 {
@@ -247,7 +244,7 @@ static bool cross(const qtri_crossings *crossings, int32_t i, qtri_crossing *cro
     const qtri_contour *contour = crossings->contour;
     const int32_t top = crossings->row_24p8;
     qtri_ink_edge room;
-    const qtri_ink_edge *edge = edge_of(contour, i, top, &room);
+    const qtri_ink_edge *edge = edge_of(contour, i, top, top + 256, &room);
     if (edge == NULL) {
         return false;
     }

@@ -92,10 +92,6 @@ typedef struct qtri_crossings {
 
 void qtri_crossings_init(qtri_crossings *crossings, const qtri_contour *contour, int32_t row);
 
-/* Side i of a polygon where it may cross the row whose upper side is `top`; false: it does not. */
-bool qtri_contour_side_near(const qtri_contour *contour, int32_t i, int32_t top_24p8,
-                            qtri_ink_edge *side);
-
 /* The next one, and NULL after the last: *position begins with 0. `room` is for one not kept. */
 const qtri_crossing *qtri_crossings_next(const qtri_crossings *crossings, int32_t *position,
                                          qtri_crossing *room);

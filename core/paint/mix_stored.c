@@ -33,7 +33,9 @@ void qtri_mix_others(const qtri_format *format, uint8_t *at, uint32_t *color, ui
     const uint32_t *end = color + count;
     for (uint32_t *c = color; c != end; c++) {
         const uint32_t d = format->decode(pixels->load(from));
-        *c = qtri_mix_bytes(d, *c & 0x00FFFFFFu, (*c >> 24) + 1);
+        const uint32_t a = (*c >> 24) + 1;
+        const qtri_mix_part share = qtri_mix_part_of_stored(QTRI_MIX_32, *c & 0x00FFFFFFu, a);
+        *c = qtri_mix_add(QTRI_MIX_32, d, 256 - a, share);
         from += pixels->bytes;
     }
     qtri_mix_encode(format, color, count);

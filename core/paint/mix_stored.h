@@ -35,29 +35,9 @@ static inline uint32_t qtri_mix_weight(uint32_t coverage, uint32_t alpha)
     return (coverage * alpha * 258u + 0x8000u) >> 16;
 }
 
-/* Two channels of up to 8 bits at bits 0 and 16: 255 * 256 + 128 < 2^16. */
-static inline uint32_t qtri_mix_lanes(uint32_t d, uint32_t s, uint32_t a)
-{
-    return (d * (256 - a) + s * a + 0x00800080u) >> 8;
-}
-
-static inline uint32_t qtri_mix_bytes(uint32_t d, uint32_t s, uint32_t a)
-{
-    const uint32_t mask = 0x00FF00FFu;
-    const uint32_t low = qtri_mix_lanes(d & mask, s & mask, a) & mask;
-    return low | (qtri_mix_lanes(d >> 8 & mask, s >> 8 & mask, a) & mask) << 8;
-}
-
 static inline uint32_t qtri_mix_red_blue(uint32_t x)
 {
     return (x & 0x1F) | (x & 0xF800) << 5;
-}
-
-static inline uint32_t qtri_mix_565(uint32_t d, uint32_t s, uint32_t a)
-{
-    const uint32_t rb = qtri_mix_lanes(qtri_mix_red_blue(d), qtri_mix_red_blue(s), a);
-    const uint32_t g = ((d >> 5 & 63) * (256 - a) + (s >> 5 & 63) * a + 128) >> 8;
-    return (rb & 0x1F) | g << 5 | (rb >> 5 & 0xF800);
 }
 
 static inline uint32_t qtri_swapped16(uint32_t x)
@@ -106,21 +86,10 @@ static inline void qtri_mix_encode(const qtri_format *format, uint32_t *color, i
     }
 }
 
-QTRI_INLINE uint32_t qtri_mix_stored(qtri_mix mix, uint32_t d, uint32_t s, uint32_t a)
-{
-    switch (mix) {
-    case QTRI_MIX_GRAY8:
-        return qtri_mix_lanes(d, s & 0xFF, a);
-    case QTRI_MIX_565:
-        return qtri_mix_565(d, s, a);
-    case QTRI_MIX_565_SWAPPED:
-        return qtri_swapped16(qtri_mix_565(qtri_swapped16(d), qtri_swapped16(s), a));
-    default:
-        return qtri_mix_bytes(d, s, a);
-    }
-}
-
-/* A colour times its weight with the half that rounds, as lanes: what is added to every pixel. */
+/*
+ * A colour times its weight with the half that rounds, as lanes of 16 bits, 255 * 256 + 128 < 2^16:
+ * what is added to every pixel.
+ */
 typedef struct qtri_mix_part {
     uint32_t low, high; /* bits 0 and 16 on; of RGB565 low is blue and red, high green */
 } qtri_mix_part;
@@ -131,19 +100,37 @@ static inline uint32_t qtri_mix_channel(int32_t channel, uint32_t a)
     return ((uint32_t)channel >> 8) * a / 256 + 128;
 }
 
-/* Of the exact colour where channels are coarse, of the stored one where a step is 1 of 255. */
-QTRI_INLINE qtri_mix_part qtri_mix_part_of(qtri_mix mix, const qtri_channels *channels,
-                                           uint32_t stored, uint32_t a)
+/* A stored pixel times a. */
+QTRI_INLINE qtri_mix_part qtri_mix_part_of_stored(qtri_mix mix, uint32_t stored, uint32_t a)
 {
-    const int32_t *c = channels->c;
     const uint32_t mask = 0x00FF00FFu;
     qtri_mix_part share;
     if (mix == QTRI_MIX_GRAY8) {
-        share.low = qtri_mix_channel(c[0] + c[1] + c[2], a);
+        share.low = (stored & 0xFF) * a + 128;
         share.high = 0;
     } else if (mix == QTRI_MIX_24 || mix == QTRI_MIX_32) {
         share.low = (stored & mask) * a + 0x00800080u;
         share.high = (stored >> 8 & mask) * a + 0x00800080u;
+    } else {
+        stored = mix == QTRI_MIX_565_SWAPPED ? qtri_swapped16(stored) : stored;
+        share.low = qtri_mix_red_blue(stored) * a + 0x00800080u;
+        share.high = (stored >> 5 & 63) * a + 128;
+    }
+    return share;
+}
+
+/* The exact colour times a where channels are coarse, the stored one where a step is 1 of 255. */
+QTRI_INLINE qtri_mix_part qtri_mix_part_of(qtri_mix mix, const qtri_channels *channels,
+                                           uint32_t stored, uint32_t a)
+{
+    const int32_t *c = channels->c;
+    qtri_mix_part share;
+    if (mix == QTRI_MIX_24 || mix == QTRI_MIX_32) {
+        return qtri_mix_part_of_stored(mix, stored, a);
+    }
+    if (mix == QTRI_MIX_GRAY8) {
+        share.low = qtri_mix_channel(c[0] + c[1] + c[2], a);
+        share.high = 0;
     } else {
         share.low = qtri_mix_channel(c[2], a) | qtri_mix_channel(c[0], a) << 16;
         share.high = qtri_mix_channel(c[1], a);

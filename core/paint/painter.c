@@ -29,9 +29,7 @@ bool qtri_painter_begin(qtri_painter *painter, const qtri_surface *surface, cons
 
 uint8_t *qtri_painter_at(const qtri_painter *painter, int32_t x, int32_t row)
 {
-    const qtri_surface *surface = painter->surface;
-    return surface->pixels + (ptrdiff_t)(row - surface->first_row) * surface->pitch +
-           (ptrdiff_t)surface->format->pixels->bytes * x;
+    return qtri_surface_at(painter->surface, x, row);
 }
 
 static bool is_opaque(const qtri_painter *painter, uint32_t coverage)
@@ -197,21 +195,7 @@ QTRI_INLINE void bits_of(qtri_mix mix, int32_t bytes, const qtri_painter *painte
     }
 }
 
-/* Those of eight pixels that a value, which is not 0, has bits for. */
-static void cover_eight(const qtri_painter *painter, uint8_t *at, uint32_t value)
-{
-    uint8_t coverage[8];
-    int32_t n = 0;
-    for (; (value & 0x80) == 0; value <<= 1) {
-        at += painter->surface->format->pixels->bytes;
-    }
-    for (; (value & 0xFF) != 0; value <<= 1) { /* up to the last bit */
-        coverage[n++] = (uint8_t)(0 - (value >> 7 & 1));
-    }
-    painter->ink->cover(painter, at, n, coverage);
-}
-
-/* Of a format that is not known here. */
+/* Bits in a format that is not known here. */
 QTRI_NOINLINE static void bits_of_others(const qtri_painter *painter, uint8_t *to,
                                          const qtri_ink_bits *bits)
 {
@@ -221,8 +205,12 @@ QTRI_NOINLINE static void bits_of_others(const qtri_painter *painter, uint8_t *t
         for (int32_t done = 0; done < bits->width; done += 8) {
             const int32_t count = qtri_least32(bits->width - done, 8);
             const uint32_t value = qtri_ink_bits_at(row, bits->skip + done, count);
+            uint8_t coverage[8];
+            for (int32_t i = 0; i < 8; i++) {
+                coverage[i] = (uint8_t)(0 - (value >> (7 - i) & 1));
+            }
             if (value != 0) {
-                cover_eight(painter, to + bytes * done, value);
+                cover_others(painter, to + bytes * done, count, coverage);
             }
         }
         to += painter->surface->pitch;

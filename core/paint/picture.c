@@ -133,94 +133,11 @@ static void convert(const qtri_image *image, const qtri_surface *surface, uint32
 
 /* ---- Copies ---- */
 
-#ifdef __GNUC__
-typedef uint32_t __attribute__((__may_alias__)) word;
-#else
-typedef uint32_t word;
-#endif
-
-/* Blocks of words. */
-static size_t copy_words(uint8_t *to, const uint8_t *from, size_t bytes)
-{
-    word *out = (word *)(void *)to;
-    const word *in = (const word *)(const void *)from;
-    size_t left = bytes;
-    for (; left >= 16; left -= 16) {
-        const uint32_t a = in[0];
-        const uint32_t b = in[1];
-        const uint32_t c = in[2];
-        const uint32_t d = in[3];
-        out[0] = a;
-        out[1] = b;
-        out[2] = c;
-        out[3] = d;
-        out += 4;
-        in += 4;
-    }
-    for (; left >= 4; left -= 4) {
-        *out++ = *in++;
-    }
-    return bytes - left;
-}
-
-static size_t copy_halves(uint8_t *to, const uint8_t *from, size_t bytes)
-{
-    uint16_t *out = (uint16_t *)(void *)to;
-    const uint16_t *in = (const uint16_t *)(const void *)from;
-    size_t left = bytes;
-    for (; left >= 8; left -= 8) {
-        out[0] = in[0];
-        QTRI_OPAQUE(out) /* or two would become a word that is not aligned */
-        out[1] = in[1];
-        QTRI_OPAQUE(out)
-        out[2] = in[2];
-        QTRI_OPAQUE(out)
-        out[3] = in[3];
-        out += 4;
-        in += 4;
-        QTRI_OPAQUE(out)
-        QTRI_OPAQUE(in)
-    }
-    return bytes - left;
-}
-
-static size_t copy_bytes(uint8_t *to, const uint8_t *from, size_t bytes)
-{
-    size_t left = bytes;
-    for (; left >= 4; left -= 4) {
-        to[0] = from[0];
-        to[1] = from[1];
-        to[2] = from[2];
-        to[3] = from[3];
-        to += 4;
-        from += 4;
-    }
-    return bytes - left;
-}
-
-/* As wide as both sides can be aligned at once. */
-static void copy_row(uint8_t *to, const uint8_t *from, size_t bytes)
-{
-    const uintptr_t apart = (uintptr_t)to ^ (uintptr_t)from;
-    const uintptr_t unit = (apart & 3) == 0 ? 4 : ((apart & 1) == 0 ? 2 : 1);
-    for (; bytes > 0 && ((uintptr_t)to & (unit - 1)) != 0; bytes--) {
-        *to++ = *from++;
-    }
-    const size_t done = unit == 4   ? copy_words(to, from, bytes)
-                        : unit == 2 ? copy_halves(to, from, bytes)
-                                    : copy_bytes(to, from, bytes);
-    to += done;
-    from += done;
-    for (bytes -= done; bytes > 0; bytes--) {
-        *to++ = *from++;
-    }
-}
-
 void qtri_picture_copy(uint8_t *to, ptrdiff_t to_pitch, const uint8_t *from, ptrdiff_t from_pitch,
                        size_t bytes, int32_t rows)
 {
     for (; rows > 0; rows--) {
-        copy_row(to, from, bytes);
+        qtri_copy(to, from, bytes);
         to += to_pitch;
         from += from_pitch;
     }
@@ -233,8 +150,8 @@ QTRI_INLINE void mix_of(qtri_mix mix, int32_t bytes, uint8_t *at, const uint32_t
 {
     for (; mask != 0; mask <<= 1) {
         if ((int32_t)mask < 0) {
-            const uint32_t d = qtri_mix_get(mix, at);
-            qtri_mix_put(mix, at, qtri_mix_stored(mix, d, *stored, a));
+            const qtri_mix_part share = qtri_mix_part_of_stored(mix, *stored, a);
+            qtri_mix_put(mix, at, qtri_mix_add(mix, qtri_mix_get(mix, at), 256 - a, share));
         }
         stored++;
         at += bytes;
@@ -324,8 +241,9 @@ qtri_image qtri_image_of(const qtri_surface *surface)
 
 /* Pixels that are not the key, four at a time. */
 QTRI_INLINE void keyed_row(int32_t bytes, uint8_t *to, const uint8_t *from, int32_t count,
-                           uint32_t key, uint32_t mask)
+                           uint32_t key, uint32_t key_mask)
 {
+    const uint32_t mask = bytes == 4 ? key_mask : UINT32_MAX;
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint32_t stored = qtri_stored_get(bytes, from + (i)*bytes);                          \
@@ -357,18 +275,7 @@ static void paint_keyed(const qtri_image *image, uint8_t *to, const uint8_t *fro
     const uint32_t mask = qtri_picture_key_mask(image);
     const uint32_t key = image->key & mask;
     switch (image->format->pixels->bytes) {
-    case 1:
-        keyed_row(1, to, from, count, key, UINT32_MAX);
-        break;
-    case 2:
-        keyed_row(2, to, from, count, key, UINT32_MAX);
-        break;
-    case 3:
-        keyed_row(3, to, from, count, key, UINT32_MAX);
-        break;
-    default:
-        keyed_row(4, to, from, count, key, mask);
-        break;
+        QTRI_BYTES_CASES(keyed_row, to, from, count, key, mask);
     }
 }
 

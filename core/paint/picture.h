@@ -39,10 +39,4 @@ void qtri_picture_put(const qtri_surface *surface, const qtri_image *image, uint
 void qtri_picture_copy(uint8_t *to, ptrdiff_t to_pitch, const uint8_t *from, ptrdiff_t from_pitch,
                        size_t bytes, int32_t rows);
 
-static inline uint8_t *qtri_surface_at(const qtri_surface *surface, int32_t x, int32_t row)
-{
-    return surface->pixels + (ptrdiff_t)(row - surface->first_row) * surface->pitch +
-           (ptrdiff_t)surface->format->pixels->bytes * x;
-}
-
 #endif

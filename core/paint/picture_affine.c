@@ -297,22 +297,13 @@ QTRI_NOINLINE static bool walk_pixels(const run *r, uint8_t *to, int32_t count)
                           (size_t)bytes * (size_t)count, 1);
         return true;
     }
-    switch (bytes) {
-    case 1:
-        walk_sized(1, r, to, count);
-        return true;
-    case 2:
-        walk_sized(2, r, to, count);
-        return true;
-    case 3:
-        walk_sized(3, r, to, count);
-        return true;
-    case 4:
-        walk_sized(4, r, to, count);
-        return true;
-    default:
+    if (bytes < 1 || bytes > 4) {
         return false;
     }
+    switch (bytes) {
+        QTRI_BYTES_CASES(walk_sized, r, to, count);
+    }
+    return true;
 }
 
 /* Pixels that are converted, or mixed. */

@@ -104,18 +104,7 @@ QTRI_INLINE void paint_narrow(int32_t bytes, const qtri_painter *painter, uint8_
 static void paint_narrow_bits(const qtri_painter *painter, uint8_t *to, const qtri_ink_bits *b)
 {
     switch (painter->surface->format->pixels->bytes) {
-    case 1:
-        paint_narrow(1, painter, to, b);
-        break;
-    case 2:
-        paint_narrow(2, painter, to, b);
-        break;
-    case 3:
-        paint_narrow(3, painter, to, b);
-        break;
-    default:
-        paint_narrow(4, painter, to, b);
-        break;
+        QTRI_BYTES_CASES(paint_narrow, painter, to, b);
     }
 }
 
@@ -136,22 +125,14 @@ QTRI_INLINE void paint_columns(int32_t bytes, const qtri_painter *painter, uint8
 /* False: pixels of another size, or a library that is to be small. */
 static bool paint_wide_bits(const qtri_painter *painter, uint8_t *to, const qtri_ink_bits *b)
 {
-    switch (QTRI_BODY_IS_SMALL ? 0 : painter->surface->format->pixels->bytes) {
-    case 1:
-        paint_columns(1, painter, to, b);
-        return true;
-    case 2:
-        paint_columns(2, painter, to, b);
-        return true;
-    case 3:
-        paint_columns(3, painter, to, b);
-        return true;
-    case 4:
-        paint_columns(4, painter, to, b);
-        return true;
-    default:
+    const uint32_t bytes = painter->surface->format->pixels->bytes;
+    if (QTRI_BODY_IS_SMALL || bytes - 1 > 3) {
         return false;
     }
+    switch (bytes) {
+        QTRI_BYTES_CASES(paint_columns, painter, to, b);
+    }
+    return true;
 }
 
 static bool is_mixed(const qtri_painter *painter)

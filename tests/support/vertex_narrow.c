@@ -13,8 +13,6 @@
 #define qtri_lighting_face        narrow_lighting_face
 #define qtri_lighting_face8       narrow_lighting_face8
 #define qtri_lighting_init        narrow_lighting_init
-#define qtri_lighting_vertex      narrow_lighting_vertex
-#define qtri_lighting_vertex8     narrow_lighting_vertex8
 #define qtri_mesh_ball            narrow_mesh_ball
 #define qtri_mesh_box             narrow_mesh_box
 #define qtri_positions_compact    narrow_positions_compact
@@ -76,7 +74,8 @@ uint32_t narrow_light_vertex(const qtri_light *light, const qtri_transform *obje
 {
     qtri_lighting lighting;
     qtri_lighting_init(&lighting, light, object_to_eye, false, &qtri_light_uneven);
-    return qtri_lighting_vertex(&lighting, normal);
+    const qtri_mesh mesh = {.normals = normal};
+    return qtri_light_by_vertex.vertex(&lighting, &mesh, 0);
 }
 
 uint32_t narrow_light_face(const qtri_light *light, const qtri_transform *object_to_eye,

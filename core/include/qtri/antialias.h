@@ -35,11 +35,10 @@ extern "C" {
  * ---------------------------------------------------------------------------------------------- */
 
 /*
- * Edge anti-aliasing: what to use first. The frame is drawn as always; then each silhouette of a
- * mesh is walked once more, and every pixel that it passes through takes from the pixel across it
- * the share that lies on that side (Sander, Hoppe, Snyder, Gortler 2001; Persson 2011). The
- * pixel across has colour, light, texture and fog already: nothing is shaded again. It is better
- * than four samples a pixel at outlines, for 10 to 15 % of the frame's instructions.
+ * The frame is drawn as always; then each silhouette of a mesh is walked once more, and every pixel
+ * that it passes through takes from the pixel across it the share that lies on that side (Sander,
+ * Hoppe, Snyder, Gortler 2001; Persson 2011). The pixel across has colour, light, texture and fog
+ * already: nothing is shaded again. It is better than four samples a pixel at outlines.
  *
  * A whole frame:
  *
@@ -212,11 +211,9 @@ void qtri_edges_blend(qtri_edges *edges);
  * ---------------------------------------------------------------------------------------------- */
 
 /*
- * Anti-aliasing of finished pixels, whatever they were drawn from.
- *
- * Filters take every format; &qtri_rgb565, and others that are stored like it, need less memory and
- * a fraction of the time. Colours are mixed in the steps of their format and rounded to nearest
- * once.
+ * Filters of finished pixels take every format; &qtri_rgb565, and others that are stored like it,
+ * need less memory and a fraction of the time. Colours are mixed in the steps of their format and
+ * rounded to nearest once.
  *
  * 2x2 samples a pixel: draw at twice the size, then halve.
  *
@@ -228,14 +225,14 @@ void qtri_edges_blend(qtri_edges *edges);
  *         qtri_panel_write(&panel, &band);
  *     }
  *
- * FXAA (Lottes 2009): edges are guessed from the colours of neighbours. For pictures whose geometry
- * is not at hand, before text is drawn. In bands that overlap by QTRI_FXAA_OVERLAP rows.
+ * FXAA (Lottes 2009): edges are guessed from the colours of neighbours. Before text is drawn, in
+ * bands that overlap by QTRI_FXAA_OVERLAP rows.
  *
  *     static uint32_t rows[QTRI_FXAA_565_WORDS(240)];
  *     qtri_fxaa(&band, rows, sizeof rows / sizeof rows[0]);
  *
- * Temporal: what rests is drawn 4, 8 or 16 times, each time from a place a part of a pixel beside
- * (antialias.h), and averaged. Of the whole frame, or of each band, drawn as many times.
+ * Temporal: what rests is drawn 4, 8 or 16 times, each time from a place a part of a pixel beside,
+ * and averaged. Of the whole frame, or of each band, drawn as many times.
  *
  *     qtri_sum_clear(sums, sizeof sums / sizeof sums[0]);
  *     for (uint32_t n = 0; n < 16; n++) {
@@ -306,10 +303,6 @@ enum qtri_error qtri_sum_store(const qtri_surface *surface, const uint32_t *sums
 /* Views between pixels
  * ---------------------------------------------------------------------------------------------- */
 
-/*
- * Views that are moved by a part of a pixel, for sums of frames (antialias.h).
- */
-
 #define QTRI_JITTER_LOG2_MAX 5 /* 32 frames, as many as a sum holds */
 
 /*
@@ -325,14 +318,13 @@ void qtri_view_jitter(qtri_view *out, const qtri_view *view, uint32_t n, int32_t
  * ---------------------------------------------------------------------------------------------- */
 
 /*
- * 4 samples a pixel (MSAA): surfaces whose pixels have four colours and four depths.
- *
- * Samples lie on a rotated grid, (-1/8, -3/8), (3/8, -1/8), (-3/8, 1/8) and (1/8, 3/8) of a pixel
- * from its centre. A triangle of any kind, lit, textured, clipped or of a mesh, covers a sample by
- * the top-left rule and is compared with the sample's own depth. It is shaded once a pixel: at the
- * centre, or where it does not cover that at the first sample it covers, so that colours and
- * texture coordinates stay in the range of the triangle. With a blend each sample is blended with
- * its own colour. Pixels do not depend on band or scissor.
+ * Pixels of the formats below have four colours and four depths. Samples lie on a rotated grid,
+ * (-1/8, -3/8), (3/8, -1/8), (-3/8, 1/8) and (1/8, 3/8) of a pixel from its centre. A triangle of
+ * any kind, lit, textured, clipped or of a mesh, covers a sample by the top-left rule and is
+ * compared with the sample's own depth. It is shaded once a pixel: at the centre, or where it does
+ * not cover that at the first sample it covers, so that colours and texture coordinates stay in the
+ * range of the triangle. With a blend each sample is blended with its own colour. Pixels do not
+ * depend on band or scissor.
  *
  *     static uint32_t memory[QTRI_FRAME_BYTES(320, 16, QTRI_RGB565_X4_BYTES) / 4]; // 80 KB
  *     qtri_frame_init(&frame, &qtri_rgb565_x4, 320, 240, 16, memory, sizeof memory);
@@ -353,10 +345,9 @@ void qtri_view_jitter(qtri_view *out, const qtri_view *view, uint32_t n, int32_t
  * with "less" what is lit, textured, or both has its own, everything else a generic one.
  *
  * Memory: 16 bytes a pixel of RGB565 with its depths, 26 of XRGB8888; about 3 KB of stack.
- * It serves triangles that cut through each other, and large ones. Meshes of small ones take three
- * to four times the instructions: for these the edge pass (antialias.h) is better for a twentieth
- * of that, and 2x2 samples (antialias.h) as good for a third. A blend is made once for each colour
- * that a pixel's samples have.
+ * Meshes of small triangles take three to four times the instructions: for these the edge pass is
+ * better for a twentieth of that, and 2x2 samples as good for a third. A blend is made once for
+ * each colour that a pixel's samples have.
  */
 
 /* Formats of four samples a pixel. */

@@ -104,7 +104,7 @@ bool qtri_view_sees_ball(const qtri_view *view, const qtri_transform *pose, cons
  * ---------------------------------------------------------------------------------------------- */
 
 /*
- * Triangles and lines on the screen: the rasterizer alone, for those who bring their own geometry.
+ * For those who bring their own geometry.
  *
  * Fill rule. Vertices lie on a grid of 1/256 pixel. A pixel belongs to a triangle when its centre
  * lies inside, or on a left edge, or on a horizontal top edge (the top-left rule in image

@@ -49,7 +49,8 @@ typedef struct qtri_pixels {
     void (*fill)(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t count);
     void (*store)(uint8_t *pixel, const uint32_t *stored, uint32_t mask, int32_t count);
 } qtri_pixels;
-/* Memory of pixels of 1, 2, 3 and 4 bytes. */
+
+/* For 1, 2, 3 and 4 bytes. */
 extern const qtri_pixels qtri_pixels_8, qtri_pixels_16, qtri_pixels_24, qtri_pixels_32;
 
 /* Several samples a pixel; see antialias.h. */
@@ -118,11 +119,9 @@ enum {
 /* ---- Depth ---- */
 
 /*
- * Formats of depth: what a surface stores for each pixel's distance, as constant data.
- *
- * Depth is window z, 0 at the near plane and 1 at the far one. A surface stores it as 16 bits,
- * linear in the window, unless it is laid out with another format; what an application does not
- * name is not linked.
+ * Formats of depth. Depth is window z, 0 at the near plane and 1 at the far one. A surface stores
+ * it as 16 bits, linear in the window, unless it is laid out with another format; what an
+ * application does not name is not linked.
  *
  *     static uint8_t memory[QTRI_FRAME_BYTES_DEPTH(320, 16, QTRI_RGB565_BYTES,
  *                                                  QTRI_DEPTH_FLOAT16_BYTES)];
@@ -162,11 +161,8 @@ enum {
  * On RGB565 with "less" these formats bring pipelines of their own (pipeline.h), for one colour,
  * light, colours, and RGB565 texels: some 1.5 KB each at -Os.
  *
- * Everything that knows depth takes every format: triangles, lines, strokes, points, fog, blends,
- * the edge pass, frames. Only surfaces of four samples (antialias.h) have
- * linear16 alone.
- *
- * A format of one's own is such a description in one's own file.
+ * Everything that knows depth takes every format. Only surfaces of four samples (antialias.h) have
+ * linear16 alone. A format of one's own is such a description in one's own file.
  */
 
 /* What fills and reads memory of depths that are not linear16. */

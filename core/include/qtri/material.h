@@ -127,8 +127,6 @@ qtri_material qtri_material_default(void);
  * ---------------------------------------------------------------------------------------------- */
 
 /*
- * What becomes of a pixel that is drawn over another: material.blend, and fog.
- *
  * A blend is chosen by its address; what no material names is not linked. It works on pixels that
  * have passed the depth test, one after the other where triangles overlap, in every format of
  * surface, and draws the same pixels for every band and scissor. Depths are written as without;

@@ -115,12 +115,9 @@ void qtri_paint_stroke(const qtri_surface *surface, const qtri_point *from, cons
  * ---------------------------------------------------------------------------------------------- */
 
 /*
- * Pictures on a surface: copied, with a colour key, blended, scaled and turned.
- *
  * A picture is memory in any format of surfaces: one drawn by the library itself, or constant data.
  * What has the surface's own format is copied as it is stored; anything else is converted through 8
- * bits a channel, 20 to 80 instructions a pixel on a Cortex-M0+. Everything is clipped, and a frame
- * in bands has the pixels of the whole frame. Depth is neither tested nor written.
+ * bits a channel, 20 to 80 instructions a pixel on a Cortex-M0+.
  */
 
 /* A picture in memory, flash or RAM, in any format that surfaces have. */
@@ -178,18 +175,13 @@ void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *imag
  * ---------------------------------------------------------------------------------------------- */
 
 /*
- * Text on a surface: proportional bitmap fonts, UTF-8.
- *
- * A font is constant data: what is not named is not linked. `qtri font IN.bdf -o NAME.h` makes one
- * of a BDF file; qtri_font_small is the library's own.
+ * Proportional bitmap fonts, UTF-8. A font is constant data: what is not named is not linked. `qtri
+ * font IN.bdf -o NAME.h` makes one of a BDF file; qtri_font_small is the library's own.
  *
  *     qtri_text_paint(&band, &qtri_font_small, 10, 20, "42 km/h", &brush);
  */
 
-/*
- * Rows of a glyph begin with a byte each, the leftmost pixel in the highest bit; there are
- * (width + 7) / 8 bytes a row.
- */
+/* Rows of a glyph have (width + 7) / 8 bytes each, the leftmost pixel in the highest bit. */
 typedef struct qtri_glyph {
     uint16_t first;        /* of its bytes in the font's `rows` */
     uint8_t width, height; /* of the box that is stored; 0 where there is nothing to see */

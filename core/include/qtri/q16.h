@@ -158,16 +158,13 @@ q16 q16_mul_floor(q16 a, q16 b);
 /* a b as q16_mul rounds it, but of a result that does not fit the low 32 bits. */
 q16 q16_mul_wrap(q16 a, q16 b);
 
-/* a / b. Correctly rounded, halves away from zero. b = 0 gives Q16_MAX, Q16_MIN or 0 by the sign of
- * a. */
+/* a / b. Correctly rounded, halves away from zero. b = 0: Q16_MAX, Q16_MIN or 0 by a's sign. */
 q16 q16_div(q16 a, q16 b);
 
-/* a b / c with the whole product. Correctly rounded, halves away from zero. c = 0: as q16_div(a b,
- * 0). */
+/* a b / c with the whole product. Rounded as q16_div, and for c = 0 as q16_div(a b, 0). */
 q16 q16_muldiv(q16 a, q16 b, q16 c);
 
-/* 1 / x. Correctly rounded, halves away from zero. x = 0 gives Q16_MAX; from |x| <= 2/65536 it
- * saturates. */
+/* 1 / x. Rounded as q16_div. x = 0 gives Q16_MAX; from |x| <= 2/65536 it saturates. */
 q16 q16_recip(q16 x);
 
 /* a - b floor(a / b): in [0, b) for b > 0 and in (b, 0] for b < 0. Exact. b = 0 gives a. */
@@ -228,32 +225,10 @@ q16 q16_round(q16 x);
 /* ---- Overflow that is meant ---- */
 
 /* The same results; QTRI_CHECK_MATH does not report that they saturate. */
-#ifdef QTRI_CHECK_MATH
 q16 q16_add_sat(q16 a, q16 b);
 q16 q16_sub_sat(q16 a, q16 b);
 q16 q16_mul_sat(q16 a, q16 b);
 q16 q16_div_sat(q16 a, q16 b);
-#else
-static inline q16 q16_add_sat(q16 a, q16 b)
-{
-    return q16_add(a, b);
-}
-
-static inline q16 q16_sub_sat(q16 a, q16 b)
-{
-    return q16_sub(a, b);
-}
-
-static inline q16 q16_mul_sat(q16 a, q16 b)
-{
-    return q16_mul(a, b);
-}
-
-static inline q16 q16_div_sat(q16 a, q16 b)
-{
-    return q16_div(a, b);
-}
-#endif
 
 /* ---- Trigonometry, in radians as in <math.h> and in degrees, where right angles are exact ---- */
 

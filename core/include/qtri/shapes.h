@@ -5,9 +5,11 @@
  *     static qtri_vec3 positions[QTRI_SPHERE_VERTICES(24, 12)];
  *     static qtri_normal normals[QTRI_SPHERE_VERTICES(24, 12)];
  *     static uint16_t triangles[QTRI_SPHERE_TRIANGLES(24, 12)][3];
- *     const qtri_shape_memory memory = {positions, normals, NULL, triangles,
- *                                       QTRI_SPHERE_VERTICES(24, 12), QTRI_SPHERE_TRIANGLES(24,
- * 12)}; qtri_mesh mesh; qtri_shape_sphere(&mesh, &memory, Q16(1), 24, 12);
+ *     const qtri_shape_memory memory = {
+ *         positions, normals, NULL, triangles,
+ *         QTRI_SPHERE_VERTICES(24, 12), QTRI_SPHERE_TRIANGLES(24, 12)};
+ *     qtri_mesh mesh;
+ *     qtri_shape_sphere(&mesh, &memory, Q16(1), 24, 12);
  *
  * Around the origin, +y up, counter-clockwise seen from outside. u goes once around, v from the top
  * (0) down. Positions are off by 1 ULP and 2^-16 of the size at most, normals by 2^-14;
