@@ -141,11 +141,11 @@ static bool set_polynomial(qtri_large_attribute *a, const qtri_large_job *job,
     return more == 0 || qtri_mul_u32(most, (uint32_t)job->t.pixels) < (uint64_t)1 << 29;
 }
 
-/* Chords of n pixels whose middles are off by half of the bound, curve n^2 / 8; of packed colours
+/* Chords of n pixels whose middles are off by 7/16 of the bound, curve n^2 / 8; of packed colours
    by 1/4. */
 static void set_length(qtri_large_job *job)
 {
-    const uint32_t limit = bound_of(job) * (job->rounds ? 2 : 4);
+    const uint32_t limit = bound_of(job) * (job->rounds ? 4 : 7) / 2;
     uint32_t curve = 1;
     for (int i = job->first_color; i < job->count; i++) {
         const uint32_t own =
