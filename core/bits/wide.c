@@ -53,15 +53,16 @@ void qtri_wide_add_to(qtri_wide *a, const qtri_wide *b)
     qtri_wide_set(a, sum, large->e);
 }
 
-int64_t qtri_mul_q62(int64_t a, int64_t b)
+/* A magnitude, negative where the signs of a and b differ. */
+static int64_t with_sign(uint64_t size, const qtri_wide *a, const qtri_wide *b)
 {
-    const uint64_t size = qtri_mul_high64(qtri_magnitude64(a) << 1, qtri_magnitude64(b) << 1);
-    return (a < 0) == (b < 0) ? (int64_t)size : -(int64_t)size;
+    return (int64_t)((a->m < 0) == (b->m < 0) ? size : 0 - size);
 }
 
 void qtri_wide_mul_by(qtri_wide *a, const qtri_wide *b)
 {
-    qtri_wide_set(a, qtri_mul_q62(a->m, b->m), a->e + b->e - 62);
+    uint64_t size = qtri_mul_high64(qtri_magnitude64(a->m) << 1, qtri_magnitude64(b->m) << 1);
+    qtri_wide_set(a, with_sign(size, a, b), a->e + b->e - 62);
 }
 
 void qtri_wide_add_product(qtri_wide *sum, const qtri_wide *a, const qtri_wide *b)
@@ -87,9 +88,8 @@ void qtri_wide_div_by(qtri_wide *a, const qtri_wide *b)
         return;
     }
     bool half;
-    int64_t quotient =
-        (int64_t)qtri_divide64(qtri_magnitude64(a->m), qtri_magnitude64(b->m), 61, &half);
-    qtri_wide_set(a, (a->m < 0) == (b->m < 0) ? quotient : -quotient, a->e - b->e + 61);
+    uint64_t quotient = qtri_divide64(qtri_magnitude64(a->m), qtri_magnitude64(b->m), 61, &half);
+    qtri_wide_set(a, with_sign(quotient, a, b), a->e - b->e + 61);
 }
 
 qtri_wide qtri_wide_sqrt(qtri_wide a)
@@ -106,6 +106,12 @@ qtri_wide qtri_wide_sqrt(qtri_wide a)
     qtri_wide_add_to(&root, &a);
     qtri_wide_set(&root, root.m, root.e + 1);
     return root;
+}
+
+int64_t qtri_mul_q62(int64_t a, int64_t b)
+{
+    const uint64_t size = qtri_mul_high64(qtri_magnitude64(a) << 1, qtri_magnitude64(b) << 1);
+    return (a < 0) == (b < 0) ? (int64_t)size : -(int64_t)size;
 }
 
 /*

@@ -72,9 +72,12 @@ void qtri_transform_look_at(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, 
 #define DEGREES(n)             ((uint32_t)(n)*65536u)
 #define RADIANS_PER_DEGREE_Q37 2398762259u /* pi / 180 * 2^37, rounded */
 
-static qtri_wide quotient(int64_t above, int64_t below)
+/* above / below */
+static void quotient(qtri_wide *out, int64_t above, int64_t below)
 {
-    return qtri_wide_div(qtri_wide_make(above, 0), qtri_wide_make(below, 0));
+    const qtri_wide divisor = qtri_wide_make(below, 0);
+    qtri_wide_set(out, above, 0);
+    qtri_wide_div_by(out, &divisor);
 }
 
 /* cot(degrees / 2), or its inverse, for degrees < 16: cos h / (h (sin h / h)), which cancels
@@ -114,7 +117,7 @@ static void half_cotangent(qtri_wide *out, q16 degrees)
     int64_t one_q30 = (int64_t)1 << 30;
     int64_t above = cosine_q30 >= 0 ? one_q30 + cosine_q30 : sine_q30;
     int64_t below = cosine_q30 >= 0 ? sine_q30 : one_q30 - cosine_q30;
-    *out = quotient(above, below);
+    quotient(out, above, below);
 }
 
 /* 0 0 (f + n) / (n - f), or its negative, and 2 f n / (n - f) */
@@ -176,8 +179,10 @@ void qtri_transform_perspective_d3d(qtri_transform *t, q16 fovy, q16 aspect, q16
 /* 2 n / (high - low) in column i, and (high + low) / (high - low) for z */
 static void frustum_row(qtri_row *row, int i, q16 low, q16 high, q16 near_z)
 {
-    const qtri_wide slope = quotient((int64_t)near_z * 2, (int64_t)high - low);
-    const qtri_wide shear = quotient((int64_t)high + low, (int64_t)high - low);
+    qtri_wide slope;
+    qtri_wide shear;
+    quotient(&slope, (int64_t)near_z * 2, (int64_t)high - low);
+    quotient(&shear, (int64_t)high + low, (int64_t)high - low);
     qtri_row_from_two(row, i, &slope, 2, &shear);
 }
 
@@ -200,8 +205,10 @@ void qtri_transform_frustum(qtri_transform *t, q16 left, q16 right, q16 bottom, 
 /* 2 / `length` in column i, and sum / divisor */
 static void ortho_row(qtri_row *row, int i, int64_t length, int64_t sum, int64_t divisor)
 {
-    const qtri_wide slope = quotient((int64_t)2 * 65536, length);
-    const qtri_wide offset = quotient(sum, divisor);
+    qtri_wide slope;
+    qtri_wide offset;
+    quotient(&slope, (int64_t)2 * 65536, length);
+    quotient(&offset, sum, divisor);
     qtri_row_from_two(row, i, &slope, 3, &offset);
 }
 
