@@ -144,7 +144,8 @@ static void draw(const qtri_pipeline *pipeline, const qtri_options *o, const qtr
     const qtri_rgb white = {255, 255, 255};
     m.color = white;
     const qtri_pipeline *const list[] = {pipeline, NULL};
-    qtri_draw_state_init(&state, s, list, &m, o->shade == QTRI_WHITE_LIGHT ? QTRI_LIGHT : o->shade);
+    qtri_draw_state_init(&state, s, list, &m, m.texture,
+                         o->shade == QTRI_WHITE_LIGHT ? QTRI_LIGHT : o->shade);
     state.table = table;
     assert_true(state.pipeline == pipeline);
     const qtri_point *const p[3] = {&t->at[0], &t->at[1], &t->at[2]};

@@ -415,7 +415,7 @@ static void every_pipeline_fits_what_it_was_made_for(void **state)
         make_texture(o);
         make_material(o);
         picture p = new_picture(o);
-        qtri_draw_state_init(&found, &p.surface, list, &w.material,
+        qtri_draw_state_init(&found, &p.surface, list, &w.material, w.material.texture,
                              o->per_pixel                                         ? QTRI_BY_PIXEL
                              : o->shade == QTRI_WHITE_LIGHT                       ? QTRI_LIGHT
                              : o->shade == QTRI_FLAT && o->texel == QTRI_NO_TEXEL ? QTRI_TINT

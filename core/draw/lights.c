@@ -7,7 +7,8 @@
 
 static bool is_two_sided(const qtri_mesh_job *draw)
 {
-    return draw->material.reflection != NULL && draw->material.reflection->two_sided;
+    return draw->primitive.material->reflection != NULL &&
+           draw->primitive.material->reflection->two_sided;
 }
 
 /* Whether light counts on the back of a triangle, which shows. */
@@ -22,8 +23,8 @@ static void begin(qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
     const uint32_t all = mesh->vertex_count;
-    draw->shaded_per_vertex =
-        qtri_is_smooth(&draw->material) && (mesh->normals != NULL || mesh->normals8 != NULL);
+    draw->shaded_per_vertex = qtri_is_smooth(draw->primitive.material) &&
+                              (mesh->normals != NULL || mesh->normals8 != NULL);
     if (draw->slot_count >= all && draw->slot_count - all >= (all + 4) / 5) {
         draw->lit_colors = (uint32_t *)(void *)(draw->vertices + all);
         draw->slot_count = all;
@@ -33,20 +34,21 @@ static void begin(qtri_mesh_job *draw)
 static bool has_place(const qtri_mesh_job *draw, bool both_sides)
 {
     return draw->lit_colors != NULL && draw->shaded_per_vertex &&
-           (!both_sides || (!is_two_sided(draw) && qtri_by_pixel_of(&draw->material) == NULL));
+           (!both_sides ||
+            (!is_two_sided(draw) && qtri_by_pixel_of(draw->primitive.material) == NULL));
 }
 
 static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose,
                             bool fresh, qtri_lit_body body, void *with)
 {
     qtri_illumination illumination;
-    qtri_illumination_init(&illumination, view, pose, draw->material.reflection,
+    qtri_illumination_init(&illumination, view, pose, draw->primitive.material->reflection,
                            draw->mesh->positions16 != NULL ? draw->mesh : NULL);
     for (uint32_t i = 0; fresh && draw->lit_colors != NULL && i < draw->mesh->vertex_count; i++) {
         draw->lit_colors[i] = 0;
     }
     draw->illumination = &illumination;
-    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
+    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(draw->primitive.material);
     if (by_pixel != NULL) {
         by_pixel->run(&draw->primitive, &illumination, body, with);
     } else {
@@ -135,7 +137,7 @@ static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool 
                        qtri_rgb color[3])
 {
     const int32_t turn = is_back ? -1 : 1;
-    const bool smooth = qtri_is_smooth(&draw->material);
+    const bool smooth = qtri_is_smooth(draw->primitive.material);
     qtri_lit_point point;
     qtri_vec3 p[3];
     int32_t n[3];
@@ -145,7 +147,7 @@ static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool 
     if (!smooth) {
         set_mean(&point, draw, p);
     }
-    const int provoking = qtri_provoking_of(&draw->material);
+    const int provoking = qtri_provoking_of(draw->primitive.material);
     for (int i = smooth ? 0 : provoking; i < 3; i++) {
         if (smooth) {
             qtri_lit_vertex_place(&point, draw, index[i]);
@@ -206,7 +208,7 @@ static uint32_t find_large(const void *from, const void *indices, qtri_vertex *a
                            qtri_vertex *c)
 {
     const qtri_mesh_job *draw = from;
-    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
+    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(draw->primitive.material);
     if (by_pixel == NULL || !draw->primitive.to.solid.small.state->options.per_pixel) {
         return find(from, indices, a, b, c);
     }
@@ -253,7 +255,7 @@ static void draw_clipped(const qtri_mesh_job *draw, const void *indices, qtri_sh
     triangle.mesh = draw->mesh;
     qtri_mesh_indices(triangle.index, indices, qtri_mesh_has_bytes(draw->mesh));
     const bool turned = is_two_sided(draw) && qtri_clipped_is_back(shape->clip);
-    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(&draw->material);
+    const qtri_by_pixel *by_pixel = qtri_by_pixel_of(draw->primitive.material);
     if (by_pixel != NULL) {
         by_pixel->note(draw, indices, turned);
     }

@@ -32,7 +32,8 @@ static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
     }
     const qtri_rect bounds = qtri_surface_bounds(surface);
     /* Smooth lines reach out of their mesh, and samples lie beside the centres of pixels. */
-    const int32_t more = draw->material.fill != NULL || qtri_sampling_of(surface->format) != NULL;
+    const int32_t more =
+        draw->primitive.material->fill != NULL || qtri_sampling_of(surface->format) != NULL;
     const int32_t low[2] = {bounds.x0 - more, bounds.y0 - more};
     const int32_t high[2] = {bounds.x1 + more, bounds.y1 + more};
     return qtri_projector_misses(&draw->primitive.projector, &box, low, high);
@@ -47,11 +48,11 @@ static bool is_empty(const qtri_mesh *mesh)
 /* What colours do, see qtri_draw_state_init(). */
 static int shade_of(const qtri_mesh_job *draw)
 {
-    if (draw->lights != NULL && qtri_by_pixel_of(&draw->material) != NULL) {
+    if (draw->lights != NULL && qtri_by_pixel_of(draw->primitive.material) != NULL) {
         return QTRI_BY_PIXEL;
     }
     if (draw->mesh->colors != NULL || draw->lights != NULL) {
-        return qtri_is_smooth(&draw->material) ? QTRI_COLORS : QTRI_TINT;
+        return qtri_is_smooth(draw->primitive.material) ? QTRI_COLORS : QTRI_TINT;
     }
     if (draw->lit_per_vertex) {
         return QTRI_LIGHT;
@@ -63,10 +64,8 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
                         const qtri_surface *surface, const qtri_view *view, const qtri_mesh *mesh,
                         const qtri_material *material, qtri_vertex *vertices, uint32_t vertex_count)
 {
-    draw->material = *material;
-    if (mesh->uvs == NULL && mesh->uvs16 == NULL) {
-        draw->material.texture = NULL;
-    }
+    const bool has_uvs = mesh->uvs != NULL || mesh->uvs16 != NULL;
+    draw->primitive.material = material;
     draw->mesh = mesh;
     draw->stage = stage;
     draw->positions = mesh->positions16 != NULL ? stage->positions16 : stage->positions;
@@ -87,7 +86,8 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
     if (draw->lights != NULL) {
         draw->lights->model->begin(draw);
     }
-    qtri_primitive_set_target(&draw->primitive, surface, view, &draw->material, shade_of(draw));
+    qtri_primitive_set_target(&draw->primitive, surface, view, material,
+                              has_uvs ? material->texture : NULL, shade_of(draw));
     if (material->fill != NULL) {
         draw->primitive.to.lines.target.state.table = draw->of.mesh.table;
     } else {
@@ -179,7 +179,7 @@ QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw)
 QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
 {
     const bool inside = qtri_mesh_transform(draw, 0, draw->mesh->vertex_count, draw->vertices);
-    if (inside && draw->material.cull == QTRI_CULL_BACK) {
+    if (inside && draw->primitive.material->cull == QTRI_CULL_BACK) {
         draw_fronts(draw);
     } else {
         draw_triangles(draw);
@@ -265,8 +265,8 @@ static void draw_placed(void *with)
     qtri_mesh_job *draw = with;
     const qtri_mesh *mesh = draw->mesh;
     const bool has_slots = draw->slot_count >= mesh->vertex_count;
-    if (has_slots && draw->material.fill != NULL) {
-        draw->material.fill->mesh(draw); /* shared edges must not be blended twice */
+    if (has_slots && draw->primitive.material->fill != NULL) {
+        draw->primitive.material->fill->mesh(draw); /* shared edges must not be blended twice */
     } else if (!has_slots) {
         draw_by_slots(draw);
     } else {

@@ -337,7 +337,7 @@ static inline void see_list(sorter *s, const qtri_mesh_faces *faces, uint32_t fi
 QTRI_NOINLINE static bool see_faces(sorter *s)
 {
     const qtri_face_culling *culling = qtri_mesh_face_culling(s->job->mesh);
-    const bool back = s->job->material.cull == QTRI_CULL_BACK;
+    const bool back = s->job->primitive.material->cull == QTRI_CULL_BACK;
     const bool narrow = qtri_mesh_has_bytes(s->job->mesh);
     qtri_mesh_faces faces;
     if (culling == NULL || !culling->begin(&faces, s->job)) {
@@ -360,11 +360,11 @@ static void see_whole(sorter *s)
     const qtri_mesh_job *job = s->job;
     if (!see_faces(s)) {
         const bool inside = qtri_mesh_transform(job, 0, job->mesh->vertex_count, job->vertices);
-        s->prepared->back_only = inside && job->material.cull == QTRI_CULL_BACK;
+        s->prepared->back_only = inside && job->primitive.material->cull == QTRI_CULL_BACK;
         see_complete(s);
     }
-    if (job->material.fill != NULL) {
-        job->material.fill->prepare(job, s->prepared->back_only);
+    if (job->primitive.material->fill != NULL) {
+        job->primitive.material->fill->prepare(job, s->prepared->back_only);
     }
 }
 
@@ -447,7 +447,7 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
         return;
     }
     /* Of samples rows are as for lines: they lie beside the centres of pixels. */
-    const bool is_solid = job.material.fill == NULL && qtri_sampling_of(format) == NULL;
+    const bool is_solid = job.primitive.material->fill == NULL && qtri_sampling_of(format) == NULL;
     sorter s = {.job = &job,
                 .prepared = prepared,
                 .is_complete = is_complete(prepared),
@@ -613,7 +613,7 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
         return;
     }
     if (log2 == 0 && is_complete(prepared)) {
-        if (prepared->back_only && job->material.fill == NULL) {
+        if (prepared->back_only && job->primitive.material->fill == NULL) {
             draw_fronts(job, lists, place, end);
         } else {
             draw_seen(job, lists, place, end);
@@ -672,8 +672,8 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
     if (!job.lit) {
         qtri_mesh_clear_slots(&job);
     }
-    if (job.material.fill != NULL) {
-        job.material.fill->band(&job);
+    if (job.primitive.material->fill != NULL) {
+        job.primitive.material->fill->band(&job);
     }
     band_work work = {&job, prepared, by_list, band, first, count};
     if (job.lights != NULL && prepared->is_placed) {

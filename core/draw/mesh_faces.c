@@ -32,7 +32,7 @@ static void clear(qtri_vertex *vertex, uint32_t count)
 QTRI_NOINLINE static bool begin(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
-    const qtri_cull cull = draw->material.cull;
+    const qtri_cull cull = draw->primitive.material->cull;
     if (mesh->faces.planes == NULL || !qtri_culls(cull) || !find_eye(&faces->eye, draw)) {
         return false;
     }
@@ -187,7 +187,7 @@ static bool next(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
         faces->inside &= draw->positions->project(&draw->primitive.projector, mesh, 0, met,
                                                   draw->vertices, true);
         light(draw, met);
-        if (draw->material.fill != NULL) {
+        if (draw->primitive.material->fill != NULL) {
             clear_notes(draw, met);
         }
     }
@@ -242,7 +242,8 @@ QTRI_NOINLINE static bool draw_all(qtri_mesh_job *draw)
     if (!begin(&faces, draw)) {
         return false;
     }
-    const bool simple = draw->material.cull == QTRI_CULL_BACK && !qtri_mesh_has_bytes(draw->mesh);
+    const bool simple =
+        draw->primitive.material->cull == QTRI_CULL_BACK && !qtri_mesh_has_bytes(draw->mesh);
     draw->lit = true;
     while (next(&faces, draw)) {
         if (!simple || !faces.inside) {

@@ -39,7 +39,6 @@ typedef uint32_t qtri_light_finder(const void *from, const void *indices, qtri_v
 /* One draw call: what every triangle needs. */
 typedef struct qtri_mesh_job {
     qtri_primitive primitive;
-    qtri_material material; /* without the texture when there are no coordinates */
     const qtri_mesh *mesh;
     const qtri_vertex_stage *stage;
     const qtri_position_ops *positions; /* of those that the mesh has; NULL: none serves it */
@@ -346,7 +345,8 @@ QTRI_IN_PLACE void qtri_lit_vertex_place(qtri_lit_point *point, const qtri_mesh_
 /* The colour of a vertex before light: its own, or the material's. */
 static inline const qtri_rgb *qtri_mesh_color(const qtri_mesh_job *draw, uint32_t index)
 {
-    return draw->mesh->colors != NULL ? &draw->mesh->colors[index] : &draw->material.color;
+    return draw->mesh->colors != NULL ? &draw->mesh->colors[index]
+                                      : &draw->primitive.material->color;
 }
 
 #endif

@@ -54,7 +54,7 @@ static taker taker_of(const qtri_material *material, bool has_depth)
 
 static taker taker_by_job(const qtri_mesh_job *draw)
 {
-    return taker_of(&draw->material, draw->primitive.surface->depth != NULL);
+    return taker_of(draw->primitive.material, draw->primitive.surface->depth != NULL);
 }
 
 /* In bands with depth, as most are. */
@@ -157,8 +157,8 @@ QTRI_NOINLINE static void draw_in_colors(const qtri_mesh_job *draw, const void *
         light_q15[1] = vertex[1]->intensity_q15;
         light_q15[2] = vertex[2]->intensity_q15;
     }
-    if (!qtri_is_smooth(&draw->material)) {
-        const int from = qtri_provoking_of(&draw->material);
+    if (!qtri_is_smooth(draw->primitive.material)) {
+        const int from = qtri_provoking_of(draw->primitive.material);
         light_q15[0] = light_q15[1] = light_q15[2] = light_q15[from];
         index[0] = index[1] = index[2] = index[from];
     }
@@ -384,7 +384,7 @@ QTRI_NOINLINE static bool draw_faces(qtri_mesh_job *draw)
 {
     const qtri_face_culling *culling = qtri_mesh_face_culling(draw->mesh);
     const bool narrow = qtri_mesh_has_bytes(draw->mesh);
-    const bool back = draw->material.cull == QTRI_CULL_BACK;
+    const bool back = draw->primitive.material->cull == QTRI_CULL_BACK;
     qtri_mesh_faces faces;
     if (culling == NULL || !culling->begin(&faces, draw)) {
         return false;
@@ -409,7 +409,7 @@ void qtri_wireframe_mesh(qtri_mesh_job *draw)
         return;
     }
     const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
-    const bool simple = inside && draw->material.cull == QTRI_CULL_BACK;
+    const bool simple = inside && draw->primitive.material->cull == QTRI_CULL_BACK;
     const bool quick = !QTRI_SHARE && simple && !qtri_mesh_has_bytes(mesh);
     clear_notes(draw);
     if (quick && who == FIRST) {
@@ -448,13 +448,13 @@ void qtri_wireframe_triangle(const qtri_mesh_job *draw, const void *triangle,
 void qtri_wireframe_prepare(const qtri_mesh_job *draw, bool back_only)
 {
     clear_notes(draw);
-    look_at_any(draw, 0, taker_by_material(&draw->material), back_only, false);
+    look_at_any(draw, 0, taker_by_material(draw->primitive.material), back_only, false);
 }
 
 void qtri_wireframe_band(qtri_mesh_job *draw)
 {
     draw->noted = draw->slot_count >= draw->mesh->vertex_count &&
-                  taker_by_job(draw) == taker_by_material(&draw->material);
+                  taker_by_job(draw) == taker_by_material(draw->primitive.material);
 }
 
 const qtri_fill qtri_wireframe = {

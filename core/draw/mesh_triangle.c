@@ -151,7 +151,7 @@ QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const uint32_t ind
                                    int64_t area, uint32_t face_q15)
 {
     qtri_draw_state *state = draw->primitive.to.solid.small.state;
-    const uint8_t *alphas = state->material->alphas;
+    const uint8_t *alphas = state->alphas;
     qtri_large_vertex v[3];
     for (int i = 0; i < 3; i++) {
         set_place(&v[i], vertex[i]);
@@ -168,7 +168,8 @@ QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const uint32_t ind
     }
     find_true_places(v, draw, index, p, area);
     qtri_large_triangle(state, p, area,
-                        qtri_color_word(v[qtri_provoking_of(&draw->material)].color_8p16), v);
+                        qtri_color_word(v[qtri_provoking_of(draw->primitive.material)].color_8p16),
+                        v);
 }
 
 QTRI_NOINLINE void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices,
@@ -245,7 +246,8 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
     for (int i = 0; i < 3; i++) {
         uint32_t index = qtri_mesh_index(draw->mesh, triangle->indices, i);
         set_color(out[i].color_8p16, draw, index, triangle->intensity_q15[i]);
-        if (draw->material.fill == NULL && qtri_is_lit(&draw->primitive.to.solid.state.options)) {
+        if (draw->primitive.material->fill == NULL &&
+            qtri_is_lit(&draw->primitive.to.solid.state.options)) {
             out[i].color_8p16[0] = (int32_t)triangle->intensity_q15[i] * 510; /* 255.0 is 1 */
         }
         qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, index);
@@ -265,7 +267,7 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
         draw->positions->transform(&draw->primitive.projector, draw->mesh,
                                    qtri_mesh_index(draw->mesh, indices, i), &shape.clip[i]);
     }
-    if (draw->material.fill == NULL) { /* whose alphas the vertices have */
+    if (draw->primitive.material->fill == NULL) { /* whose alphas the vertices have */
         qtri_mesh_indices(draw->primitive.to.solid.small.state->alpha_index, indices,
                           qtri_mesh_has_bytes(draw->mesh));
     }
@@ -284,8 +286,8 @@ QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *in
 {
     if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         draw_clipped(draw, indices, vertex);
-    } else if (draw->material.fill != NULL) {
-        draw->material.fill->triangle(draw, indices, vertex);
+    } else if (draw->primitive.material->fill != NULL) {
+        draw->primitive.material->fill->triangle(draw, indices, vertex);
     } else {
         qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
     }
@@ -295,5 +297,6 @@ QTRI_NOINLINE bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_v
                                          const qtri_vertex *b, const qtri_vertex *c)
 {
     return qtri_mesh_is_inside(a, b, c) &&
-           qtri_is_culled(draw->material.cull, qtri_triangle_area(&a->at, &b->at, &c->at));
+           qtri_is_culled(draw->primitive.material->cull,
+                          qtri_triangle_area(&a->at, &b->at, &c->at));
 }

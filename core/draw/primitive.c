@@ -2,7 +2,8 @@
 #include "mesh_job.h"
 
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
-                               const qtri_view *view, const qtri_material *material, int shade)
+                               const qtri_view *view, const qtri_material *material,
+                               const qtri_texture *texture, int shade)
 {
     primitive->surface = surface;
     primitive->material = material;
@@ -12,7 +13,7 @@ void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *su
     }
     qtri_draw_state *state = &primitive->to.solid.state;
     primitive->to.solid.small.state = state;
-    qtri_draw_state_init(state, surface, view->pipelines, material, shade);
+    qtri_draw_state_init(state, surface, view->pipelines, material, texture, shade);
     if (shade == QTRI_BY_PIXEL) {
         qtri_draw_state_prefer(state, qtri_by_pixel_of(material)->pipelines);
     }
@@ -273,7 +274,7 @@ static int own_vertex(const qtri_fan_vertex *v)
 /* Alpha of a point of the triangle whose vertices have these numbers. */
 static uint32_t alpha_at(const qtri_draw_state *state, const qtri_fan_vertex *v)
 {
-    const uint8_t *alpha = state->material->alphas;
+    const uint8_t *alpha = state->alphas;
     int64_t a[3];
     for (int i = 0; i < 3; i++) {
         const uint32_t x = alpha[state->alpha_index[i]];

@@ -74,11 +74,12 @@ typedef union qtri_shape {
 } qtri_shape;
 
 /*
- * Surface and material, and the pipeline that draws its triangles; `shade`: what their colours do,
- * see draw_state.h.
+ * Surface and material, and the pipeline that draws its triangles; `texture`, `shade`: see
+ * draw_state.h.
  */
 void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *surface,
-                               const qtri_view *view, const qtri_material *material, int shade);
+                               const qtri_view *view, const qtri_material *material,
+                               const qtri_texture *texture, int shade);
 
 /* Sets the projector: projection camera pose, folded with the viewport; or of camera pose. */
 void qtri_primitive_place_in_eye(qtri_primitive *primitive, const qtri_view *view,

@@ -41,7 +41,6 @@ static void transform(const qtri_primitive *primitive, const qtri_corner *corner
 typedef struct triangle_call {
     qtri_mesh_job job;
     const qtri_vertex *before; /* vertices of the triangle before, or NULL */
-    const uint8_t *alphas;     /* the material's, of all corners */
 } triangle_call;
 
 /* What becomes of a triangle. */
@@ -58,12 +57,10 @@ static void begin(triangle_call *call, const qtri_surface *surface, const qtri_v
     qtri_mesh_job *job = &call->job;
     qtri_loose_triangle *triangle = &job->of.triangle;
     call->before = NULL;
-    call->alphas = material->alphas;
     memset(&triangle->mesh, 0, sizeof triangle->mesh);
     triangle->mesh.positions = triangle->positions;
     triangle->mesh.uvs = triangle->uvs;
     triangle->mesh.colors = triangle->colors;
-    job->material = *material;
     job->mesh = &triangle->mesh;
     job->positions = &qtri_positions_wide;
     job->slot_count = 3;
@@ -76,7 +73,7 @@ static void begin(triangle_call *call, const qtri_surface *surface, const qtri_v
     job->illumination = NULL;
     job->lit_colors = NULL;
     job->late = NULL;
-    qtri_primitive_set_target(&job->primitive, surface, view, &job->material, shade);
+    qtri_primitive_set_target(&job->primitive, surface, view, material, material->texture, shade);
     qtri_primitive_place(&job->primitive, view, pose);
     if (material->fill == NULL) {
         qtri_mesh_solid_init(job, NULL);
@@ -114,9 +111,11 @@ QTRI_NOINLINE static fate project(triangle_call *call, const qtri_corner *corner
     uint32_t count = 0;
     call->before = NULL;
     job->vertices = v;
-    job->material.alphas = call->alphas != NULL ? call->alphas + first : NULL;
-    if (job->material.fill != NULL) {
+    if (job->primitive.material->fill != NULL) {
         return UNDECIDED;
+    }
+    if (job->primitive.material->alphas != NULL) {
+        job->primitive.to.solid.state.alphas = &job->primitive.material->alphas[first];
     }
     for (uint32_t i = 0; i < 3; i++) {
         const qtri_vec4 *position = &corners[i].position;
@@ -140,7 +139,7 @@ QTRI_NOINLINE static fate project(triangle_call *call, const qtri_corner *corner
     }
     call->before = v;
     const int64_t area = qtri_triangle_area(&v[0].at, &v[1].at, &v[2].at);
-    return area == 0 || qtri_is_culled(job->material.cull, area) ? CULLED : VISIBLE;
+    return area == 0 || qtri_is_culled(job->primitive.material->cull, area) ? CULLED : VISIBLE;
 }
 
 /* Draws a visible triangle with the colours and coordinates of `attributes`. */
@@ -372,7 +371,7 @@ void qtri_raster_triangle(const qtri_surface *surface, const qtri_pipeline *cons
     if (area == 0 || qtri_is_culled(material->cull, area)) {
         return;
     }
-    qtri_draw_state_init(&state, surface, pipelines, material,
+    qtri_draw_state_init(&state, surface, pipelines, material, material->texture,
                          qtri_is_smooth(material) ? QTRI_COLORS : QTRI_TINT);
     qtri_large_triangle(&state, p, area,
                         qtri_color_word(vertex[qtri_provoking_of(material)].color_8p16), vertex);

@@ -29,9 +29,9 @@ static bool is_usable(const qtri_texture *texture)
     return texture != NULL && texture->format != NULL && texture->format->usable(texture);
 }
 
-static void want_texture(qtri_options *o, const qtri_material *material)
+static void want_texture(qtri_options *o, const qtri_material *material,
+                         const qtri_texture *texture)
 {
-    const qtri_texture *texture = material->texture;
     o->texel = texture->format->kind != QTRI_NO_TEXEL ? texture->format->kind : QTRI_OTHER_TEXEL;
     if (texture->filter != NULL) {
         o->bilinear = texture->filter->is_bilinear;
@@ -77,7 +77,7 @@ static void want_format(qtri_options *o, const qtri_format *format)
 }
 
 static void want(qtri_options *o, const qtri_surface *surface, const qtri_material *material,
-                 int shade)
+                 const qtri_texture *texture, int shade)
 {
     const qtri_depth_format *depth = surface->depth_format;
     memset(o, 0, sizeof *o);
@@ -89,8 +89,8 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
         o->compare = (uint8_t)qtri_compare_of(material);
         o->read_only = material->depth_read_only;
     }
-    if (is_usable(material->texture)) {
-        want_texture(o, material);
+    if (is_usable(texture)) {
+        want_texture(o, material, texture);
     }
     o->covered = (shade & QTRI_COVERED) != 0;
     shade &= ~QTRI_COVERED;
@@ -245,9 +245,8 @@ void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level)
     texture->height_log2 = (uint8_t)(height_log2 - (level < height_log2 ? level : height_log2));
 }
 
-static void set_texture(qtri_draw_state *state, const qtri_material *material)
+static void set_texture(qtri_draw_state *state, const qtri_texture *texture)
 {
-    const qtri_texture *texture = material->texture;
     state->texture = NULL;
     if (state->options.texel == QTRI_NO_TEXEL) {
         return;
@@ -257,7 +256,7 @@ static void set_texture(qtri_draw_state *state, const qtri_material *material)
     state->height_log2 = qtri_side_log2(texture->height_log2);
     state->key_mask = texture->format->key_mask;
     state->key = texture->key & state->key_mask;
-    state->alpha_least = (uint32_t)material->least_alpha << 24;
+    state->alpha_least = (uint32_t)state->material->least_alpha << 24;
     if (state->options.mipmapped) {
         texture->filter->begin(state);
     }
@@ -294,7 +293,7 @@ static void set_pipeline(qtri_draw_state *state, const qtri_pipeline *pipeline)
 
 void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
                           const qtri_pipeline *const *pipelines, const qtri_material *material,
-                          int shade)
+                          const qtri_texture *texture, int shade)
 {
     const qtri_rect nowhere = {0, 0, 0, 0};
     memset(&state->options, 0, sizeof state->options);
@@ -307,12 +306,13 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     state->small = draw_nothing_small;
     state->surface = surface;
     state->material = material;
+    state->alphas = material->alphas;
     state->bounds = nowhere;
     if (surface->format == NULL || !has_room(surface) ||
         (surface->depth != NULL && material->depth_compare == QTRI_NEVER)) {
         return;
     }
-    want(&state->options, surface, material, shade);
+    want(&state->options, surface, material, texture, shade);
     state->alpha = 256;
     state->keep = 0;
     if (material->blend != NULL) {
@@ -323,7 +323,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     state->depth_pitch =
         surface->depth_pitch * (ptrdiff_t)qtri_depth_size(&state->options, surface);
     set_colors(state, material);
-    set_texture(state, material);
+    set_texture(state, texture);
     const qtri_pipeline *found = find_all(pipelines, state);
 #ifdef QTRI_CHECKED
     qtri_check_pipeline(found, &state->options);

@@ -48,7 +48,7 @@ void qtri_small_set_light(qtri_small_ramp *c, const qtri_small_place *p, const q
 
 bool qtri_small_set_alpha(qtri_small_ramp *alpha, const qtri_small_place *p, const qtri_small *t)
 {
-    const uint8_t *from = t->state->material->alphas;
+    const uint8_t *from = t->state->alphas;
     int32_t a[3];
     for (int i = 0; i < 3; i++) {
         const int32_t x = from[t->index[i]];

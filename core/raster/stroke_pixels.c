@@ -12,7 +12,6 @@ bool qtri_stroke_target_init(qtri_stroke_target *to, const qtri_surface *surface
     const bool is_covered = is_smooth || alpha != 255;
     to->alpha_q16 = ((uint32_t)alpha << 16) / 255;
     to->material = *material;
-    to->material.texture = NULL;
     to->material.alphas = NULL;
     to->material.fragment = NULL;
     to->samples = qtri_sampling_of(surface->format) != NULL ? surface : NULL;
@@ -21,7 +20,7 @@ bool qtri_stroke_target_init(qtri_stroke_target *to, const qtri_surface *surface
         to->pixel.format = qtri_sampling_of(surface->format)->format;
         surface = &to->pixel;
     }
-    qtri_draw_state_init(&to->state, surface, pipelines, &to->material,
+    qtri_draw_state_init(&to->state, surface, pipelines, &to->material, NULL,
                          is_covered ? QTRI_FLAT | QTRI_COVERED : QTRI_FLAT);
     return to->state.bounds.x0 < to->state.bounds.x1;
 }

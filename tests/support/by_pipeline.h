@@ -57,7 +57,8 @@ static inline void draw_by_pipeline(const qtri_surface *surface, const qtri_mate
     qtri_rgb colors[3];
     qtri_mesh mesh;
     qtri_small t;
-    qtri_draw_state_init(&state, surface, list, material, is_smooth ? QTRI_COLORS : QTRI_TINT);
+    qtri_draw_state_init(&state, surface, list, material, material->texture,
+                         is_smooth ? QTRI_COLORS : QTRI_TINT);
     memset(&mesh, 0, sizeof mesh);
     memset(&t, 0, sizeof t);
     mesh.uvs = uvs;

@@ -52,7 +52,8 @@ static inline int draw_triangle(const qtri_surface *surface, const qtri_material
         large[i].v_q32 = v[i].v_q32;
     }
     const int64_t area = qtri_triangle_area(&at[0], &at[1], &at[2]);
-    qtri_draw_state_init(&state, surface, any, material, is_smooth ? QTRI_COLORS : QTRI_TINT);
+    qtri_draw_state_init(&state, surface, any, material, material->texture,
+                         is_smooth ? QTRI_COLORS : QTRI_TINT);
     const qtri_mesh mesh = {
         .colors = colors, .uvs = uvs, .triangles = indices, .vertex_count = 3, .triangle_count = 1};
     qtri_small small = {.state = &state,

@@ -38,7 +38,8 @@ typedef struct qtri_draw_state {
     uint32_t color;          /* material.color, 0x00RRGGBB */
     uint32_t weight[3];      /* of its red, green and blue: 256 is 1 */
     uint32_t alpha;          /* material.alpha: 256 is 1 */
-    uint32_t alpha_index[3]; /* whose alphas a clipped triangle's vertices have */
+    const uint8_t *alphas;   /* of vertices: the material's, or those of a loose triangle */
+    uint32_t alpha_index[3]; /* whose of them a clipped triangle's vertices have */
     uint32_t keep;           /* bits that stay, of the pipeline's kind of colour */
     uint32_t fog_color;      /* of that kind */
     const qtri_fog *fog;
