@@ -61,7 +61,7 @@ static bool corners_make(struct corners *corners, const struct model *model)
     corners->area = calloc(model->triangle_count + 1, sizeof *corners->area);
     bool ok = place_of != NULL && corners->position != NULL && corners->first != NULL &&
               corners->list != NULL && corners->area != NULL;
-    if (ok) {
+    if (ok && model->vertex_count > 0) {
         corners->places =
             unique_numbers(model->vertices[0].position, model->vertex_count,
                            sizeof *model->vertices, sizeof model->vertices->position, place_of);
