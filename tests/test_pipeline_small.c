@@ -186,6 +186,7 @@ static void set_state(qtri_draw_state *s, heap *h, const qtri_pipeline *pipeline
     s->options = *o;
     s->surface = surface;
     s->material = &h->material;
+    s->alphas = h->alphas;
     s->bounds = b;
     s->inner.x = (uint32_t)(b.x0 * 256 + reach);
     s->inner.y = (uint32_t)(b.y0 * 256 + reach);
@@ -256,7 +257,6 @@ static void set_scene(heap *h, uint64_t *seed, const qtri_options *o)
     h->texture.palette = h->palette;
     h->material = qtri_material_default();
     h->material.cull = random_flag(seed) ? QTRI_CULL_NONE : QTRI_CULL_BACK;
-    h->material.alphas = h->alphas;
 }
 
 static void compare(const uint8_t *a, const uint8_t *b, const bool *large, const bool *other)
