@@ -334,6 +334,7 @@ static uint32_t silhouettes_of(const qtri_outline *outline, uint32_t triangle)
     const uint32_t *front = outline->front;
     if (outline->sums == NULL) {
         const uint16_t *n = outline->mesh->neighbours[triangle];
+        // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): without sums a mesh has neighbours
         const uint32_t a = front_bit(front, n[0]);
         const uint32_t b = front_bit(front, n[1]);
         const uint32_t c = front_bit(front, n[2]);

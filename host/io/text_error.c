@@ -30,7 +30,7 @@ static size_t write_place(char *message, size_t size, const char *name, int line
     return written < 0 ? 0 : (size_t)written; /* < NAME_SHOWN + 20 < size */
 }
 
-bool text_error_set(struct text_error *error, const char *name, int line, const char *format, ...)
+int text_error_format(struct text_error *error, const char *name, int line, const char *format, ...)
 {
     size_t used = write_place(error->message, sizeof error->message, name, line);
     va_list arguments;
@@ -40,5 +40,5 @@ bool text_error_set(struct text_error *error, const char *name, int line, const 
     }
     va_end(arguments);
     replace_control_characters(error->message);
-    return false;
+    return (int)strlen(error->message);
 }

@@ -27,6 +27,7 @@ static uint32_t *find_slot(const struct unique *set, const void *item)
     const char *items = set->items;
     size_t at = hash(item, set->item_size) & (set->slot_count - 1);
     while (set->slots[at] != 0 &&
+           // NOLINTNEXTLINE(clang-analyzer-core.NonNullParamChecker): there are items then
            memcmp(items + (set->slots[at] - 1) * set->item_size, item, set->item_size) != 0) {
         at = (at + 1) & (set->slot_count - 1);
     }
