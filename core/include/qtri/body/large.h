@@ -184,7 +184,6 @@ typedef struct qtri_large {
 typedef struct qtri_footprint_plane {
     uint32_t right[2], right_dy[2]; /* in row 0, for one row down */
     uint32_t down[2], down_dx[2];   /* in column 0, for one column right */
-    uint32_t along, along_dx;       /* straight: the step down's length, as `down` and `down_dx` */
     int32_t before;  /* the shift of a length that is compared with q's square, see is_left() */
     uint32_t length; /* of the row's step right */
 } qtri_footprint_plane;
