@@ -245,7 +245,7 @@ class Source:
             begin = self.lvalue_left(at) if before else at
             stop = end if before else self.unary_right(end)
         elif old in SWAPS:
-            begin, stop = self.left(at, 0), self.right(end, 0)
+            begin, stop = self.left(at, 0), self.right(end, -1)
         elif old == "!":
             begin, stop = at, self.unary_right(end)
         else:
@@ -302,6 +302,13 @@ DRAWN = [
     ("{\n    if (f() @>@ b) {\n        b = f();\n    }\n}", [">="]),
 ]
 
+# Of a text, what is chosen as a whole where the operator in between changes.
+CHOSEN = [
+    ("{\n    a @+=@ b > c ? d : e;\n}", "a += b > c ? d : e"), ("{\n    a[i] @|=@ b == c;\n}", "a[i] |= b == c"),
+    ("{\n    for (;; a @>>=@ 1, b++) {\n    }\n}", "a >>= 1"), ("{\n    a = b @+@ c * d > e ? f : g;\n}", "b + c * d"),
+    ("{\n    a = b + c @-@ d << e;\n}", "b + c - d"), ("{\n    a = f ? b @>>@ c - d : e;\n}", "b >> c - d"),
+]
+
 
 def check():
     """What is left out is no more, and no less, than what makes no difference."""
@@ -309,3 +316,8 @@ def check():
         before, old, _ = text.split("@")
         found = [new for at, what, new in Source("", text.replace("@", "")).mutants() if at == len(before)]
         assert found == expected, (text, old, found)
+    for text, expected in CHOSEN:
+        before, old, _ = text.split("@")
+        source = Source("", text.replace("@", ""))
+        begin, end, _ = source.schema((len(before), old, SWAPS[old]), 1)
+        assert source.text[begin:end] == expected, (text, source.text[begin:end])
