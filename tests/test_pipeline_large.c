@@ -28,6 +28,13 @@ QTRI_PIPELINE(large_texture_clamped, LESS_8888, .texel = QTRI_TEXEL_XRGB8888, .w
               .wrap_v = QTRI_CLAMP)
 QTRI_PIPELINE(large_texture_bilinear, LESS_8888, .texel = QTRI_TEXEL_XRGB8888, .bilinear = 1)
 
+#define FLAT_565(compares) .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = (compares)
+QTRI_PIPELINE(large_flat_equal_too, FLAT_565(QTRI_LESS_EQUAL))
+QTRI_PIPELINE(large_flat_greater, FLAT_565(QTRI_GREATER))
+QTRI_PIPELINE(large_flat_not_less, FLAT_565(QTRI_GREATER_EQUAL))
+QTRI_PIPELINE(large_flat_equal, FLAT_565(QTRI_EQUAL))
+QTRI_PIPELINE(large_flat_over, .format = QTRI_RGB565)
+
 static const qtri_pipeline *const instances[] = {
     &large_flat,           &large_colors,          &large_colors_8888,     &large_light_8888,
     &large_colors_fog,     &large_texture,         &large_texture_linear,  &large_texture_light,
@@ -141,6 +148,7 @@ static void draw(const qtri_pipeline *pipeline, const qtri_options *o, const qtr
     m.texture_mode = o->shade == QTRI_FLAT ? QTRI_REPLACE : QTRI_MODULATE;
     m.interpolation = is_linear(o) ? QTRI_SCREEN_LINEAR : QTRI_PERSPECTIVE;
     m.fog = o->fog ? &fog : NULL;
+    m.depth_compare = (qtri_compare)o->compare;
     const qtri_rgb white = {255, 255, 255};
     m.color = white;
     const qtri_pipeline *const list[] = {pipeline, NULL};
@@ -219,6 +227,65 @@ typedef struct errors {
     double depth, color;
     int covered, wrong_texels;
 } errors;
+
+static bool passes(int compare, uint32_t z, uint32_t stored)
+{
+    switch (compare) {
+    case QTRI_LESS:
+        return z < stored;
+    case QTRI_LESS_EQUAL:
+        return z <= stored;
+    case QTRI_GREATER:
+        return z > stored;
+    case QTRI_GREATER_EQUAL:
+        return z >= stored;
+    case QTRI_EQUAL:
+        return z == stored;
+    default:
+        return true;
+    }
+}
+
+/* Two flat pixels may be drawn at once (pair.h): each is tested by itself, on either side of equal.
+ */
+static void flat_pixels_are_tested_one_by_one(void **state)
+{
+    (void)state;
+    static const qtri_pipeline *const flat[] = {&large_flat,         &large_flat_equal_too,
+                                                &large_flat_greater, &large_flat_not_less,
+                                                &large_flat_equal,   &large_flat_over};
+    static uint16_t stored[WIDTH * HEIGHT];
+    static const uint32_t part[4] = {0, 1, 0x8000,
+                                     0xFFFF}; /* of a step, the half that rounds in it */
+    for (int n = 0; n < 6 * 4 * 4; n++) {
+        const int compare = flat[n % 6]->options.compare;
+        const uint32_t z = n % 7 == 0 ? 1 : n % 7 == 1 ? 65534 : (uint32_t)in(1, 65534);
+        const int32_t left = in(0, 9);
+        qtri_surface s;
+        triangle t;
+        memset(&t, 0, sizeof t);
+        for (int i = 0; i < 3; i++) {
+            t.v[i].inv_w_q31 = 0x40000000u;
+            t.v[i].depth_16p16 = z * 65536 + part[n / 6 % 4] - 0x8000u;
+        }
+        t.at[0].x_24p8 = t.at[1].x_24p8 = left * 256;
+        t.at[1].y_24p8 = 2 * HEIGHT * 256;
+        t.at[2].x_24p8 = 2 * WIDTH * 256;
+        set_surface(&s, &qtri_rgb565, 0);
+        uint16_t *const pixels = (uint16_t *)s.pixels, *const depths = (uint16_t *)s.depth;
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            stored[i] = depths[i] = (uint16_t)(z - 1 + (uint32_t)in(0, 2));
+        }
+        draw(flat[n % 6], &flat[n % 6]->options, &s, &t);
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            double b[3];
+            const bool drawn =
+                weights_at(&t, i % WIDTH, i / WIDTH, b) && passes(compare, z, stored[i]);
+            assert_int_equal(pixels[i] != 0, drawn);
+            assert_int_equal(depths[i], drawn && compare != QTRI_DEPTH_OFF ? z : stored[i]);
+        }
+    }
+}
 
 static double difference(double a, double b)
 {
@@ -346,6 +413,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(instances_have_the_bits_of_the_generic_one_and_of_tiles),
+        cmocka_unit_test(flat_pixels_are_tested_one_by_one),
         cmocka_unit_test(pixels_are_those_of_double_precision),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -20,12 +20,13 @@ sh port/packages/dist.sh "$work/dist" >"$work/log" 2>&1 || { cat "$work/log"; fi
 # NAME LIBRARY COMMAND...: how each builds, the slowest first. `one` is the library as one file, `all` its own files,
 # `make` what make has built, with which all are compared; `linux` the library of test-boards; `board` the library of the benchmarks for a core of that name, by
 # clang as one file, and the program a firmware.
-usual='cortex-m0plus-Os cortex-m3 gcc-O3 32-bit-O2 big-endian-O2 clang-Os gcc-Os tcc'
+usual='cortex-m0plus-Os cortex-m4 gcc-O3 32-bit-O2 big-endian-O2 clang-Os gcc-Os tcc'
 cat >"$work/list" <<'END'
 make make gcc -O2
 cortex-m0plus-Os board arm-none-eabi-gcc -mcpu=cortex-m0plus -Os
 cortex-m0plus-clang-Os board arm-none-eabi-gcc -mcpu=cortex-m0plus -Os
 cortex-m3 board arm-none-eabi-gcc -mcpu=cortex-m3 -O2
+cortex-m4 board arm-none-eabi-gcc -mcpu=cortex-m4 -O2
 cortex-m0plus board arm-none-eabi-gcc -mcpu=cortex-m0plus -O2
 cortex-m3-Os board arm-none-eabi-gcc -mcpu=cortex-m3 -Os
 gcc-O3 one gcc -O3
@@ -47,6 +48,7 @@ work=$1 meshes=$2 name=$3 library=$4
 shift 4
 command -v "$1" >/dev/null 2>&1 || { echo "same: skipped: $name: $1 not installed (make setup-all)" >"$work/$name.skipped"; exit 0; }
 case $name in big-endian*) run=qemu-ppc ;; cortex*) run=qemu-system-arm ;; *) run='' ;; esac
+case $name in cortex-m4*) machine=mps2-an386 ;; *) machine=mps2-an385 ;; esac
 [ -z "$run" ] || command -v $run >/dev/null 2>&1 || { echo "same: skipped: $name: $run not installed (make setup-all)" >"$work/$name.skipped"; exit 0; }
 set -- "$@" -std=c99 -Icore/include -Ihost/bench
 states='tests/support/random_states.c tests/support/random_pictures.c'
@@ -62,7 +64,7 @@ if [ $library = board ]; then
     esac
     "$@" -nostdlib -T $board/mps2/mps2.ld -o "$work/$name.program" tests/check/same_states.c $states $here/bench_print.c \
         $board/mps2/*.c $board/common/memory.c "$core" -lgcc &&
-        timeout 300 $run -M mps2-an385 -semihosting-config enable=on,target=native -display none -monitor none \
+        timeout 300 $run -M $machine -semihosting-config enable=on,target=native -display none -monitor none \
             -serial stdio -kernel "$work/$name.program" </dev/null >"$work/$name.states" || { echo "$name: not built or not run"; exit 1; }
     rm -f "$work/$name.program"
     exit

@@ -9,6 +9,7 @@
 #define QTRI_BODY_PIXEL_H
 
 #include "arithmetic.h"
+#include "pair.h"
 #include "samples.h"
 #include "texel.h"
 
@@ -258,7 +259,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
         z = o->depth == QTRI_FLOAT16 && w->octave.down != 0
                 ? w->octave.base + (w->z >> w->octave.down)
                 : qtri_depth_encode(o, surface, w->z);
-        drawn = qtri_depth_passes(o, w, z, depth);
+        drawn = qtri_depth_passes(o, w, z, qtri_load(depth_bytes, depth));
     }
     const bool early = qtri_is_textured(o) && !qtri_discards(o);
     if (drawn && qtri_pixel_writes(o, w) && early && !qtri_has_samples(o)) {
@@ -436,16 +437,20 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, q
     if (count > 0 && (!in_pairs || (count & 1) != 0)) {
         do { /* GCC does not turn loops round by itself */
             qtri_pixel_alone(o, pixel, w, bent);
-        } while (!in_pairs && --count > 0);
+        } while (!in_pairs && --count != 0);
     }
     if (in_pairs && count > 1) {
         count >>= 1;
         do {
-            qtri_pixel_next(o, pixel, w, bent, 0);
-            qtri_pixel_next(o, pixel, w, bent, 1);
+            if (qtri_draws_pairs(o)) {
+                qtri_pixel_pair(o, w, 0);
+            } else {
+                qtri_pixel_next(o, pixel, w, bent, 0);
+                qtri_pixel_next(o, pixel, w, bent, 1);
+            }
             qtri_walk_move(o, w, 2);
             QTRI_BODY_BARRIER(count);
-        } while (--count > 0);
+        } while (--count != 0);
     }
 }
 #else
@@ -461,7 +466,11 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, q
         while (count >= together - early) {
             QTRI_BODY_UNROLL
             for (int32_t i = 0; i < together; i++) {
-                qtri_pixel_next(o, pixel, w, bent, i);
+                if (qtri_draws_pairs(o)) {
+                    qtri_pixel_pair(o, w, i++);
+                } else {
+                    qtri_pixel_next(o, pixel, w, bent, i);
+                }
             }
             qtri_walk_move(o, w, (uint32_t)together);
             if (qtri_varies(o)) {

@@ -65,7 +65,7 @@ QTRI_BODY uint32_t qtri_sample_test(const qtri_options *o, const qtri_pixel_walk
         return samples;
     }
     const uint32_t z = z_16p16 >> 16;
-    if (!qtri_depth_passes(o, w, z, depth)) {
+    if (!qtri_depth_passes(o, w, z, qtri_load(2, depth))) {
         return samples & ~sample;
     }
     QTRI_BODY_BRANCH();

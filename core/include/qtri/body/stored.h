@@ -176,28 +176,26 @@ QTRI_BODY uint32_t qtri_depth_encode(const qtri_options *o, const qtri_surface *
     }
 }
 
-/* Whether a depth, as it is stored, passes the test against the one at `depth`. */
+/* Whether a depth, as it is stored, passes the test against a stored one. */
 QTRI_BODY bool qtri_depth_passes(const qtri_options *o, const qtri_pixel_walk *w, uint32_t z,
-                                 const uint8_t *depth)
+                                 uint32_t stored)
 {
-    const uint32_t bytes = qtri_depth_size(o, w->state->surface);
     if (qtri_compares_by_any(o)) {
-        const uint32_t stored = qtri_load(bytes, depth);
         return (w->passes >> ((z >= stored) + (z > stored)) & 1) != 0;
     }
     switch (o->compare) {
     case QTRI_LESS:
-        return z < qtri_load(bytes, depth);
+        return z < stored;
     case QTRI_LESS_EQUAL:
-        return z <= qtri_load(bytes, depth);
+        return z <= stored;
     case QTRI_GREATER:
-        return z > qtri_load(bytes, depth);
+        return z > stored;
     case QTRI_GREATER_EQUAL:
-        return z >= qtri_load(bytes, depth);
+        return z >= stored;
     case QTRI_EQUAL:
-        return z == qtri_load(bytes, depth);
+        return z == stored;
     case QTRI_NOT_EQUAL:
-        return z != qtri_load(bytes, depth);
+        return z != stored;
     default:
         return true;
     }
