@@ -215,16 +215,11 @@ static void set_bounds(qtri_draw_state *state, const qtri_surface *surface)
     state->inner.height = height < 0 ? 0 : (uint32_t)height;
 }
 
-static uint32_t word_of(qtri_rgb color)
-{
-    return (uint32_t)color.r << 16 | (uint32_t)color.g << 8 | color.b;
-}
-
 static void set_colors(qtri_draw_state *state, const qtri_material *material)
 {
     const qtri_options *o = &state->options;
     const qtri_color_kind kind = qtri_kind_of(o);
-    state->color = word_of(material->color);
+    state->color = qtri_pixel_rgb_to_888(&material->color);
     state->weight[0] = material->color.r + (material->color.r >> 7);
     state->weight[1] = material->color.g + (material->color.g >> 7);
     state->weight[2] = material->color.b + (material->color.b >> 7);

@@ -109,7 +109,7 @@ const qtri_pipeline *const qtri_pipelines_fog[] = {&qtri_pipeline_fog,
 /* Describes all of a fog but its shares. */
 static void begin_fog(qtri_fog *fog, qtri_rgb color)
 {
-    fog->color = (uint32_t)color.r << 16 | (uint32_t)color.g << 8 | color.b;
+    fog->color = qtri_pixel_rgb_to_888(&color);
     fog->pipelines = QTRI_BROUGHT_LIST(qtri_pipelines_fog);
 }
 

@@ -68,8 +68,8 @@ uint32_t qtri_small_color(const qtri_small *t)
         const uint16_t *wide = t->indices;
         const uint8_t *narrow = t->indices;
         const int i = qtri_provoking_of(state->material);
-        const qtri_rgb *color = &t->mesh->colors[t->mesh->triangles8 != NULL ? narrow[i] : wide[i]];
-        rgb = (uint32_t)color->r << 16 | (uint32_t)color->g << 8 | color->b;
+        rgb = qtri_pixel_rgb_to_888(
+            &t->mesh->colors[t->mesh->triangles8 != NULL ? narrow[i] : wide[i]]);
     }
     if (light_q15 == QTRI_INTENSITY_ONE) {
         return rgb;

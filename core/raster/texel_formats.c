@@ -2,6 +2,7 @@
 /*
  * Formats of texels. Those with alpha become 0xAARRGGBB.
  */
+#include "qtri/body/color.h"
 #include "qtri/texture.h"
 
 #include "../frame/barrier.h"
@@ -42,32 +43,16 @@ static void decode_gray(uint32_t *texel, const qtri_texture *texture, int32_t co
     QTRI_EACH_WORD(texel, count, gray, gray * 0x010101)
 }
 
-/* Each digit of x becomes two. */
-static inline uint32_t widen_4444(uint32_t x)
-{
-    x = (x & 0xF000) << 12 | (x & 0xF00) << 8 | (x & 0xF0) << 4 | (x & 0xF);
-    return x | x << 4;
-}
-
-/* 31 becomes 255, rounded between. */
-static inline uint32_t widen_1555(uint32_t x)
-{
-    const uint32_t red = ((x >> 10 & 31) * 527 + 23) >> 6;
-    const uint32_t green = ((x >> 5 & 31) * 527 + 23) >> 6;
-    const uint32_t blue = ((x & 31) * 527 + 23) >> 6;
-    return ((x & 0x8000) != 0 ? 0xFF000000u : 0) | red << 16 | green << 8 | blue;
-}
-
 static void decode_4444(uint32_t *texel, const qtri_texture *texture, int32_t count)
 {
     (void)texture;
-    QTRI_EACH_WORD(texel, count, x, widen_4444(x))
+    QTRI_EACH_WORD(texel, count, x, qtri_pixel_4444_to_8888(x))
 }
 
 static void decode_1555(uint32_t *texel, const qtri_texture *texture, int32_t count)
 {
     (void)texture;
-    QTRI_EACH_WORD(texel, count, x, widen_1555(x))
+    QTRI_EACH_WORD(texel, count, x, qtri_pixel_1555_to_8888(x))
 }
 
 static void decode_alpha(uint32_t *texel, const qtri_texture *texture, int32_t count)
@@ -81,15 +66,10 @@ static bool has_palette(const qtri_texture *texture)
     return texture->texels != NULL && texture->palette != NULL;
 }
 
-static inline uint32_t word_of(qtri_rgb color)
-{
-    return (uint32_t)color.r << 16 | (uint32_t)color.g << 8 | color.b;
-}
-
 static void decode_palette(uint32_t *texel, const qtri_texture *texture, int32_t count)
 {
     const qtri_rgb *palette = texture->palette;
-    QTRI_EACH_WORD(texel, count, number, word_of(palette[number]))
+    QTRI_EACH_WORD(texel, count, number, qtri_pixel_rgb_to_888(&palette[number]))
 }
 
 static bool needs_nothing(const qtri_texture *texture)
@@ -122,7 +102,8 @@ static void fetch_checker(uint32_t *texel, const qtri_texture *texture, int32_t 
 
 static void decode_checker(uint32_t *texel, const qtri_texture *texture, int32_t count)
 {
-    const uint32_t color[2] = {word_of(texture->color[0]), word_of(texture->color[1])};
+    const uint32_t color[2] = {qtri_pixel_rgb_to_888(&texture->color[0]),
+                               qtri_pixel_rgb_to_888(&texture->color[1])};
     QTRI_EACH_WORD(texel, count, odd, color[odd])
 }
 

@@ -11,6 +11,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "../format.h"
 #include "barrier.h"
 
 typedef enum qtri_color_kind { QTRI_IN_565, QTRI_IN_888, QTRI_IN_GRAY } qtri_color_kind;
@@ -130,6 +131,25 @@ QTRI_BODY uint32_t qtri_color_sum(qtri_color_kind kind, uint32_t c, uint32_t o)
 }
 
 /* Conversions ---------------------------------------------------------------------------------- */
+
+QTRI_BODY uint32_t qtri_pixel_rgb_to_888(const qtri_rgb *color)
+{
+    return (uint32_t)color->r << 16 | (uint32_t)color->g << 8 | color->b;
+}
+
+/* Texels with alpha: each digit becomes two; 31 becomes 255, rounded between. */
+QTRI_BODY uint32_t qtri_pixel_4444_to_8888(uint32_t c)
+{
+    c = (c & 0xF000u) << 12 | (c & 0x0F00u) << 8 | (c & 0x00F0u) << 4 | (c & 15u);
+    return c | c << 4;
+}
+
+QTRI_BODY uint32_t qtri_pixel_1555_to_8888(uint32_t c)
+{
+    const uint32_t lanes = ((c << 6 & 0x001F0000u) | (c & 31)) * 527u + 0x00170017u;
+    return ((c & 0x8000u) != 0 ? 0xFF000000u : 0) | (lanes >> 6 & QTRI_BODY_LANES_888) |
+           ((c >> 5 & 31) * 527u + 23) >> 6 << 8;
+}
 
 /* To nearest: 255 / 31 and 255 / 63 of a channel. */
 QTRI_BODY uint32_t qtri_pixel_565_to_888(uint32_t c)

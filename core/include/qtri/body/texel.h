@@ -63,22 +63,14 @@ QTRI_BODY uint32_t qtri_texel_color(const qtri_options *o, const qtri_pixel_walk
         return t & 0xFFFFFFu;
     case QTRI_TEXEL_GRAY8:
         return t * 0x010101u;
-    case QTRI_TEXEL_PALETTE8: {
-        const qtri_rgb *p = &w->state->texture->palette[t];
-        return (uint32_t)p->r << 16 | (uint32_t)p->g << 8 | p->b;
-    }
-    case QTRI_TEXEL_CHECKER: {
-        const qtri_rgb *p = &w->state->texture->color[t & 1];
-        return (uint32_t)p->r << 16 | (uint32_t)p->g << 8 | p->b;
-    }
+    case QTRI_TEXEL_PALETTE8:
+        return qtri_pixel_rgb_to_888(&w->state->texture->palette[t]);
+    case QTRI_TEXEL_CHECKER:
+        return qtri_pixel_rgb_to_888(&w->state->texture->color[t & 1]);
     case QTRI_TEXEL_ARGB4444:
-        t = (t & 0xF000u) << 12 | (t & 0x0F00u) << 8 | (t & 0x00F0u) << 4 | (t & 15u);
-        return t | t << 4;
-    case QTRI_TEXEL_ARGB1555: {
-        const uint32_t lanes = ((t << 6 & 0x001F0000u) | (t & 31)) * 527u + 0x00170017u;
-        return ((t & 0x8000u) != 0 ? 0xFF000000u : 0) | (lanes >> 6 & QTRI_BODY_LANES_888) |
-               ((t >> 5 & 31) * 527u + 23) >> 6 << 8;
-    }
+        return qtri_pixel_4444_to_8888(t);
+    case QTRI_TEXEL_ARGB1555:
+        return qtri_pixel_1555_to_8888(t);
     case QTRI_TEXEL_ALPHA8:
         return t << 24 | 0xFFFFFFu;
     case QTRI_OTHER_TEXEL:
