@@ -61,6 +61,9 @@ SLOW_IN_MEMORY := test_core_perspective test_core_vec test_core_mat
 # pipelines is compiled without optimisation, for other sanitizers those of tests that draw little by them.
 SLOW_TO_SANITIZE := test_pipeline_random
 UNOPTIMIZED_TEST := TEST_PIPELINE_FLAGS=-O0
+# What `make check` runs without sanitizers: those, and programs that try more where they are faster (support/core.h).
+MORE_WHEN_PLAIN   = $(filter $(SLOW_TO_SANITIZE) \
+                    $(basename $(notdir $(shell grep -lwE 'random_cases|repeats|IS_SANITIZED|SANITIZED' tests/test_*.c))),$(TESTS))
 UNOPTIMIZED      := PIPELINE_FLAGS=-O0 $(UNOPTIMIZED_TEST)
 
 # Cores that multiply 32 by 32 bits to 32 and do not divide, see core/bits/bits.h.
@@ -132,11 +135,11 @@ test: ## Run every test program under the address and undefined-behaviour saniti
 	@status=0; $(ALIVE) test $(MAKE) -s $(PARALLEL) test-sanitized || status=1; sh tests/check/total.sh $$status
 
 # What `make check` runs of the tests besides: other builds, fuzzing, emulated boards.
-.PHONY: test-others
+.PHONY: test-others test-more
 test-others: ## Run the tests of other builds: plain, narrow, memory, threads, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
 	@rm -rf build/results
 	@status=0; \
-	for step in test-plain test-narrow test-memory test-fuzz; do \
+	for step in test-more test-narrow test-memory test-fuzz; do \
 	    $(ALIVE) $$step $(MAKE) -s $(PARALLEL) $$step || status=1; \
 	done; \
 	$(ALIVE) test-others $(MAKE) -s -k $(PARALLEL) --output-sync=target $(TOGETHER) || status=1; \
@@ -150,6 +153,9 @@ TOGETHER := test-threads $(if $(wildcard port/boards/boards.mk),test-boards) \
 test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=test_core_project runs one
 	@BUILD=$(BUILD) JOBS=$(JOBS) TEST_SECONDS=$(TEST_SECONDS) MODELS=$(MODELS) \
 	    sh tests/check/run_tests.sh $(TESTS)
+
+test-more: ## Run those without sanitizers that try less under them, or are not run
+	@$(MAKE) -s $(PARALLEL) TESTS='$(MORE_WHEN_PLAIN)' test-plain
 
 .PHONY: test-sanitized
 test-sanitized: ## Run them under the address and undefined-behaviour sanitizers
