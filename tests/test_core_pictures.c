@@ -65,6 +65,28 @@ static void draw_mesh(random_states *w, const qtri_surface *surface)
     random_draw_mesh(w, surface);
 }
 
+/* Mostly by pipelines that have a name. */
+static void draw_usual(random_states *w, const qtri_surface *surface)
+{
+    random_usual(w);
+    random_mesh(w);
+    w->mesh.colors = random_one_in(w, 3) ? w->mesh.colors : NULL;
+    qtri_draw_mesh(surface, &w->view, &w->pose, &w->mesh, &w->material);
+}
+
+static void draw_usual_on_screen(random_states *w, const qtri_surface *surface)
+{
+    random_usual(w);
+    random_draw_screen(w, surface);
+}
+
+static void usual(void **state)
+{
+    (void)state;
+    record("usual", 90, draw_usual, random_on_surface);
+    record("usual on screen", 120, draw_usual_on_screen, random_on_surface);
+}
+
 static void solids(void **state)
 {
     (void)state;
@@ -123,6 +145,7 @@ int main(void)
         cmocka_unit_test(meshes),    cmocka_unit_test(corners),
         cmocka_unit_test(on_screen), cmocka_unit_test(passes),
         cmocka_unit_test(solids),    cmocka_unit_test(bands_have_the_pixels_of_the_whole),
+        cmocka_unit_test(usual),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -225,6 +225,34 @@ void random_material(random_states *w)
     w->stroke.in_space = random_one_in(w, 3);
 }
 
+void random_usual(random_states *w)
+{
+    qtri_material *m = &w->material;
+    const qtri_rgb white = {255, 255, 255};
+    const qtri_shading *const shadings[] = {QTRI_SMOOTH, QTRI_FLAT_FIRST};
+    m->color = random_one_in(w, 2) ? white : m->color;
+    m->shading = shadings[random_one_in(w, 4)];
+    m->interpolation = QTRI_PERSPECTIVE;
+    m->texture_mode = random_one_in(w, 4) ? QTRI_REPLACE : QTRI_MODULATE;
+    m->cull = QTRI_CULL_BACK;
+    m->fill = NULL;
+    m->depth_compare = QTRI_LESS;
+    m->depth_read_only = false;
+    m->depth_bias = 0;
+    m->depth_shift = NULL;
+    m->blend = NULL;
+    m->keep = 0;
+    m->least_alpha = 0;
+    m->fog = NULL;
+    m->alphas = NULL;
+    w->texture.format = random_one_in(w, 3) ? w->texture.format : &qtri_texel_rgb565;
+    w->texture.filter = NULL;
+    w->texture.has_key = false;
+    w->texture.wrap_u = w->texture.wrap_v = QTRI_REPEAT;
+    w->view.light = random_one_in(w, 3) ? NULL : &w->light;
+    w->view.vertex_count = STATES_VERTICES;
+}
+
 void random_view(random_states *w)
 {
     const q16 fovy = random_between(w, Q16(30), Q16(90));

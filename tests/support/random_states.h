@@ -80,6 +80,9 @@ void random_size(random_states *w, int32_t shapes);
 void random_view(random_states *w);
 void random_material(random_states *w);
 
+/* After these: what most programs draw, with none of what is special. */
+void random_usual(random_states *w);
+
 /* A shape, or a soup, in either form of coordinates. */
 void random_mesh(random_states *w);
 
