@@ -11,7 +11,7 @@
 
 #include "arithmetic.h"
 #include "dda.h"
-#include "pixel.h"
+#include "loop.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -9,7 +9,6 @@
 #define QTRI_BODY_PIXEL_H
 
 #include "arithmetic.h"
-#include "pair.h"
 #include "samples.h"
 #include "texel.h"
 
@@ -364,127 +363,6 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
         w->x++;
     }
 }
-
-/*
- * qtri_pixel_at with a pipeline's options, which QTRI_PIPELINE makes once: the compiler inlines
- * calls and looks at them before it leaves out what options do not ask for, and a pixel of all
- * options in each of the loops below was six sevenths of its time.
- */
-typedef void qtri_pixel_body(qtri_pixel_walk *w, bool bent, uint8_t *pixel, uint8_t *depth);
-
-/* Pixel i from where the walk is. */
-QTRI_BODY void qtri_pixel(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
-                          bool bent, int32_t i)
-{
-    uint8_t *depth = w->depth;
-    if (qtri_tests_depth(o)) { /* or there may be none */
-        depth += (uint32_t)i * qtri_depth_size(o, w->state->surface);
-    }
-    pixel(w, bent, w->pixel + (uint32_t)i * qtri_pixel_step(o), depth);
-}
-
-QTRI_BODY void qtri_walk_move(const qtri_options *o, qtri_pixel_walk *w, uint32_t pixels)
-{
-    w->pixel += pixels * qtri_pixel_step(o);
-    QTRI_BODY_BARRIER(w->pixel);
-    if (qtri_tests_depth(o)) {
-        w->depth += pixels * qtri_depth_size(o, w->state->surface);
-        QTRI_BODY_BARRIER(w->depth);
-    }
-}
-
-/* A pixel of a long row: steps of packed colours, which are rounded to short fractions, take turns,
-   so that two of them are rounded once. */
-QTRI_BODY void qtri_pixel_next(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
-                               bool bent, int32_t i)
-{
-    qtri_pixel(o, pixel, w, bent, i);
-    if (qtri_is_packed_565(o)) {
-        const uint32_t step = w->c_step;
-        w->c_step = w->c_other;
-        w->c_other = step;
-    }
-}
-
-QTRI_BODY void qtri_pixel_alone(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
-                                bool bent)
-{
-    if (qtri_has_samples(o)) {
-        w->samples = qtri_samples_of(w->sample_row, w->x);
-    }
-    qtri_pixel_next(o, pixel, w, bent, 0);
-    qtri_walk_move(o, w, 1);
-}
-
-/* `count` pixels of a row, 0 or less: none. */
-#ifdef QTRI_PIPELINE_IS_ANY_LOOP
-/* The generic pipeline has loops of its own. */
-QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
-                                bool bent, int32_t count)
-{
-    (void)o;
-    (void)pixel;
-    if (count > 0) {
-        QTRI_PIPELINE_IS_ANY_LOOP(w, bent, count);
-    }
-}
-#elif QTRI_BODY_UNROLLS <= 2
-/* Where code is to be small: two pixels at a time, after one where the count is odd. */
-QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
-                                bool bent, int32_t count)
-{
-    const bool in_pairs = qtri_unrolled(o, bent) == 2;
-    if (count > 0 && (!in_pairs || (count & 1) != 0)) {
-        do { /* GCC does not turn loops round by itself */
-            qtri_pixel_alone(o, pixel, w, bent);
-        } while (!in_pairs && --count != 0);
-    }
-    if (in_pairs && count > 1) {
-        count >>= 1;
-        do {
-            if (qtri_draws_pairs(o)) {
-                qtri_pixel_pair(o, w, 0);
-            } else {
-                qtri_pixel_next(o, pixel, w, bent, 0);
-                qtri_pixel_next(o, pixel, w, bent, 1);
-            }
-            qtri_walk_move(o, w, 2);
-            QTRI_BODY_BARRIER(count);
-        } while (--count != 0);
-    }
-}
-#else
-QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
-                                bool bent, int32_t count)
-{
-    const int together = qtri_unrolled(o, bent);
-    if (together > 1) {
-        /* Where the sign tells the end, one instruction counts and compares; on Armv6-M GCC 12 then
-           moves what copies of textures step from register to register. */
-        const int32_t early = qtri_is_textured(o) && !QTRI_LONG_MULTIPLY ? 0 : together;
-        count -= early;
-        while (count >= together - early) {
-            QTRI_BODY_UNROLL
-            for (int32_t i = 0; i < together; i++) {
-                if (qtri_draws_pairs(o)) {
-                    qtri_pixel_pair(o, w, i++);
-                } else {
-                    qtri_pixel_next(o, pixel, w, bent, i);
-                }
-            }
-            qtri_walk_move(o, w, (uint32_t)together);
-            if (qtri_varies(o)) {
-                QTRI_BODY_BARRIER(count);
-            }
-            count -= together;
-        }
-        count += early;
-    }
-    for (; count > 0; count--) {
-        qtri_pixel_alone(o, pixel, w, bent);
-    }
-}
-#endif
 
 /* The texture that texels are read from, or the level of it. */
 QTRI_BODY void qtri_walk_set_texture(const qtri_options *o, qtri_pixel_walk *w)
