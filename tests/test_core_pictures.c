@@ -65,26 +65,11 @@ static void draw_mesh(random_states *w, const qtri_surface *surface)
     random_draw_mesh(w, surface);
 }
 
-/* Mostly by pipelines that have a name. */
-static void draw_usual(random_states *w, const qtri_surface *surface)
-{
-    random_usual(w);
-    random_mesh(w);
-    w->mesh.colors = random_one_in(w, 3) ? w->mesh.colors : NULL;
-    qtri_draw_mesh(surface, &w->view, &w->pose, &w->mesh, &w->material);
-}
-
-static void draw_usual_on_screen(random_states *w, const qtri_surface *surface)
-{
-    random_usual(w);
-    random_draw_screen(w, surface);
-}
-
 static void usual(void **state)
 {
     (void)state;
-    record("usual", 90, draw_usual, random_on_surface);
-    record("usual on screen", 120, draw_usual_on_screen, random_on_surface);
+    record("usual", 90, random_draw_usual, random_on_surface);
+    record("usual on screen", 120, random_draw_usual_screen, random_on_surface);
 }
 
 static void solids(void **state)

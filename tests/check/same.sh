@@ -26,7 +26,7 @@ make make gcc -O2
 cortex-m0plus-Os board arm-none-eabi-gcc -mcpu=cortex-m0plus -Os
 cortex-m0plus-clang-Os board arm-none-eabi-gcc -mcpu=cortex-m0plus -Os
 cortex-m3 board arm-none-eabi-gcc -mcpu=cortex-m3 -O2
-cortex-m4 board arm-none-eabi-gcc -mcpu=cortex-m4 -O2
+cortex-m4 board arm-none-eabi-gcc -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard -O2
 cortex-m0plus board arm-none-eabi-gcc -mcpu=cortex-m0plus -O2
 cortex-m3-Os board arm-none-eabi-gcc -mcpu=cortex-m3 -Os
 gcc-O3 one gcc -O3

@@ -312,6 +312,20 @@ uint32_t random_in_bands(random_states *w, uint32_t hash, random_draw *draw)
     return hash;
 }
 
+void random_draw_usual(random_states *w, const qtri_surface *surface)
+{
+    random_usual(w);
+    random_mesh(w);
+    w->mesh.colors = random_one_in(w, 3) ? w->mesh.colors : NULL;
+    qtri_draw_mesh(surface, &w->view, &w->pose, &w->mesh, &w->material);
+}
+
+void random_draw_usual_screen(random_states *w, const qtri_surface *surface)
+{
+    random_usual(w);
+    random_draw_screen(w, surface);
+}
+
 /* Edges are blended with rows of the bands above and below, as random_in_bands does. */
 const random_kind random_kinds[] = {
     {"solids", random_draw_solid, random_on_surface, true},
@@ -322,6 +336,8 @@ const random_kind random_kinds[] = {
     {"corners of samples", random_draw_corners, random_on_samples, true},
     {"screen", random_draw_screen, random_on_surface, true},
     {"screen of samples", random_draw_screen, random_on_samples, true},
+    {"usual", random_draw_usual, random_on_surface, true},
+    {"usual on screen", random_draw_usual_screen, random_on_surface, true},
     {"outlines", random_draw_outlined, random_on_surface, false},
     {"bands", NULL, random_in_bands, false},
     {NULL, NULL, NULL, false},

@@ -103,6 +103,9 @@ void random_draw_soup(random_states *w, const qtri_surface *surface); /* of a ra
 void random_draw_solid(random_states *w, const qtri_surface *surface);
 void random_draw_corners(random_states *w, const qtri_surface *surface);
 void random_draw_screen(random_states *w, const qtri_surface *surface);
+/* Mostly by pipelines that have a name. */
+void random_draw_usual(random_states *w, const qtri_surface *surface);
+void random_draw_usual_screen(random_states *w, const qtri_surface *surface);
 void random_draw_outlined(random_states *w, const qtri_surface *surface);
 
 /* A picture: what it draws into, and a checksum that goes on from `hash`. */
