@@ -48,6 +48,7 @@ QTRI_BODY uint32_t qtri_pair_load(const uint8_t *at)
     return ((const qtri_pair_word *)(const void *)at)->word;
 }
 
+// NOLINTNEXTLINE(readability-non-const-parameter): it is written through
 QTRI_BODY void qtri_pair_save(uint8_t *at, uint32_t word)
 {
     ((qtri_pair_word *)(void *)at)->word = word;
