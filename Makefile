@@ -18,8 +18,11 @@ BUILD  ?= build
 JOBS   ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 # The folder of the meshes; where it is missing, the tests that need one are skipped and say so.
 MODELS ?= $(wildcard ../shared/models)
-# What `make test` runs, how long it fuzzes each target, and when it takes a program for hung.
-TESTS        ?= $(basename $(notdir $(wildcard tests/test_*.c)))
+# What `make test` runs, the longest first, so that no processor waits for one of them at the end; how long it fuzzes
+# each target, and when it takes a program for hung.
+LONGEST      := test_tools_command test_tools_assets test_core_stroke test_scene_random test_core_pictures test_panel_bus \
+                test_verify_math test_panel_show test_core_depth
+TESTS        ?= $(LONGEST) $(filter-out $(LONGEST),$(basename $(notdir $(wildcard tests/test_*.c))))
 FUZZERS      ?= $(basename $(notdir $(wildcard tests/fuzz_*.c)))
 FUZZ_SECONDS ?= 30
 TEST_SECONDS ?= 300
@@ -139,14 +142,14 @@ test: ## Run every test program under the address and undefined-behaviour saniti
 test-others: ## Run the tests of other builds: plain, narrow, memory, threads, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
 	@rm -rf build/results
 	@status=0; \
-	for step in test-more test-narrow test-memory test-fuzz; do \
+	for step in test-more test-fuzz; do \
 	    $(ALIVE) $$step $(MAKE) -s $(PARALLEL) $$step || status=1; \
 	done; \
 	$(ALIVE) test-others $(MAKE) -s -k $(PARALLEL) --output-sync=target $(TOGETHER) || status=1; \
 	sh tests/check/total.sh $$status
 
 # One emulator after the other leaves processors idle: these run beside each other.
-TOGETHER := test-threads $(if $(wildcard port/boards/boards.mk),test-boards) \
+TOGETHER := test-memory test-narrow test-threads $(if $(wildcard port/boards/boards.mk),test-boards) \
             $(if $(wildcard port/examples/examples.mk),test-examples test-rp2040) test-math-targets
 
 .PHONY: test-plain
