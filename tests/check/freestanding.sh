@@ -38,10 +38,10 @@ preprocessed()
     $clang $1 -std=c99 -ffreestanding -Icore/include -Iport/include -E -P "$file"
 }
 ls core/*/*.c port/panels/*.c | compile clang-cortex-m0plus $clang -mcpu=cortex-m0plus -Os
-ls core/*/*.c port/panels/*.c | compile clang-cortex-m3 $clang -mcpu=cortex-m3 -O1
+ls core/*/*.c port/panels/*.c | compile clang-cortex-m4 $clang -mcpu=cortex-m4 -mfloat-abi=hard -O1
 for file in core/*/*.c port/panels/*.c; do
     [ "$(preprocessed -mcpu=cortex-m3)" = "$(preprocessed '-mcpu=cortex-m4 -mfloat-abi=hard')" ] || echo "$file"
-done | compile clang-cortex-m4 $clang -mcpu=cortex-m4 -mfloat-abi=hard -O1
+done | compile clang-cortex-m3 $clang -mcpu=cortex-m3 -O0
 
 # symbols FOLDER OPTION...: a line `object: symbol` for each
 symbols()
@@ -63,7 +63,7 @@ findings()
         print part[n] ": " $2 + $3 " bytes of writable static data" }'
     [ -s "$work/exports" ] || echo "nothing was compiled"
 }
-for folder in gcc clang-cortex-m0plus clang-cortex-m3; do
+for folder in gcc clang-cortex-m0plus clang-cortex-m4; do
     findings $folder >"$work/found"
     [ ! -s "$work/found" ] || { sed "s/^/$folder: /" "$work/found"; status=1; }
 done
