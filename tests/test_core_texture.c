@@ -294,12 +294,72 @@ static void textures_that_are_none(void **state)
     canvas_free(&d);
 }
 
+/*
+ * A level begins at 181/128 of its texels a pixel, which stand in for the square root of two: a
+ * small triangle that steps by these is drawn with it, one that steps by a little less is not.
+ */
+static void levels_begin_at_their_step(void **state)
+{
+    (void)state;
+    enum { COLUMNS = 64, LOG2 = 7, LEVELS = 4 };
+    static uint8_t texels8[LEVELS][1 << 2 * LOG2];
+    static const void *const levels[LEVELS - 1] = {texels8[1], texels8[2], texels8[3]};
+    static const uint16_t triangle[1][3] = {{0, 1, 2}};
+    const qtri_texture texture = {.format = &qtri_texel_gray8,
+                                  .texels = texels8[0],
+                                  .width_log2 = LOG2,
+                                  .height_log2 = LOG2,
+                                  .filter = &qtri_mipmapped,
+                                  .levels = levels,
+                                  .level_count = LEVELS - 1};
+    qtri_material material = plain_material();
+    canvas c = canvas_new(&qtri_gray8, COLUMNS, COLUMNS);
+    qtri_view view;
+    qtri_transform pose;
+    material.texture = &texture;
+    material.texture_mode = QTRI_REPLACE;
+    qtri_view_init(&view, COLUMNS, COLUMNS);
+    qtri_transform_ortho(&view.projection, -Q16(32), Q16(32), -Q16(32), Q16(32), Q16(1), Q16(9));
+    qtri_transform_identity(&pose);
+    for (int level = 0; level < LEVELS; level++) {
+        memset(texels8[level], 10 + level, sizeof texels8[level]);
+    }
+    for (int32_t n = 3; n < 60; n++) {
+        /* Along x, along y; of a repeat, 2^-16. */
+        for (int32_t step = 724 * n, level = 0; step < 65536 && level + 1 < LEVELS;
+             step *= 2, level++) {
+            for (int turn = 0; turn < 4; turn++) {
+                const int32_t by = turn & 1 ? step : step - 4;
+                const qtri_vec3 at[3] = {vec3_of(-32, 32, -5), vec3_of(n - 32, 32, -5),
+                                         vec3_of(-32, 32 - n, -5)};
+                const qtri_vec2 uvs[3] = {{0, 0}, {turn & 2 ? 0 : by, 0}, {0, turn & 2 ? by : 0}};
+                const qtri_mesh mesh = {.positions = at,
+                                        .uvs = uvs,
+                                        .triangles = triangle,
+                                        .vertex_count = 3,
+                                        .triangle_count = 1};
+                qtri_vertex vertices[3];
+                view.vertices = vertices;
+                view.vertex_count = 3;
+                canvas_clear(&c);
+                qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &material);
+                const int32_t drawn = (int32_t)stored_pixel(&c.surface, 0, 0) - 10;
+                if (drawn != level + (turn & 1)) {
+                    fail_msg("%d pixels, %d: level %d", (int)n, (int)by, (int)drawn);
+                }
+            }
+        }
+    }
+    canvas_free(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(texels_that_repeat), cmocka_unit_test(texels_that_are_clamped),
-        cmocka_unit_test(pixel_for_texel),    cmocka_unit_test(clamps_each_axis),
-        cmocka_unit_test(stays_inside),       cmocka_unit_test(textures_that_are_none),
+        cmocka_unit_test(levels_begin_at_their_step), cmocka_unit_test(texels_that_repeat),
+        cmocka_unit_test(texels_that_are_clamped),    cmocka_unit_test(pixel_for_texel),
+        cmocka_unit_test(clamps_each_axis),           cmocka_unit_test(stays_inside),
+        cmocka_unit_test(textures_that_are_none),
     };
     return cmocka_run_group_tests_name("core texture", tests, NULL, NULL);
 }
