@@ -213,6 +213,76 @@ static void lists_have_room_for_thin_bands(void **state)
     }
 }
 
+/* A triangle over all bands needs two numbers a band, up to whole blocks of eight, and a block for
+   each band's list: with one number less the lists do not fit. */
+static void lists_take_no_more_than_they_need(void **state)
+{
+    (void)state;
+    static const qtri_vec3 corners[3] = {
+        {-Q16(9), -Q16(9), 0}, {Q16(9), -Q16(9), 0}, {0, Q16(9), 0}};
+    static const uint16_t triangle[1][3] = {{0, 1, 2}};
+    const qtri_mesh mesh = {
+        .positions = corners, .triangles = triangle, .vertex_count = 3, .triangle_count = 1};
+    const qtri_material material = plain_material();
+    for (int32_t rows = 1; rows <= HEIGHT; rows++) {
+        qtri_frame frame;
+        qtri_view view;
+        qtri_transform pose;
+        qtri_prepared prepared;
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        qtri_view_perspective(&view, Q16(60), Q16(.5), Q16(30));
+        qtri_transform_identity(&pose);
+        qtri_transform_translate(&pose, vec3_of(0, 0, -4));
+        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, band_memory,
+                                         sizeof band_memory),
+                         QTRI_OK);
+        const uint32_t bands = (uint32_t)((HEIGHT + rows - 1) / rows);
+        const uint32_t least = (2 * bands + 7) / 8 * 8 + 8 * bands;
+        prepared_init_with(&prepared, vertex_memory, VERTICES, list_memory, least);
+        qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
+        assert_true(qtri_prepared_fits(&prepared));
+        prepared_init_with(&prepared, vertex_memory, VERTICES, list_memory, least - 1);
+        qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
+        assert_false(qtri_prepared_fits(&prepared));
+    }
+}
+
+/* In coloured lights the memory that the macro says has vertices for the colours, and lists. */
+static void colored_light_has_room_for_colors(void **state)
+{
+    (void)state;
+    static const qtri_light_source source = {.kind = &qtri_directional_light,
+                                             .direction = {0, 0, -Q16(1)},
+                                             .color = {Q16(1), Q16(.5), Q16(.2)}};
+    static uint8_t memory[QTRI_PREPARED_BYTES(QTRI_LIT_VERTICES(VERTICES), TRIANGLES, HEIGHT, 1)];
+    const qtri_light_color ambient = {Q16(.1), Q16(.2), Q16(.3)};
+    qtri_light lights;
+    uint64_t seed = 78;
+    assert_int_equal(qtri_light_init(&lights, &source, 1, ambient), QTRI_OK);
+    for (int32_t rows = 1; rows <= HEIGHT; rows++) {
+        scene s;
+        qtri_frame frame;
+        qtri_prepared prepared;
+        random_scene(&s, &seed);
+        s.mesh.normals = normals;
+        s.mesh.triangle_count = TRIANGLES;
+        s.view.light = &lights;
+        s.material = qtri_material_default();
+        s.material.cull = QTRI_CULL_BACK;
+        qtri_transform_identity(&s.pose);
+        qtri_transform_translate(&s.pose, vec3_of(0, 0, -4));
+        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, band_memory,
+                                         sizeof band_memory),
+                         QTRI_OK);
+        qtri_prepared_init(
+            &prepared, memory,
+            QTRI_PREPARED_BYTES(QTRI_LIT_VERTICES(VERTICES), TRIANGLES, HEIGHT, rows));
+        qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
+        assert_int_equal(prepared.vertex_count, QTRI_LIT_VERTICES(VERTICES));
+        assert_true(qtri_prepared_fits(&prepared));
+    }
+}
+
 /* Memory of any size is divided inside of it, and what is drawn does not depend on it. */
 static void any_memory_draws_the_same(void **state)
 {
@@ -646,6 +716,8 @@ int main(void)
         cmocka_unit_test(display),
         cmocka_unit_test(tight),
         cmocka_unit_test(lists_have_room_for_thin_bands),
+        cmocka_unit_test(lists_take_no_more_than_they_need),
+        cmocka_unit_test(colored_light_has_room_for_colors),
         cmocka_unit_test(any_memory_draws_the_same),
     };
     return cmocka_run_group_tests_name("core frame", tests, make_torus, NULL);

@@ -524,12 +524,48 @@ static void narrow(void **state)
     }
 }
 
+/* Each pipeline of a list is the first that fits what some line or stroke asks for. */
+static void assert_all_in_use(const qtri_pipeline *const *list, bool has_smooth)
+{
+    static const qtri_format *const formats[] = {&qtri_rgb565, &qtri_rgb565_swapped, &qtri_gray8,
+                                                 &qtri_xrgb8888};
+    static const qtri_compare compares[] = {QTRI_DEPTH_OFF, QTRI_LESS, QTRI_GREATER};
+    uint32_t in_use = 0, count = 0;
+    for (int n = 0; n < 4 * 3 * 2; n++) {
+        canvas c = canvas_new(formats[n % 4], WIDTH, HEIGHT);
+        qtri_material material = qtri_material_default();
+        qtri_stroke_target to;
+        material.depth_compare = compares[n / 4 % 3];
+        assert_true(qtri_stroke_target_init(&to, &c.surface, &material, list, 255,
+                                            has_smooth && n / 12 != 0));
+        for (count = 0; list[count] != NULL; count++) {
+            in_use |= (uint32_t)(to.state.pipeline == list[count]) << count;
+        }
+        canvas_free(&c);
+    }
+    assert_int_equal(in_use, ((uint32_t)1 << count) - 1);
+}
+
+static void each_pipeline_is_in_use(void **state)
+{
+    (void)state;
+    assert_all_in_use(qtri_line_pipelines, false);
+    assert_all_in_use(qtri_stroke_pipelines, true);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rule),   cmocka_unit_test(chains),        cmocka_unit_test(pictures),
-        cmocka_unit_test(values), cmocka_unit_test(ways),          cmocka_unit_test(tints),
-        cmocka_unit_test(narrow), cmocka_unit_test(short_lengths), cmocka_unit_test(compares),
+        cmocka_unit_test(each_pipeline_is_in_use),
+        cmocka_unit_test(rule),
+        cmocka_unit_test(chains),
+        cmocka_unit_test(pictures),
+        cmocka_unit_test(values),
+        cmocka_unit_test(ways),
+        cmocka_unit_test(tints),
+        cmocka_unit_test(narrow),
+        cmocka_unit_test(short_lengths),
+        cmocka_unit_test(compares),
     };
     return cmocka_run_group_tests_name("core line", tests, NULL, NULL);
 }

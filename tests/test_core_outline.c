@@ -364,6 +364,34 @@ static void parts_that_have_no_list(void **state)
     assert_true(changed > 1000);
 }
 
+/* Edges above and below the frame are in no list, and others are in theirs. */
+static void edges_beside_the_frame_are_not_listed(void **state)
+{
+    (void)state;
+    const qtri_material material = qtri_material_default();
+    static uint32_t memory[QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_RGB565_BYTES) / 4];
+    for (int n = -12; n <= 12; n++) {
+        qtri_transform pose, moved, above;
+        const qtri_view view = view_of(0, 4, &pose);
+        const qtri_mesh mesh = cube(n & 1);
+        qtri_outline outline;
+        qtri_prepared prepared;
+        qtri_frame frame;
+        qtri_transform_identity(&above);
+        qtri_transform_translate(&above, vec3_of(0, n * .2, 0));
+        qtri_transform_mul(&moved, &above, &pose);
+        assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_OK);
+        assert_int_equal(
+            qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, memory, sizeof memory),
+            QTRI_OK);
+        prepared_init_with(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
+        qtri_prepared_set_outline(&prepared, &outline);
+        qtri_prepare_mesh(&prepared, &frame, &view, &moved, &mesh, &material);
+        assert_int_equal(qtri_prepared_find_edges(&prepared, &outline), QTRI_OK);
+        assert_int_equal(outline.rows, 9);
+    }
+}
+
 /* The mesh with its outline in a whole frame, and in bands. */
 static void draw_frame_and_bands(canvas *whole, canvas *banded, const qtri_mesh *mesh,
                                  const qtri_material *material, double distance)
@@ -509,6 +537,7 @@ int main(void)
         cmocka_unit_test(wrong_indices_have_no_edges),
         cmocka_unit_test(surfaces_of_other_sizes),
         cmocka_unit_test(parts_that_have_no_list),
+        cmocka_unit_test(edges_beside_the_frame_are_not_listed),
         cmocka_unit_test(numbers_that_are_no_cull),
         cmocka_unit_test(neighbours_that_are_none),
         cmocka_unit_test(creases_without_light),

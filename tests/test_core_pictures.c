@@ -65,6 +65,142 @@ static void draw_mesh(random_states *w, const qtri_surface *surface)
     random_draw_mesh(w, surface);
 }
 
+/* Light that changes much from vertex to vertex, on few texels of a texture: light of small
+   triangles bends where their coordinates do not. */
+static void draw_lit_textures(random_states *w, const qtri_surface *surface)
+{
+    random_solid(w);
+    for (uint32_t i = 0; i < w->mesh.vertex_count; i++) {
+        w->normals[i].x = (int16_t)(random_below(w, 32768) - 16384);
+        w->normals[i].y = (int16_t)(random_below(w, 32768) - 16384);
+        w->normals[i].z = (int16_t)(random_below(w, 32768) - 16384);
+        w->uvs[i].x /= 8;
+        w->uvs[i].y /= 8;
+    }
+    w->mesh.normals = w->normals;
+    w->mesh.normals8 = NULL;
+    w->mesh.uvs = w->uvs;
+    w->mesh.uvs16 = NULL;
+    w->mesh.colors = NULL;
+    w->view.light = &w->light;
+    w->light.diffuse = Q16(1);
+    w->material.shading = QTRI_SMOOTH;
+    w->material.texture = &w->texture;
+    w->material.texture_mode = QTRI_MODULATE;
+    w->texture.width_log2 = 5;
+    w->texture.height_log2 = (uint8_t)(3 + random_below(w, 3));
+    w->texture.filter = NULL;
+    w->texture.wrap_u = w->texture.wrap_v = QTRI_REPEAT;
+    w->texture.has_key = false;
+    qtri_draw_mesh(surface, &w->view, &w->pose, &w->mesh, &w->material);
+}
+
+/* Triangles of any perspective, whose levels change along their rows. */
+static void draw_levels(random_states *w, const qtri_surface *surface)
+{
+    random_usual(w);
+    w->texture.filter = random_one_in(w, 2) ? &qtri_mipmapped : &qtri_mipmapped_bilinear;
+    w->texture.level_count = 5;
+    w->material.texture = &w->texture;
+    w->material.cull = QTRI_CULL_NONE;
+    for (int times = 0; times < 3; times++) {
+        random_screen(w);
+        for (int i = 0; i < STATES_CORNERS; i++) {
+            w->screen[i].inv_w_exponent = -random_below(w, 12);
+        }
+        for (int i = 0; i < STATES_CORNERS; i += 3) {
+            qtri_raster_triangle(surface, qtri_pipelines_default, &w->material, w->screen + i);
+        }
+    }
+}
+
+/*
+ * A large triangle around a pixel, and its coordinates. Some pixels are where lines of the texture
+ * meet: steps are far shorter there than elsewhere.
+ */
+static void random_around(random_states *w, int32_t x, int32_t y, int64_t uv[3][2])
+{
+    static const int32_t side[3][2] = {{0, -1}, {-1, 1}, {1, 1}};
+    const int32_t reach = random_one_in(w, 2) ? 3000 : 300000;
+    qtri_screen_vertex *v = w->screen;
+    for (int i = 0; i < 3; i++) {
+        memset(&v[i], 0, sizeof v[i]);
+        v[i].x_24p8 = x * 256 + 128 + side[i][0] * (1000 + random_below(w, 3 * reach));
+        v[i].y_24p8 = y * 256 + 128 + side[i][1] * (1000 + random_below(w, reach));
+        v[i].inv_w_q31 = 0x40000000u + ((uint32_t)random_bits32(&w->seed) >> 2);
+        v[i].inv_w_exponent = -random_below(w, 12);
+        uv[i][0] = random_between(w, INT32_MIN / 2, INT32_MAX / 2);
+        uv[i][1] = random_between(w, INT32_MIN / 2, INT32_MAX / 2);
+    }
+    if (random_one_in(w, 2)) {
+        v[0].x_24p8 = x * 256 + 128 + random_below(w, 9) - 4;
+        v[0].y_24p8 = y * 256 + 127 - random_below(w, 512);
+        v[1].inv_w_exponent = v[2].inv_w_exponent = 0;
+        v[1].inv_w_q31 = v[2].inv_w_q31;
+        v[1].x_24p8 = 2 * v[0].x_24p8 - v[2].x_24p8;
+        v[1].y_24p8 = v[2].y_24p8;
+        uv[0][0] = uv[0][1] = uv[1][1] = uv[2][1] = 0;
+        uv[1][0] = -uv[2][0];
+    }
+}
+
+/* By how much the coordinates have to be scaled for the pixel to leave level 0. */
+static uint32_t level_bound(random_states *w, uint32_t hash, random_draw *draw)
+{
+    static const uint32_t dark[32 * 32 / 2];
+    static uint32_t bright[16 * 16 / 2];
+    const qtri_texture texture = {.format = &qtri_texel_rgb565,
+                                  .texels = dark,
+                                  .width_log2 = 5,
+                                  .height_log2 = 5,
+                                  .filter = &qtri_mipmapped,
+                                  .levels = w->levels,
+                                  .level_count = 4};
+    const qtri_rgb black = {0, 0, 0};
+    const int32_t x = random_below(w, STATES_WIDTH), y = random_below(w, STATES_HEIGHT);
+    const qtri_rect pixel = {x, y, x + 1, y + 1};
+    uint32_t low = 0, high = (uint32_t)1 << 31;
+    int64_t uv[3][2];
+    qtri_surface s;
+    (void)draw;
+    memset(bright, 0xFF, sizeof bright);
+    for (size_t i = 0; i < LENGTH_OF(w->levels); i++) {
+        w->levels[i] = bright;
+    }
+    w->failed |= qtri_surface_init(&s, &qtri_rgb565, STATES_WIDTH, STATES_HEIGHT, 0, STATES_HEIGHT,
+                                   w->memory, STATES_BYTES) != QTRI_OK;
+    s.scissor = pixel;
+    qtri_surface_clear(&s, black);
+    w->material = qtri_material_default();
+    w->material.texture = &texture;
+    w->material.texture_mode = QTRI_REPLACE;
+    w->material.cull = QTRI_CULL_NONE;
+    w->material.depth_compare = QTRI_DEPTH_OFF;
+    random_around(w, x, y, uv);
+    while (high - low > 1) {
+        const uint32_t middle = low + (high - low) / 2;
+        for (int i = 0; i < 3; i++) {
+            w->screen[i].u_q32 = uv[i][0] * (int64_t)middle / (1 << 24);
+            w->screen[i].v_q32 = uv[i][1] * (int64_t)middle / (1 << 24);
+        }
+        qtri_raster_triangle(&s, qtri_pipelines_default, &w->material, w->screen);
+        if (s.pixels[y * s.pitch + 2 * x] != 0) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    return random_hash(hash, high, 4);
+}
+
+static void levels(void **state)
+{
+    (void)state;
+    record("lit textures of samples", 40, draw_lit_textures, random_on_samples);
+    record("levels", 60, draw_levels, random_on_surface);
+    record("bounds of levels", 60, NULL, level_bound);
+}
+
 static void usual(void **state)
 {
     (void)state;
@@ -130,7 +266,7 @@ int main(void)
         cmocka_unit_test(meshes),    cmocka_unit_test(corners),
         cmocka_unit_test(on_screen), cmocka_unit_test(passes),
         cmocka_unit_test(solids),    cmocka_unit_test(bands_have_the_pixels_of_the_whole),
-        cmocka_unit_test(usual),
+        cmocka_unit_test(usual),     cmocka_unit_test(levels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

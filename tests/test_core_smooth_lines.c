@@ -220,6 +220,60 @@ static void pieces(void **state)
     }
 }
 
+/* Rows may lie far apart in memory, in either direction, at the end of the largest frame. */
+static void rows_may_lie_far_apart(void **state)
+{
+    (void)state;
+    enum { ROWS = 8, TOP = QTRI_SURFACE_MAX - ROWS, PITCH = 1 << 18, LINES = 40 };
+    uint8_t *pixels = calloc(ROWS, PITCH);
+    uint16_t *depths = calloc(ROWS, sizeof *depths * PITCH);
+    canvas c = canvas_band(&qtri_rgb565, WIDTH, QTRI_SURFACE_MAX, TOP, ROWS);
+    uint64_t seed = 40;
+    assert_non_null(pixels);
+    assert_non_null(depths);
+    for (int n = 0; n < 8; n++) {
+        const int32_t sign = (n & 1) != 0 ? -1 : 1;
+        const bool has_depth = (n & 2) != 0;
+        const ptrdiff_t first = sign < 0 ? (ROWS - 1) * PITCH : 0;
+        qtri_material material = plain_material();
+        qtri_surface far = c.surface;
+        uint32_t drawn = 0;
+        material.depth_compare = has_depth ? QTRI_LESS : QTRI_DEPTH_OFF;
+        far.pixels = pixels + first;
+        far.pitch = sign * PITCH;
+        far.depth = depths + first;
+        far.depth_pitch = sign * PITCH;
+        canvas_clear(&c);
+        for (int32_t y = 0; y < ROWS; y++) {
+            memcpy(far.pixels + y * far.pitch, c.surface.pixels + y * c.surface.pitch, 2 * WIDTH);
+            memcpy(far.depth + y * far.depth_pitch, c.surface.depth + y * c.surface.depth_pitch,
+                   2 * WIDTH);
+        }
+        for (int i = 0; i < LINES; i++) {
+            line l = random_line(&seed);
+            l.colored = false;
+            for (int k = 0; k < 2; k++) {
+                l.v[k].at.y_24p8 = TOP * 256 + l.v[k].at.y_24p8 % (ROWS * 256);
+            }
+            draw(&c.surface, &material, &l, false);
+            draw(&far, &material, &l, false);
+        }
+        for (int32_t y = 0; y < ROWS; y++) {
+            assert_memory_equal(far.pixels + y * far.pitch, c.surface.pixels + y * c.surface.pitch,
+                                2 * WIDTH);
+            assert_memory_equal(far.depth + y * far.depth_pitch,
+                                c.surface.depth + y * c.surface.depth_pitch, 2 * WIDTH);
+            for (int32_t x = 0; x < WIDTH; x++) {
+                drawn += stored_pixel(&c.surface, x, TOP + y) != 0;
+            }
+        }
+        assert_true(drawn > 100);
+    }
+    canvas_free(&c);
+    free(pixels);
+    free(depths);
+}
+
 /* Where the screen door turns a pixel away, its depth stays as well. */
 static void doors(void **state)
 {
@@ -414,7 +468,7 @@ int main(void)
         cmocka_unit_test(coverage),     cmocka_unit_test(short_lines_share_colors),
         cmocka_unit_test(pieces),       cmocka_unit_test(doors),
         cmocka_unit_test(extremes),     cmocka_unit_test(wireframes),
-        cmocka_unit_test(shared_edges),
+        cmocka_unit_test(shared_edges), cmocka_unit_test(rows_may_lie_far_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

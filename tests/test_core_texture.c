@@ -294,12 +294,131 @@ static void textures_that_are_none(void **state)
     canvas_free(&d);
 }
 
+/*
+ * A level begins at 181/128 of its texels a pixel, which stand in for the square root of two: a
+ * small triangle that steps by these is drawn with it, one that steps by a little less is not.
+ */
+static void levels_begin_at_their_step(void **state)
+{
+    (void)state;
+    enum { COLUMNS = 64, LOG2 = 7, LEVELS = 4 };
+    static uint8_t texels8[LEVELS][1 << 2 * LOG2];
+    static const void *const levels[LEVELS - 1] = {texels8[1], texels8[2], texels8[3]};
+    static const uint16_t triangle[1][3] = {{0, 1, 2}};
+    const qtri_texture texture = {.format = &qtri_texel_gray8,
+                                  .texels = texels8[0],
+                                  .width_log2 = LOG2,
+                                  .height_log2 = LOG2,
+                                  .filter = &qtri_mipmapped,
+                                  .levels = levels,
+                                  .level_count = LEVELS - 1};
+    qtri_material material = plain_material();
+    canvas c = canvas_new(&qtri_gray8, COLUMNS, COLUMNS);
+    qtri_view view;
+    qtri_transform pose;
+    material.texture = &texture;
+    material.texture_mode = QTRI_REPLACE;
+    qtri_view_init(&view, COLUMNS, COLUMNS);
+    qtri_transform_ortho(&view.projection, -Q16(32), Q16(32), -Q16(32), Q16(32), Q16(1), Q16(9));
+    qtri_transform_identity(&pose);
+    for (int level = 0; level < LEVELS; level++) {
+        memset(texels8[level], 10 + level, sizeof texels8[level]);
+    }
+    for (int32_t n = 3; n < 60; n++) {
+        /* Along x, along y; of a repeat, 2^-16. */
+        for (int32_t step = 724 * n, level = 0; step < 65536 && level + 1 < LEVELS;
+             step *= 2, level++) {
+            for (int turn = 0; turn < 4; turn++) {
+                const int32_t by = turn & 1 ? step : step - 4;
+                const qtri_vec3 at[3] = {vec3_of(-32, 32, -5), vec3_of(n - 32, 32, -5),
+                                         vec3_of(-32, 32 - n, -5)};
+                const qtri_vec2 uvs[3] = {{0, 0}, {turn & 2 ? 0 : by, 0}, {0, turn & 2 ? by : 0}};
+                const qtri_mesh mesh = {.positions = at,
+                                        .uvs = uvs,
+                                        .triangles = triangle,
+                                        .vertex_count = 3,
+                                        .triangle_count = 1};
+                qtri_vertex vertices[3];
+                view.vertices = vertices;
+                view.vertex_count = 3;
+                canvas_clear(&c);
+                qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &material);
+                const int32_t drawn = (int32_t)stored_pixel(&c.surface, 0, 0) - 10;
+                if (drawn != level + (turn & 1)) {
+                    fail_msg("%d pixels, %d: level %d", (int)n, (int)by, (int)drawn);
+                }
+            }
+        }
+    }
+    canvas_free(&c);
+}
+
+/*
+ * A ground of 600 repeats, of which a clamped texture has one: coordinates are left with fewer bits
+ * of a texel than a filter's weights have. Between its edges it is filtered where it is to 1/8 of a
+ * texel.
+ */
+static void clamped_textures_of_wide_grounds_are_filtered(void **state)
+{
+    (void)state;
+    enum { COLUMNS = 64, ROWS = 64, LOG2 = 10 };
+    static uint8_t texels8[1 << LOG2];
+    const int32_t reach = 16000;
+    const double step = 300.0 / reach; /* repeats a pixel in row 0 */
+    uint64_t seed = 92;
+    int32_t inside = 0;
+    double worst = 0;
+    qtri_screen_vertex v[3];
+    for (int32_t i = 0; i < 1 << LOG2; i++) {
+        texels8[i] = (uint8_t)random_in(&seed, 0, 255);
+    }
+    for (int i = 0; i < 3; i++) {
+        const int32_t x = i == 0 ? 32 - reach : i == 1 ? 32 + reach : 32;
+        const int32_t y = i == 2 ? 6 * ROWS : 0;
+        v[i] = screen_at(x * 256, y * 256);
+        v[i].inv_w_q31 = (uint32_t)((y + 1) * (2147483647.0 / (6 * ROWS + 1)));
+        v[i].u_q32 = (int64_t)((.5 + (x - 32) * step / (y + 1)) * 4294967296.0);
+    }
+    const qtri_texture texture = {.format = &qtri_texel_gray8,
+                                  .texels = texels8,
+                                  .width_log2 = LOG2,
+                                  .filter = &qtri_bilinear,
+                                  .wrap_u = QTRI_CLAMP};
+    qtri_material material = plain_material();
+    canvas c = canvas_new(&qtri_gray8, COLUMNS, ROWS);
+    material.texture = &texture;
+    material.texture_mode = QTRI_REPLACE;
+    canvas_clear(&c);
+    qtri_raster_triangle(&c.surface, qtri_pipelines_default, &material, v);
+    for (int32_t y = 0; y < ROWS; y++) {
+        for (int32_t x = 0; x < COLUMNS; x++) {
+            const double u = .5 + (x + .5 - 32) * step / (y + 1.5);
+            if (u > 2.0 / (1 << LOG2) && u < 1 - 2.0 / (1 << LOG2)) {
+                const double at = u * (1 << LOG2) - .5;
+                const int32_t left = (int32_t)at;
+                const double expected =
+                    texels8[left] + (texels8[left + 1] - texels8[left]) * (at - left);
+                worst = fmax(worst, fabs(stored_pixel(&c.surface, x, y) - expected));
+                inside++;
+            }
+        }
+    }
+    print_message("%d pixels of a wide ground, off by %.1f of 255 at most\n", (int)inside, worst);
+    assert_true(inside > 3000 && worst <= 255 / 8.0);
+    canvas_free(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(texels_that_repeat), cmocka_unit_test(texels_that_are_clamped),
-        cmocka_unit_test(pixel_for_texel),    cmocka_unit_test(clamps_each_axis),
-        cmocka_unit_test(stays_inside),       cmocka_unit_test(textures_that_are_none),
+        cmocka_unit_test(clamped_textures_of_wide_grounds_are_filtered),
+        cmocka_unit_test(levels_begin_at_their_step),
+        cmocka_unit_test(texels_that_repeat),
+        cmocka_unit_test(texels_that_are_clamped),
+        cmocka_unit_test(pixel_for_texel),
+        cmocka_unit_test(clamps_each_axis),
+        cmocka_unit_test(stays_inside),
+        cmocka_unit_test(textures_that_are_none),
     };
     return cmocka_run_group_tests_name("core texture", tests, NULL, NULL);
 }

@@ -578,6 +578,24 @@ static uint32_t paints(uint32_t hash)
     return hash;
 }
 
+/* Points of up to 32 pixels, and some that are larger. */
+static uint32_t points(uint32_t hash)
+{
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    const qtri_material material = plain_material();
+    qtri_stroke stroke = qtri_stroke_default();
+    const qtri_screen_vertex v = screen_at(below(WIDTH * 256), below(HEIGHT * 256));
+    stroke.width = 512 * (1 + below(one_in(2) ? 33 * 128 : 6 * 128));
+    stroke.cap = one_in(4) ? QTRI_CAP_SQUARE : QTRI_CAP_ROUND;
+    stroke.edges = one_in(4) ? NULL : &qtri_stroke_smooth;
+    stroke.alpha = (uint8_t)(one_in(2) ? 255 : below(256));
+    canvas_clear(&c);
+    qtri_raster_polyline(&c.surface, &material, &stroke, &v, 1);
+    hash = add_surface(hash, &c.surface);
+    canvas_free(&c);
+    return hash;
+}
+
 static uint32_t grays(uint32_t hash)
 {
     uint8_t gray[WIDTH], level[WIDTH];
@@ -622,6 +640,7 @@ static void pictures(void **state)
     record("filters", 300, filters);
     record("paints", 800, paints);
     record("grays", 200, grays);
+    record("points", 300, points);
 }
 
 int main(void)

@@ -102,9 +102,7 @@ static void set_ends(ends *e, const frame *f, const qtri_large_job *job,
 /* 2^-down x, which is below 2^30, times `factor` 2^-31. */
 static int32_t scaled(int64_t x, int32_t down, int32_t factor)
 {
-    const int64_t part =
-        down >= 0 ? x >> down : x * ((int64_t)1 << (down < -30 ? 30 : -down)); /* |.| < 2^30 */
-    return (int32_t)(qtri_mul_s32((int32_t)part, factor) >> 31);
+    return (int32_t)(qtri_mul_s32((int32_t)(x >> down), factor) >> 31);
 }
 
 /*
@@ -131,7 +129,7 @@ static void set_footprint(qtri_footprint_plane *out, const qtri_large_job *job)
         set_ends(&e[i], &f, job, &job->a[i], job->levels->axis[i].shift);
         const uint64_t all = qtri_magnitude64(e[i].right[0]) | qtri_magnitude64(e[i].right[1]) |
                              qtri_magnitude64(e[i].down[0]) | qtri_magnitude64(e[i].down[1]);
-        bits[i] = 64 - qtri_clz64(all | 1);
+        bits[i] = qtri_greatest32(64 - qtri_clz64(all | 1), 30);
         exponent[i] = e[i].exponent + bits[i] - 30 + 31 - 54 + zeros;
     }
     const int32_t most = qtri_greatest32(exponent[0], exponent[1]) + 2;

@@ -62,12 +62,10 @@ static void begin(qtri_draw_state *state, const qtri_material *material)
     if (blend->kind != QTRI_SCREEN_DOOR && blend->kind != QTRI_KEEP_PIXEL) {
         if (keep == 7) {
             o->blend = QTRI_KEEP_PIXEL;
+            o->vertex_alpha = 0;
         } else {
             o->keep = keep != 0 && o->format != QTRI_GRAY8;
         }
-    }
-    if (o->blend == QTRI_KEEP_PIXEL || o->blend == QTRI_STORE) {
-        o->vertex_alpha = 0;
     }
     state->alpha = material->alpha + (material->alpha >> 7);
     state->keep = (keep & QTRI_KEEP_RED ? 0xFF0000u : 0) | (keep & QTRI_KEEP_GREEN ? 0xFF00u : 0) |

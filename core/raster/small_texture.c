@@ -24,10 +24,10 @@ static int32_t scaled(int32_t f, int32_t e_q18)
     return f + (((f >> 2) * e_q18 + ((int32_t)1 << 15)) >> 16);
 }
 
-/* x 2^up, rounded down. */
+/* x 2^up, rounded down, |up| < 32. */
 static int32_t shifted(int32_t x, int32_t up)
 {
-    return up >= 0 ? (int32_t)((uint32_t)x << (up > 31 ? 31 : up)) : x >> (up < -31 ? 31 : -up);
+    return up >= 0 ? (int32_t)((uint32_t)x << up) : x >> -up;
 }
 
 /* What 1/w has more at vertices 1 and 2, as a part of that of vertex 0. */
@@ -305,7 +305,8 @@ static uint32_t step_of(int32_t f[2][2], const int32_t up[2], int32_t fraction,
 
 /*
  * Differences have 14 bits of the greatest, in 2^-fraction of a texel: f (1 + e) is below 2^14.2, a
- * numerator below 2 2^14.2 2^13.91 and its length below 2^29.6.
+ * numerator below 2 2^14.2 2^13.91 and its length below 2^29.6. Of zeros from 1 to 32 and a side
+ * from 1 to 1024, fraction is -11..30, f goes up by -27..14, and `shift` is -19..30.
  *
  * A level is left behind where length 2^(8 - fraction) / size is 2^(level + 1/2) or more; 1 + 1/4 +
  * 1/8 + 1/32 + 1/128 stands in for 2^(1/2), .00011 of it less.
@@ -321,7 +322,7 @@ static uint32_t level_of(const qtri_small_place *p, const qtri_small *t, const i
     qtri_small_uv_find(&at, t);
     int32_t f[2][2] = {{at.u1, at.u2}, {at.v1, at.v2}};
     for (int i = 0; i < 2; i++) {
-        up[i] = 16 - side_log2[i]; /* f has so many bits of a texel's fraction */
+        up[i] = 16 - side_log2[i]; /* 6..16: f has so many bits of a texel's fraction */
         const int32_t zeros = qtri_clz32(qtri_small_about(f[i][0]) | qtri_small_about(f[i][1]));
         fraction = zeros - 18 + up[i] < fraction ? zeros - 18 + up[i] : fraction;
     }
@@ -330,8 +331,7 @@ static uint32_t level_of(const qtri_small_place *p, const qtri_small *t, const i
     uint32_t level = 0;
     while (level < state->last_level) {
         const int32_t shift = (int32_t)level + fraction - 8;
-        if (shift >= 0 ? length >> (shift < 31 ? shift : 31) < limit
-                       : length <= (limit - 1) >> (shift > -31 ? -shift : 31)) {
+        if (shift >= 0 ? length >> shift < limit : length <= (limit - 1) >> -shift) {
             break;
         }
         level++;

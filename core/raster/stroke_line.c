@@ -49,7 +49,7 @@ typedef struct wire {
     bool steep; /* along is y */
     /* Where pixels are stored as they are found: row 0 of the frame, and bytes. */
     uint8_t *pixels, *depths;
-    int32_t pixel_along, pixel_across, depth_along, depth_across;
+    ptrdiff_t pixel_along, pixel_across, depth_along, depth_across;
 } wire;
 
 /* `dx` by along of a side whose ends are `ends` in 1/256 behind the cell's start, added. */
@@ -372,23 +372,20 @@ static void set_draw(wire *w)
     const qtri_surface *surface = to->state.surface;
     const qtri_options *o = &to->state.options;
     const bool nearer = o->depth == QTRI_LINEAR16 && o->compare == QTRI_LESS && !o->read_only;
-    const ptrdiff_t pitch_end = (ptrdiff_t)1 << 16; /* times rows within 2^14 of 0: < 2^31 */
     if (w->look.tints == NULL || to->alpha_q16 != 65536 || to->samples != NULL ||
-        o->format != QTRI_RGB565 || o->keep || (qtri_tests_depth(o) && !nearer) ||
-        surface->pitch >= pitch_end || surface->pitch <= -pitch_end ||
-        surface->depth_pitch >= pitch_end / 2 || surface->depth_pitch <= -pitch_end / 2) {
+        o->format != QTRI_RGB565 || o->keep || (qtri_tests_depth(o) && !nearer)) {
         w->draw = draw_any;
         return;
     }
     w->draw = nearer ? draw_nearer : draw_over;
-    const int32_t pitch = (int32_t)surface->pitch;
-    w->pixels = surface->pixels - surface->first_row * surface->pitch;
+    const ptrdiff_t pitch = surface->pitch;
+    w->pixels = surface->pixels - surface->first_row * pitch;
     w->pixel_along = w->steep ? pitch : 2;
     w->pixel_across = w->steep ? 2 : pitch;
     if (!nearer) {
         return;
     }
-    const int32_t depth_pitch = 2 * (int32_t)surface->depth_pitch;
+    const ptrdiff_t depth_pitch = 2 * surface->depth_pitch;
     w->depths = (uint8_t *)(void *)(surface->depth - surface->first_row * surface->depth_pitch);
     w->depth_along = w->steep ? depth_pitch : 2;
     w->depth_across = w->steep ? 2 : depth_pitch;
