@@ -58,6 +58,37 @@ QTRI_BODY void qtri_pixel_alone(const qtri_options *o, qtri_pixel_body *pixel, q
     qtri_walk_move(o, w, 1);
 }
 
+/* `count` pixels of a row in pairs; false: words of its pixels and depths do not begin at the same
+   columns. */
+QTRI_BODY bool qtri_pairs_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                               int32_t count)
+{
+    const int32_t together = QTRI_BODY_UNROLLS;
+    if (qtri_tests_depth(o) && !qtri_pairs_are_aligned(w->pixel, w->depth)) {
+        return false;
+    }
+    if (!qtri_pair_begins(w->pixel) && count > 0) {
+        qtri_pixel_alone(o, pixel, w, false);
+        count--;
+    }
+    if (count >= together) {
+        int32_t groups = count / together;
+        do { /* GCC does not turn loops round by itself */
+            QTRI_BODY_UNROLL
+            for (int32_t i = 0; i < together; i += 2) {
+                qtri_pixel_pair(o, w, w->pixel + 2 * i, w->depth + 2 * i);
+            }
+            qtri_walk_move(o, w, (uint32_t)together);
+            QTRI_BODY_BARRIER(groups);
+        } while (--groups != 0);
+        count %= together;
+    }
+    for (; count > 0; count--) {
+        qtri_pixel_alone(o, pixel, w, false);
+    }
+    return true;
+}
+
 /* `count` pixels of a row, 0 or less: none. */
 #ifdef QTRI_PIPELINE_IS_ANY_LOOP
 /* The generic pipeline has loops of its own. */
@@ -76,6 +107,9 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, q
                                 bool bent, int32_t count)
 {
     const bool in_pairs = qtri_unrolled(o, bent) == 2;
+    if (in_pairs && qtri_draws_pairs(o) && qtri_pairs_draw(o, pixel, w, count)) {
+        return;
+    }
     if (count > 0 && (!in_pairs || (count & 1) != 0)) {
         do { /* GCC does not turn loops round by itself */
             qtri_pixel_alone(o, pixel, w, bent);
@@ -84,12 +118,8 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, q
     if (in_pairs && count > 1) {
         count >>= 1;
         do {
-            if (qtri_draws_pairs(o)) {
-                qtri_pixel_pair(o, w, w->pixel, w->depth);
-            } else {
-                qtri_pixel_next(o, pixel, w, bent, 0);
-                qtri_pixel_next(o, pixel, w, bent, 1);
-            }
+            qtri_pixel_next(o, pixel, w, bent, 0);
+            qtri_pixel_next(o, pixel, w, bent, 1);
             qtri_walk_move(o, w, 2);
             QTRI_BODY_BARRIER(count);
         } while (--count != 0);
@@ -100,6 +130,9 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, q
                                 bool bent, int32_t count)
 {
     const int together = qtri_unrolled(o, bent);
+    if (together > 1 && qtri_draws_pairs(o) && qtri_pairs_draw(o, pixel, w, count)) {
+        return;
+    }
     if (together > 1) {
         /* Where the sign tells the end, one instruction counts and compares; on Armv6-M GCC 12 then
            moves what copies of textures step from register to register. */
@@ -108,12 +141,7 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, q
         while (count >= together - early) {
             QTRI_BODY_UNROLL
             for (int32_t i = 0; i < together; i++) {
-                if (qtri_draws_pairs(o)) {
-                    qtri_pixel_pair(o, w, w->pixel + 2 * i, w->depth + 2 * i);
-                    i++;
-                } else {
-                    qtri_pixel_next(o, pixel, w, bent, i);
-                }
+                qtri_pixel_next(o, pixel, w, bent, i);
             }
             qtri_walk_move(o, w, (uint32_t)together);
             if (qtri_varies(o)) {

@@ -3,9 +3,11 @@
  * Two pixels at once, of 16 bits as their depths are, in words. Internal, part of the pipelines'
  * body (pipeline_make.h).
  *
- * Where a core loads words from any address, the low half-word first. Elsewhere, and where options
- * ask for more, pixels are drawn one by one, to the same bits. By pairs a pixel of a large flat
- * triangle (S1) takes 7.3 instructions on a Cortex-M3 and 6.4 on a Cortex-M4 in place of 8.5.
+ * Where words begin at the same columns of pixels and of depths, the low half-word first.
+ * Elsewhere, and where options ask for more, pixels are drawn one by one, to the same bits. By
+ * pairs a pixel of a large flat triangle (S1) takes 7.4 instructions on a Cortex-M3 and 6.4
+ * on a Cortex-M4 in place of 8.5. Words are aligned: memory of devices, as external RAM may be,
+ * knows no others.
  */
 #ifndef QTRI_BODY_PAIR_H
 #define QTRI_BODY_PAIR_H
@@ -13,20 +15,12 @@
 #include "pixel.h"
 
 #if !defined(QTRI_PIPELINE_IS_ANY) && defined(__GNUC__) && defined(__BYTE_ORDER__) &&              \
-    __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ &&                                                   \
-    (defined(__ARM_FEATURE_UNALIGNED) || defined(__x86_64__))
-#define QTRI_BODY_PAIRS     true
-#define QTRI_BODY_UNALIGNED __attribute__((packed, may_alias))
+    __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ && (defined(__thumb2__) || defined(__x86_64__))
+#define QTRI_BODY_PAIRS true
+typedef uint32_t __attribute__((may_alias)) qtri_pair_word;
 #else
 #define QTRI_BODY_PAIRS false
-#define QTRI_BODY_UNALIGNED
-#endif
-
-/* Instructions that compare both half-words, and select by that: short rows gain by pairs, too. */
-#ifdef __ARM_FEATURE_SIMD32
-#define QTRI_BODY_SELECTS true
-#else
-#define QTRI_BODY_SELECTS false
+typedef uint32_t qtri_pair_word;
 #endif
 
 /* Both have the triangle's colour, and all that is done with their depths is the test. */
@@ -39,19 +33,26 @@ QTRI_BODY bool qtri_draws_pairs(const qtri_options *o)
            (!qtri_tests_depth(o) || (orders && o->depth == QTRI_LINEAR16 && o->read_only == 0));
 }
 
-typedef struct qtri_pair_word {
-    uint32_t word;
-} QTRI_BODY_UNALIGNED qtri_pair_word;
-
 QTRI_BODY uint32_t qtri_pair_load(const uint8_t *at)
 {
-    return ((const qtri_pair_word *)(const void *)at)->word;
+    return *(const qtri_pair_word *)(const void *)at;
 }
 
 // NOLINTNEXTLINE(readability-non-const-parameter): it is written through
 QTRI_BODY void qtri_pair_save(uint8_t *at, uint32_t word)
 {
-    ((qtri_pair_word *)(void *)at)->word = word;
+    *(qtri_pair_word *)(void *)at = word;
+}
+
+/* Whether words begin at the same columns of both. */
+QTRI_BODY bool qtri_pairs_are_aligned(const uint8_t *pixel, const uint8_t *depth)
+{
+    return (((uintptr_t)pixel ^ (uintptr_t)depth) & 2) == 0;
+}
+
+QTRI_BODY bool qtri_pair_begins(const uint8_t *at)
+{
+    return ((uintptr_t)at & 2) == 0;
 }
 
 /* Two depths of 16.16 as they are stored. */

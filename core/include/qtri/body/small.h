@@ -81,18 +81,6 @@ QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_body *pixel, 
     const bool paired = qtri_is_paired(o);
     const uint32_t bytes = qtri_pixel_bytes(o);
     const uint8_t *end = paired ? w->depth + (uint32_t)count * bytes : w->depth;
-    if (QTRI_BODY_SELECTS && paired && qtri_draws_pairs(o)) {
-        if ((count & 1) != 0) {
-            pixel(w, bent, qtri_small_pixel_of(w), w->depth);
-            w->depth += bytes;
-        }
-        while (w->depth != end) {
-            qtri_pixel_pair(o, w, qtri_small_pixel_of(w), w->depth);
-            w->depth += 2 * bytes;
-            QTRI_BODY_BARRIER(w->depth);
-        }
-        return;
-    }
     do {
         pixel(w, bent, paired ? qtri_small_pixel_of(w) : w->pixel, w->depth);
         if (paired) {
