@@ -331,6 +331,7 @@ static uint32_t level_of(const qtri_small_place *p, const qtri_small *t, const i
     uint32_t level = 0;
     while (level < state->last_level) {
         const int32_t shift = (int32_t)level + fraction - 8;
+        // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): shift is -19..30
         if (shift >= 0 ? length >> shift < limit : length <= (limit - 1) >> -shift) {
             break;
         }
