@@ -527,12 +527,12 @@ static void narrow(void **state)
 /* Each pipeline of a list is the first that fits what some line or stroke asks for. */
 static void assert_all_in_use(const qtri_pipeline *const *list, bool has_smooth)
 {
-    static const qtri_format *const formats[] = {&qtri_rgb565, &qtri_rgb565_swapped, &qtri_gray8,
-                                                 &qtri_xrgb8888};
+    static const qtri_format *const used[] = {&qtri_rgb565, &qtri_rgb565_swapped, &qtri_gray8,
+                                              &qtri_xrgb8888};
     static const qtri_compare compares[] = {QTRI_DEPTH_OFF, QTRI_LESS, QTRI_GREATER};
     uint32_t in_use = 0, count = 0;
     for (int n = 0; n < 4 * 3 * 2; n++) {
-        canvas c = canvas_new(formats[n % 4], WIDTH, HEIGHT);
+        canvas c = canvas_new(used[n % 4], WIDTH, HEIGHT);
         qtri_material material = qtri_material_default();
         qtri_stroke_target to;
         material.depth_compare = compares[n / 4 % 3];

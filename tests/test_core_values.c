@@ -584,7 +584,8 @@ static uint32_t points(uint32_t hash)
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     const qtri_material material = plain_material();
     qtri_stroke stroke = qtri_stroke_default();
-    const qtri_screen_vertex v = screen_at(below(WIDTH * 256), below(HEIGHT * 256));
+    const int32_t y = below(HEIGHT * 256), x = below(WIDTH * 256);
+    const qtri_screen_vertex v = screen_at(x, y);
     stroke.width = 512 * (1 + below(one_in(2) ? 33 * 128 : 6 * 128));
     stroke.cap = one_in(4) ? QTRI_CAP_SQUARE : QTRI_CAP_ROUND;
     stroke.edges = one_in(4) ? NULL : &qtri_stroke_smooth;
