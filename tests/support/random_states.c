@@ -97,6 +97,19 @@ static uint32_t first_bytes(const uint8_t *bytes)
     return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
+/* Texels of 16 bits: the same in any byte order. Returns the first two. */
+static uint32_t random_halves(random_states *w)
+{
+    uint8_t *bytes = (uint8_t *)w->texels;
+    uint32_t key = 0;
+    for (size_t i = 0; i < sizeof w->texels; i += 2) {
+        const uint16_t texel = (uint16_t)random_below(w, 65536);
+        memcpy(bytes + i, &texel, sizeof texel);
+        key = i < 4 ? key >> 16 | (uint32_t)texel << 16 : key;
+    }
+    return key;
+}
+
 static void random_texture(random_states *w)
 {
     static const qtri_texel_format *const formats[] = {
@@ -125,11 +138,7 @@ static void random_texture(random_states *w)
         key = first_bytes(bytes);
     } else if (formats[kind] == &qtri_texel_rgb565 || formats[kind] == &qtri_texel_argb4444 ||
                formats[kind] == &qtri_texel_argb1555) {
-        for (size_t i = 0; i < sizeof w->texels; i += 2) {
-            const uint16_t texel = (uint16_t)random_below(w, 65536);
-            memcpy(bytes + i, &texel, sizeof texel);
-            key = i < 4 ? key >> 16 | (uint32_t)texel << 16 : key;
-        }
+        key = random_halves(w);
     }
     w->texture.texels = w->texels;
     w->texture.format = formats[kind];
@@ -245,7 +254,10 @@ void random_usual(random_states *w)
     m->least_alpha = 0;
     m->fog = NULL;
     m->alphas = NULL;
-    w->texture.format = random_one_in(w, 3) ? w->texture.format : &qtri_texel_rgb565;
+    if (!random_one_in(w, 3)) {
+        (void)random_halves(w);
+        w->texture.format = &qtri_texel_rgb565;
+    }
     w->texture.filter = NULL;
     w->texture.has_key = false;
     w->texture.wrap_u = w->texture.wrap_v = QTRI_REPEAT;
