@@ -199,7 +199,7 @@ static uint32_t find(const void *from, const void *indices, qtri_vertex *a, qtri
     shade_face(draw, index, is_back, color);
     for (int i = 0; i < 3; i++) {
         // NOLINTNEXTLINE(clang-analyzer-core.*): shade_face() sets all three
-        lit[i] = qtri_pixel_rgb_to_888(&color[i]);
+        lit[i] = (uint32_t)color[i].r << 16 | (uint32_t)color[i].g << 8 | color[i].b;
     }
     return QTRI_INTENSITY_ONE;
 }

@@ -23,14 +23,24 @@ typedef uint32_t __attribute__((may_alias)) qtri_pair_word;
 typedef uint32_t qtri_pair_word;
 #endif
 
+/* Comparisons that pairs gain by: of others a Cortex-M3 has the low half-word to cut out first. */
+QTRI_BODY bool qtri_pairs_compare(const qtri_options *o)
+{
+#ifdef __ARM_FEATURE_SIMD32
+    return o->compare == QTRI_LESS || o->compare == QTRI_LESS_EQUAL || o->compare == QTRI_GREATER ||
+           o->compare == QTRI_GREATER_EQUAL;
+#else
+    return o->compare == QTRI_LESS;
+#endif
+}
+
 /* Both have the triangle's colour, and all that is done with their depths is the test. */
 QTRI_BODY bool qtri_draws_pairs(const qtri_options *o)
 {
-    const bool orders = o->compare == QTRI_LESS || o->compare == QTRI_LESS_EQUAL ||
-                        o->compare == QTRI_GREATER || o->compare == QTRI_GREATER_EQUAL;
     return QTRI_BODY_PAIRS && qtri_is_plain(o) && o->blend == QTRI_STORE &&
            qtri_pixel_bytes(o) == 2 && !qtri_has_samples(o) &&
-           (!qtri_tests_depth(o) || (orders && o->depth == QTRI_LINEAR16 && o->read_only == 0));
+           (!qtri_tests_depth(o) ||
+            (qtri_pairs_compare(o) && o->depth == QTRI_LINEAR16 && o->read_only == 0));
 }
 
 QTRI_BODY uint32_t qtri_pair_load(const uint8_t *at)
@@ -69,14 +79,13 @@ QTRI_BODY uint32_t qtri_pair_depths(uint32_t z_0, uint32_t z_1)
 
 #ifdef __ARM_FEATURE_SIMD32
 /* Compares both at once, and stores what is there again where the test fails. */
-QTRI_BODY void qtri_pair_draw(const qtri_options *o, const qtri_pixel_walk *w, uint8_t *pixel,
-                              uint8_t *depth, uint32_t z_0, uint32_t z_1, uint32_t colors)
+QTRI_BODY void qtri_pair_draw(const qtri_options *o, uint8_t *pixel, uint8_t *depth, uint32_t z_0,
+                              uint32_t z_1, uint32_t colors)
 {
     const uint32_t stored = qtri_pair_load(depth), z = qtri_pair_depths(z_0, z_1);
     const bool less = o->compare == QTRI_LESS || o->compare == QTRI_GREATER_EQUAL;
     const uint32_t a = less ? z : stored, b = less ? stored : z;
     uint32_t under = qtri_pair_load(pixel), out;
-    (void)w;
     if (o->compare == QTRI_LESS || o->compare == QTRI_GREATER) { /* a >= b: it fails */
         __asm__("usub16 %0, %2, %3\n\tsel %0, %4, %5\n\tsel %1, %1, %6"
                 : "=&r"(out), "+&r"(under)
@@ -90,16 +99,13 @@ QTRI_BODY void qtri_pair_draw(const qtri_options *o, const qtri_pixel_walk *w, u
     qtri_pair_save(pixel, under);
 }
 #else
-QTRI_BODY void qtri_pair_draw(const qtri_options *o, const qtri_pixel_walk *w, uint8_t *pixel,
-                              uint8_t *depth, uint32_t z_0, uint32_t z_1, uint32_t colors)
+QTRI_BODY void qtri_pair_draw(const qtri_options *o, uint8_t *pixel, uint8_t *depth, uint32_t z_0,
+                              uint32_t z_1, uint32_t colors)
 {
     const uint32_t stored = qtri_pair_load(depth);
-    /* A shift to the left, in place of the low half-word, saves an instruction. */
-    const bool first = o->compare == QTRI_LESS
-                           ? z_0 < stored << 16
-                           : qtri_depth_passes(o, w, z_0 >> 16, stored & 0xFFFFu);
-    if (QTRI_BODY_LIKELY(first)) {
-        if (QTRI_BODY_LIKELY(qtri_depth_passes(o, w, z_1 >> 16, stored >> 16))) {
+    (void)o;
+    if (QTRI_BODY_LIKELY(z_0 < stored << 16)) {
+        if (QTRI_BODY_LIKELY(z_1 >> 16 < stored >> 16)) {
             QTRI_BODY_BRANCH();
             qtri_pair_save(depth, qtri_pair_depths(z_0, z_1));
             qtri_pair_save(pixel, colors);
@@ -111,7 +117,7 @@ QTRI_BODY void qtri_pair_draw(const qtri_options *o, const qtri_pixel_walk *w, u
         return;
     }
     QTRI_BODY_BARRIER(z_1);
-    if (qtri_depth_passes(o, w, z_1 >> 16, stored >> 16)) {
+    if (z_1 >> 16 < stored >> 16) {
         qtri_save(2, depth + 2, z_1 >> 16);
         qtri_save(2, pixel + 2, colors >> 16);
     }
@@ -129,7 +135,7 @@ QTRI_BODY void qtri_pixel_pair(const qtri_options *o, qtri_pixel_walk *w, uint8_
     }
     const uint32_t z_0 = w->z, z_1 = z_0 + w->z_step;
     w->z += 2 * w->z_step;
-    qtri_pair_draw(o, w, pixel, depth, z_0, z_1, colors);
+    qtri_pair_draw(o, pixel, depth, z_0, z_1, colors);
     QTRI_BODY_BARRIER(w->z);
 }
 
