@@ -64,10 +64,10 @@ SLOW_IN_MEMORY := test_core_perspective test_core_vec test_core_mat
 # pipelines is compiled without optimisation, for other sanitizers those of tests that draw little by them.
 SLOW_TO_SANITIZE := test_pipeline_random
 UNOPTIMIZED_TEST := TEST_PIPELINE_FLAGS=-O0
+UNOPTIMIZED      := PIPELINE_FLAGS=-O0 $(UNOPTIMIZED_TEST)
 # What `make check` runs without sanitizers: those, and programs that try more where they are faster (support/core.h).
 MORE_WHEN_PLAIN   = $(filter $(SLOW_TO_SANITIZE) \
                     $(basename $(notdir $(shell grep -lwE 'random_cases|repeats|IS_SANITIZED|SANITIZED' tests/test_*.c))),$(TESTS))
-UNOPTIMIZED      := PIPELINE_FLAGS=-O0 $(UNOPTIMIZED_TEST)
 
 # Cores that multiply 32 by 32 bits to 32 and do not divide, see core/bits/bits.h.
 NARROW := -O1 -DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0
