@@ -90,31 +90,43 @@ void qtri_row_about(qtri_row *row, const qtri_wide axis[3], const qtri_wide poin
  * the work that wide scalars make of it; those serve what does not fit.
  */
 
+/* The words of x. */
+static inline int32_t high_word(int64_t x)
+{
+    return (int32_t)(x >> 32);
+}
+
+static inline uint32_t low_word(int64_t x)
+{
+    return (uint32_t)((uint64_t)x & UINT32_MAX);
+}
+
 /*
- * floor(m t 2^-shift) for |m| <= 2^30, |t| < 2^61 and 1 <= shift; false when it is not below 2^60.
+ * floor(m t 2^-shift) for |m| <= 2^30, |t| < 2^61 and 16 <= shift; false when it is not below 2^60.
  * The product is middle 2^32 + low.
  */
-static bool scaled_product(int64_t *out, int32_t m, int64_t t, int32_t shift)
+static inline bool scaled_product(int64_t *out, int32_t m, int64_t t, int32_t shift)
 {
-    int32_t t_low = (int32_t)(uint32_t)((uint64_t)t & UINT32_MAX);
-    int64_t low = qtri_mul_s32(m, t_low);
-    int64_t middle = qtri_mul_s32(m, (int32_t)(t >> 32)) + (low >> 32); /* < 2^59 + 2^30 */
-    middle += t_low < 0 ? m : 0; /* t_low stands for t_low + 2^32 */
+    const int32_t t_low = (int32_t)low_word(t);
+    int32_t t_high = high_word(t);
+    QTRI_HOLD(t_high); /* or GCC 12 multiplies 64 bits */
+    const int64_t low = qtri_mul_s32(m, t_low);
+    int64_t middle = qtri_mul_s32(m, t_high) + high_word(low); /* < 2^59 + 2^30 */
+    middle += t_low < 0 ? m : 0;                               /* t_low stands for t_low + 2^32 */
     if (shift >= 32) {
         *out = middle >> (shift > 94 ? 62 : shift - 32);
         return true;
     }
-    int64_t beyond = middle >> (28 + shift);
-    *out = (int64_t)((uint64_t)middle << (32 - shift) | ((uint64_t)low & UINT32_MAX) >> shift);
-    return beyond == 0 || beyond == -1;
+    const uint32_t upper = (uint32_t)high_word(middle) << (32 - shift) | low_word(middle) >> shift;
+    const uint32_t lower = low_word(middle) << (32 - shift) | low_word(low) >> shift;
+    const int32_t beyond = high_word(middle) >> (shift - 4);
+    *out = (int64_t)((uint64_t)upper << 32 | lower);
+    return (uint32_t)beyond + 1u < 2u; /* 0 or -1 */
 }
 
-/* Adds t 2^-shift, rounded down, where that is below 2^60. */
+/* Adds t 2^-shift, t not 0, rounded down, where that is below 2^60. */
 static bool add_shifted(int64_t *sum, int64_t t, int32_t shift)
 {
-    if (t == 0) {
-        return true;
-    }
     if (shift < 0) {
         int32_t spare = qtri_clz64(qtri_magnitude64(t) | 1u) - 4;
         if (-shift > spare) {
@@ -127,13 +139,22 @@ static bool add_shifted(int64_t *sum, int64_t t, int32_t shift)
     return qtri_magnitude64(t) >> 60 == 0 || shift > 0;
 }
 
+/* x 2^-down to nearest, halves up, for 2 <= down <= 32 and a result within 2^30. */
+static inline int32_t rounded(int64_t x, int32_t down)
+{
+    const int32_t twice =
+        (int32_t)((uint32_t)high_word(x) << (33 - down) | low_word(x) >> (down - 1));
+    return (twice >> 1) + (twice & 1);
+}
+
 /* A row times +-2^n 2^-exponent, plus the translation: without products. */
 static bool scale_by_power(qtri_row *out, const qtri_row *row, int32_t factor, int32_t exponent,
                            int64_t t)
 {
     const int32_t n = 31 - qtri_clz32(qtri_magnitude32(factor));
     int64_t moved = factor < 0 ? -row->t : row->t;
-    if (!add_shifted(&moved, t, n - row->exponent) || qtri_magnitude64(moved) >> 61 != 0) {
+    if ((t != 0 && !add_shifted(&moved, t, n - row->exponent)) ||
+        qtri_magnitude64(moved) >> 61 != 0) {
         return false;
     }
     out->t = moved;
@@ -172,18 +193,26 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
         if (by == 0) {
             continue;
         }
-        const int32_t shift = qtri_least32(row[k]->exponent - least, 63);
-        x += qtri_mul_s32(by, row[k]->m[0]) >> shift; /* < 3 2^60 */
-        y += qtri_mul_s32(by, row[k]->m[1]) >> shift;
-        z += qtri_mul_s32(by, row[k]->m[2]) >> shift;
+        const int32_t *const m = row[k]->m;
+        const int32_t shift = row[k]->exponent - least;
+        if (shift == 0) {
+            x += qtri_mul_s32(by, m[0]); /* < 3 2^60 */
+            y += qtri_mul_s32(by, m[1]);
+            z += qtri_mul_s32(by, m[2]);
+        } else {
+            const int32_t held = qtri_least32(shift, 63);
+            x += qtri_mul_s32(by, m[0]) >> held;
+            y += qtri_mul_s32(by, m[1]) >> held;
+            z += qtri_mul_s32(by, m[2]) >> held;
+        }
     }
     const uint64_t size = qtri_magnitude64(x) | qtri_magnitude64(y) | qtri_magnitude64(z);
-    const int32_t down = 34 - qtri_clz64(size | 1u); /* leaves 30 bits */
+    const int32_t down = 34 - qtri_clz64(size | 1u); /* leaves 30 bits; <= 32 */
     if (down < 16) {
         return false; /* below 2^45: what was cut off could show in 30 bits */
     }
     int64_t moved = 0;
-    if (!add_shifted(&moved, t, down - least)) {
+    if (t != 0 && !add_shifted(&moved, t, down - least)) {
         return false;
     }
     for (int k = 0; k <= last; k++) {
@@ -199,9 +228,9 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
     }
     out->t = moved; /* may be one of the rows, which have been read */
     out->exponent = exponent + least - down;
-    out->m[0] = (int32_t)qtri_shift_round(x, down);
-    out->m[1] = (int32_t)qtri_shift_round(y, down);
-    out->m[2] = (int32_t)qtri_shift_round(z, down);
+    out->m[0] = rounded(x, down);
+    out->m[1] = rounded(y, down);
+    out->m[2] = rounded(z, down);
     return true;
 }
 

@@ -300,14 +300,12 @@ void qtri_transform_rotate_quat(qtri_transform *t, qtri_quat q)
 }
 
 /* |m| <= 2^30, |t| < 2^61 and an exponent that builders make: a user's row may hold any bits. */
-static bool is_sound(const qtri_row *row)
+static inline bool is_sound(const qtri_row *row)
 {
-    for (int i = 0; i < 3; i++) {
-        if (row->m[i] > (int32_t)1 << 30 || row->m[i] < -((int32_t)1 << 30)) {
-            return false;
-        }
-    }
-    return qtri_magnitude64(row->t) >> 61 == 0 && row->exponent >= -4096 && row->exponent <= 4096;
+    const uint32_t most = (uint32_t)1 << 30;
+    return (uint32_t)row->m[0] + most <= 2 * most && (uint32_t)row->m[1] + most <= 2 * most &&
+           (uint32_t)row->m[2] + most <= 2 * most && qtri_magnitude64(row->t) >> 61 == 0 &&
+           (uint32_t)row->exponent + 4096u <= 8192u;
 }
 
 static bool is_linear_zero(const qtri_row *row)
