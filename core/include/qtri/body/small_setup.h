@@ -192,11 +192,11 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
     }
     uint8_t *const middle = &spans[2 * QTRI_SMALL_REACH];
     const int32_t y = 255 - rest;
-    const int32_t rest_x = x0 & 255;
+    const int32_t ax = (x0 & 255) + 128 + (QTRI_DIVIDE ? QTRI_SMALL_FAR : 0);
     p->column = column;
     p->row = row + first;
     p->first = first;
-    p->x = 128 - rest_x - QTRI_SMALL_FAR;
+    p->x = 256 - (QTRI_DIVIDE ? 0 : QTRI_SMALL_FAR) - ax;
     p->y = y + 256 * first;
     p->dx1 = dx1;
     p->dy1 = dy1;
@@ -206,12 +206,11 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
     middle[2 * end] = QTRI_SMALL_STOP;
     middle[2 * end + 1] = QTRI_SMALL_STOP; /* read, and of no effect: nothing ends after a stop */
     QTRI_BODY_READ_AGAIN();
-    const int32_t ax = rest_x + 128 + (QTRI_DIVIDE ? QTRI_SMALL_FAR : 0);
     const int32_t dx = dx2 - dx1;
     const int32_t dy = dy2 - dy1;
     int32_t pixels = qtri_small_edge(middle, dx1, dy1, ax * dy1 + y * dx1, a_row, b_row);
     pixels += qtri_small_edge(middle, dx, dy, (ax + dx1) * dy - (dy1 - y) * dx, b_row, c_row);
-    pixels += qtri_small_edge(middle, -dx2, -dy2, -ax * dy2 - y * dx2, c_row, a_row);
+    pixels += qtri_small_edge(middle, -dx2, -dy2, ax * -dy2 + y * -dx2, c_row, a_row);
     if (pixels == 0) {
         return QTRI_SMALL_NOTHING;
     }
@@ -325,9 +324,8 @@ QTRI_SMALL_PART void qtri_small_channel_set(qtri_small_ramp *r, const qtri_small
                                             int32_t f0, int32_t f1, int32_t f2, int32_t full,
                                             uint32_t half)
 {
-    QTRI_SMALL_SETUP(ramp_set_at)
-    (r, p, p->x + QTRI_SMALL_FAR, p->y - 256 * p->first, (uint32_t)(f0 * full * 2) + half,
-     (f1 * full) >> 8, (f2 * full) >> 8, 1);
+    qtri_setup_ramp_set_at(r, p, p->x + QTRI_SMALL_FAR, p->y - 256 * p->first,
+                           (uint32_t)(f0 * full * 2) + half, (f1 * full) >> 8, (f2 * full) >> 8, 1);
 }
 
 /* Back to the base: what is packed steps in rounded steps. */
