@@ -9,6 +9,7 @@
 #include <qtri/dither.h>
 #include <qtri/antialias.h>
 #include <qtri/paint.h>
+#include <qtri/pipeline_make.h>
 #include <qtri/stroke.h>
 
 enum { WIDTH = 44, HEIGHT = 40, SIDE = 16 };
@@ -361,6 +362,61 @@ static void exchanged_channels_have_the_same_picture(void **state)
     canvas_free(&c);
 }
 
+/* ---- A pipeline of one's own ---- */
+
+static int encoded;
+
+static uint32_t encode_counted(uint32_t color)
+{
+    uint32_t stored = qtri_pixel_888_to_565(color);
+    encode_bgr565(&stored, 1);
+    encoded++;
+    return stored;
+}
+
+QTRI_PIPELINE(bgr565_flat, .format = QTRI_OTHER_FORMAT, .pixel_bytes = 2, .own_format = &bgr565,
+              .encode = encode_counted, .depth = QTRI_LINEAR16, .compare = QTRI_LESS)
+
+/* How often the pipeline has stored a colour. */
+static int draw_by_own(const qtri_surface *s)
+{
+    const qtri_pipeline *const list[] = {&bgr565_flat, &qtri_pipeline_any, NULL};
+    const qtri_material material = qtri_material_default();
+    qtri_mesh cube = cube_mesh();
+    qtri_vertex vertices[CUBE_VERTICES];
+    qtri_transform pose;
+    qtri_view view = cube_view(WIDTH, HEIGHT, 5, vertices, LENGTH_OF(vertices), &pose);
+    view.pipelines = list;
+    view.light = NULL;
+    cube.colors = NULL;
+    encoded = 0;
+    qtri_surface_clear(s, sky);
+    qtri_draw_mesh(s, &view, &pose, &cube, &material);
+    return encoded;
+}
+
+/* A format with the same colours in pixels of the same size is another one. */
+static void a_pipeline_draws_on_its_own_format_alone(void **state)
+{
+    (void)state;
+    const qtri_format same = bgr565;
+    const qtri_format wide = other_size(&bgr565);
+    canvas a = canvas_new(&bgr565, WIDTH, HEIGHT);
+    canvas b = canvas_new(&same, WIDTH, HEIGHT);
+    canvas c = canvas_new(&wide, WIDTH, HEIGHT);
+    assert_true(draw_by_own(&a.surface) > 0);
+    assert_int_equal(draw_by_own(&b.surface), 0);
+    assert_int_equal(draw_by_own(&c.surface), 0);
+    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const uint32_t is = stored_pixel(&a.surface, i % WIDTH, i / WIDTH);
+        assert_int_equal(stored_pixel(&b.surface, i % WIDTH, i / WIDTH), is);
+        assert_int_equal(stored_pixel(&c.surface, i % WIDTH, i / WIDTH), is);
+    }
+    canvas_free(&a);
+    canvas_free(&b);
+    canvas_free(&c);
+}
+
 /* Colours of 565 in a byte: what is stored is that of RGB565, encoded. */
 static void encode_332(uint32_t *color, int32_t count)
 {
@@ -443,6 +499,7 @@ int main(void)
         cmocka_unit_test(pictures_are_converted),
         cmocka_unit_test(filters_are_the_same),
         cmocka_unit_test(exchanged_channels_have_the_same_picture),
+        cmocka_unit_test(a_pipeline_draws_on_its_own_format_alone),
         cmocka_unit_test(a_byte_of_565),
         cmocka_unit_test(depth_alone_has_no_pixels),
     };

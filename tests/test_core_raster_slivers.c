@@ -422,6 +422,39 @@ static void planes_of_slivers(void **state)
     }
 }
 
+/* The smallest triangle there is has its first vertex in a pixel's centre: one pixel, by the way of
+   points with w = 1 and by that of others. */
+static void half_a_unit_of_area(void **state)
+{
+    (void)state;
+    qtri_view view;
+    qtri_transform pose;
+    qtri_view_init(&view, WIDTH, HEIGHT);
+    view.viewport = qtri_viewport_top(0, 0, 512, 512); /* 2^-16 of clip space is 1/256 pixel */
+    qtri_transform_identity(&pose);
+    for (int32_t w = 1; w <= 3; w++) {
+        canvas c = new_canvas(&qtri_rgb565);
+        const int32_t at[3][2] = {{5 * 256 + 128, 7 * 256 + 128},
+                                  {5 * 256 + 129, 7 * 256 + 128},
+                                  {5 * 256 + 128, 7 * 256 + 129}};
+        qtri_material material = qtri_material_default();
+        qtri_corner corner[3];
+        memset(corner, 0, sizeof corner);
+        material.cull = QTRI_CULL_NONE;
+        for (int i = 0; i < 3; i++) {
+            corner[i].position =
+                (qtri_vec4){w * (at[i][0] - 65536), w * (65536 - at[i][1]), 0, w * Q16_ONE};
+            corner[i].color = (qtri_rgb){255, 255, 255};
+        }
+        qtri_draw_triangles(&c.surface, &view, &pose, corner, 3, &material);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const bool is_it = i == 7 * WIDTH + 5;
+            assert_int_equal(stored_pixel(&c.surface, i % WIDTH, i / WIDTH) == 0xFFFF, is_it);
+        }
+        canvas_free(&c);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -434,6 +467,7 @@ int main(void)
         cmocka_unit_test(diagonals),
         cmocka_unit_test(triangles_that_are_lines),
         cmocka_unit_test(planes_of_slivers),
+        cmocka_unit_test(half_a_unit_of_area),
     };
     return cmocka_run_group_tests_name("core raster slivers", tests, make_texels, NULL);
 }

@@ -66,10 +66,36 @@ static void every_pixel_is_moved_by_the_slope(void **state)
     assert_true(pixels > 100000 && most < 1.01);
 }
 
+/* The steepest triangles, of an area of half a unit and sides of up to 8192 pixels, whose shift is
+   held to the greatest depth; the first vertex is the one pixel's centre. */
+static void the_steepest_are_held_to_the_range(void **state)
+{
+    (void)state;
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    for (int log2 = 0; log2 < 22; log2++) {
+        const int32_t x = 3 * 256 + 128, y = 5 * 256 + 128;
+        qtri_screen_vertex v[3] = {screen_at(x, y), screen_at(x + 1, y),
+                                   screen_at(x + (1 << log2), y + 1)};
+        qtri_material m = plain_material();
+        m.depth_compare = QTRI_ALWAYS;
+        m.depth_slope = Q16_ONE;
+        m.depth_shift = &qtri_slope_bias;
+        v[0].depth_16p16 = 1000 << 16;
+        v[1].depth_16p16 = 60000u << 16;
+        v[2].depth_16p16 = 60000u << 16;
+        canvas_clear(&c);
+        draw_by_pipeline(&c.surface, &m, v);
+        assert_int_not_equal(stored_pixel(&c.surface, 3, 5), 0);
+        assert_int_equal(stored_depth(&c.surface, 3, 5), 1000 + 65535 - 60000);
+    }
+    canvas_free(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_pixel_is_moved_by_the_slope),
+        cmocka_unit_test(the_steepest_are_held_to_the_range),
     };
     return cmocka_run_group_tests_name("pipeline depth shift", tests, NULL, NULL);
 }

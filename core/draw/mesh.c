@@ -31,9 +31,7 @@ static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
         return false; /* of wide lines, whose reach does not count in any space */
     }
     const qtri_rect bounds = qtri_surface_bounds(surface);
-    /* Smooth lines reach out of their mesh, and samples lie beside the centres of pixels. */
-    const int32_t more =
-        draw->primitive.material->fill != NULL || qtri_sampling_of(surface->format) != NULL;
+    const int32_t more = draw->primitive.material->fill != NULL; /* lines reach out of their mesh */
     const int32_t low[2] = {bounds.x0 - more, bounds.y0 - more};
     const int32_t high[2] = {bounds.x1 + more, bounds.y1 + more};
     return qtri_projector_misses(&draw->primitive.projector, &box, low, high);

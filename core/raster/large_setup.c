@@ -79,7 +79,7 @@ static bool find_weights(qtri_large *t, bool is_true)
     if (is_true && ((area ^ t->area) < 0 || size < all << 3)) {
         return false;
     }
-    const int32_t zeros = qtri_clz64(size | 1), up = qtri_clz64(all | 1) - 2;
+    const int32_t zeros = qtri_clz64(size), up = qtri_clz64(all) - 2; /* neither is 0 */
     const uint64_t r = reciprocal64(size << zeros);
     const int32_t x = (128 - (t->corner_x[0] & 255)) * 65536 - rest_x;
     const int32_t y = (128 - (t->corner_y[0] & 255)) * 65536 - rest_y;

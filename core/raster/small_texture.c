@@ -18,6 +18,8 @@
  */
 #include "qtri/body/small_setup.h"
 
+#include "../bits/bits.h"
+
 /* f (1 + e), |f| <= 2^16, |e| <= 1/4 and a part. */
 static int32_t scaled(int32_t f, int32_t e_q18)
 {
@@ -324,7 +326,7 @@ static uint32_t level_of(const qtri_small_place *p, const qtri_small *t, const i
     for (int i = 0; i < 2; i++) {
         up[i] = 16 - side_log2[i]; /* 6..16: f has so many bits of a texel's fraction */
         const int32_t zeros = qtri_clz32(qtri_small_about(f[i][0]) | qtri_small_about(f[i][1]));
-        fraction = zeros - 18 + up[i] < fraction ? zeros - 18 + up[i] : fraction;
+        fraction = qtri_least32(fraction, zeros - 18 + up[i]);
     }
     const uint32_t length = step_of(f, up, fraction, p, e_q18);
     const uint32_t limit = size + (size >> 2) + (size >> 3) + (size >> 5) + (size >> 7);
