@@ -373,7 +373,7 @@ static void draw_edge(const qtri_line_job *job, const qtri_vertex *a, const qtri
     wide_edges *wide = job->wide;
     wide->place.end[0] = a->at;
     wide->place.end[1] = b->at;
-    qtri_line_look(&wide->stroker.look, job, a, b, color);
+    qtri_line_look(&wide->stroker.look, job, a, b, color, false);
     qtri_stroker_draw_part(&wide->stroker, &wide->place);
 }
 

@@ -84,9 +84,10 @@ static inline void qtri_line_color_set(qtri_line_color out, const qtri_rgb *rgb,
     out[2] = rgb->b * light;
 }
 
-/* The look of a line from a to b as a part of a stroke; color: as qtri_line_draws has it. */
+/* The look of a line from a to b as a part of a stroke; color: as qtri_line_draws has it, or, where
+   they are turned, of the line from b to a. */
 void qtri_line_look(qtri_stroke_look *look, const qtri_line_job *job, const qtri_vertex *a,
-                    const qtri_vertex *b, const qtri_line_color *color);
+                    const qtri_vertex *b, const qtri_line_color *color, bool turned);
 
 /* Whether all of a triangle lies above or below the rows of this surface. */
 static inline bool qtri_line_misses(const qtri_line_job *job, int32_t y0_24p8, int32_t y1_24p8,

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "line.h"
 
-#include <string.h>
-
 #include "../bits/bits.h"
 #include "../filter/mix.h"
 #include "line_path.h"
@@ -11,10 +9,7 @@
 #define FULL  QTRI_STROKE_FULL
 #define LEAST (FULL / 64) /* less is nothing: it would not change RGB565 */
 
-enum {
-    CELLS = 8,  /* of a column, with what follows the last */
-    CHUNK = 128 /* columns after which a line starts anew: see line_path.h */
-};
+enum { CELLS = 8 }; /* of a column, with what follows the last */
 
 /* Where a column's cells are, what covers the pixel before the first, and the share there in Q24.
  */
@@ -44,7 +39,6 @@ typedef struct wire {
     bool inside;                /* all of it lies in them */
     int32_t share_step;         /* Q24 of its length a column; at most 2^28 */
     int32_t share_across;       /* the same for a pixel across */
-    const qtri_vertex *ends[2]; /* the first, and the last */
     qtri_stroke_look look;
     bool steep; /* along is y */
     /* Where pixels are stored as they are found: row 0 of the frame, and bytes. */
@@ -306,30 +300,23 @@ static void begin_chunk(const wire *w, int32_t column, int32_t *low_q16, int32_t
 }
 
 /* Ends and what they bring, by the longer axis. False: nothing is covered. */
-static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b)
+static bool set_ends(wire *w, const qtri_line_job *job, const qtri_line_path *l)
 {
-    qtri_line_path l;
-    qtri_line_path_init(&l, a, b);
-    if (l.length == 0) {
-        return false;
-    }
     w->job = job;
-    w->x[0] = l.steep ? l.first->at.y_24p8 : l.first->at.x_24p8;
-    w->x[1] = w->x[0] + l.length;
-    w->y[0] = l.minor;
-    w->y[1] = l.minor + l.delta;
+    w->x[0] = l->steep ? l->first->at.y_24p8 : l->first->at.x_24p8;
+    w->x[1] = w->x[0] + l->length;
+    w->y[0] = l->minor;
+    w->y[1] = l->minor + l->delta;
     w->origin_x = w->x[0];
     w->origin_y = w->y[0];
-    w->ends[0] = l.first;
-    w->ends[1] = l.last;
-    set_direction(w, l.length, l.delta, job->smooth->radius_24p8);
+    set_direction(w, l->length, l->delta, job->smooth->radius_24p8);
     if (job->smooth->square) {
         w->x[0] -= w->offset_y; /* radius times cosine */
         w->x[1] += w->offset_y;
         w->y[0] -= w->offset_x;
         w->y[1] += w->offset_x;
     }
-    const bool steep = l.steep;
+    const bool steep = l->steep;
     const int32_t left = job->left_24p8 >> 8;
     const int32_t more = QTRI_STROKE_LINE_REACH >> 8;
     const int32_t top = (job->top_24p8 >> 8) + more;
@@ -351,18 +338,6 @@ static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, co
                 high + 1 < w->bounds[3];
     return w->end > w->bounds[0] && w->first < w->bounds[1] && high + 1 >= w->bounds[2] &&
            low <= w->bounds[3];
-}
-
-/* Depth and colours. */
-static void set_look(wire *w, const qtri_vertex *a, const qtri_line_color *color)
-{
-    qtri_line_color turned[2];
-    if (color != NULL && w->ends[0] != a) {
-        memcpy(turned[0], color[1], sizeof turned[0]);
-        memcpy(turned[1], color[0], sizeof turned[1]);
-        color = (const qtri_line_color *)turned;
-    }
-    qtri_line_look(&w->look, w->job, w->ends[0], w->ends[1], color);
 }
 
 /* What draws its pixels. */
@@ -395,15 +370,17 @@ void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const
                            const qtri_line_color *color)
 {
     wire w;
-    if (job->width_24p8 == 0 || !set_ends(&w, job, a, b)) {
+    qtri_line_path l;
+    qtri_line_path_init(&l, a, b);
+    if (job->width_24p8 == 0 || l.length == 0 || !set_ends(&w, job, &l)) {
         return;
     }
-    set_look(&w, a, color);
+    qtri_line_look(&w.look, job, l.first, l.last, color, l.turned);
     set_draw(&w);
-    for (int32_t start = w.first; start < w.end; start += CHUNK) {
+    for (int32_t start = w.first; start < w.end; start += QTRI_LINE_CHUNK) {
         int32_t low_q16;
         int32_t share;
-        const int32_t end = qtri_least32(qtri_least32(start + CHUNK, w.end), w.bounds[1]);
+        const int32_t end = qtri_least32(qtri_least32(start + QTRI_LINE_CHUNK, w.end), w.bounds[1]);
         const int32_t skip = qtri_greatest32(w.bounds[0] - start, 0);
         if (start + skip < end) {
             begin_chunk(&w, start, &low_q16, &share);
