@@ -29,14 +29,12 @@ typedef struct limits {
 /* What of a line is inside of the bounds. */
 static limits limits_of(const qtri_line_job *job, const qtri_line_path *l)
 {
-    const int32_t left = job->left_24p8 >> 8;
-    const int32_t top = job->top_24p8 >> 8;
-    const int32_t width = (int32_t)(job->width_24p8 >> 8);
-    const int32_t height = (int32_t)(job->height_24p8 >> 8);
-    const int32_t begin = (l->steep ? top : left) - l->position;
-    const limits in = {begin, begin + (l->steep ? height : width), l->steep ? left : top,
-                       (uint32_t)(l->steep ? width : height)};
-    return in;
+    const qtri_rect *b = &job->to->state.bounds;
+    const limits steep = {b->y0 - l->position, b->y1 - l->position, b->x0,
+                          (uint32_t)(b->x1 - b->x0)};
+    const limits flat = {b->x0 - l->position, b->x1 - l->position, b->y0,
+                         (uint32_t)(b->y1 - b->y0)};
+    return l->steep ? steep : flat;
 }
 
 /* Moves w to the first pixel inside; returns how many follow that are, of those before `end`. */

@@ -316,18 +316,13 @@ static bool set_ends(wire *w, const qtri_line_job *job, const qtri_line_path *l)
         w->y[0] -= w->offset_x;
         w->y[1] += w->offset_x;
     }
-    const bool steep = l->steep;
-    const int32_t left = job->left_24p8 >> 8;
-    const int32_t more = QTRI_STROKE_LINE_REACH >> 8;
-    const int32_t top = (job->top_24p8 >> 8) + more;
-    const int32_t right = left + (int32_t)(job->width_24p8 >> 8);
-    const int32_t bottom = top + (int32_t)(job->height_24p8 >> 8) - 2 * more;
+    const qtri_rect *bounds = &job->to->state.bounds;
     const int32_t reach = w->offset_x < 0 ? -w->offset_x : w->offset_x;
-    w->bounds[0] = steep ? top : left;
-    w->bounds[1] = steep ? bottom : right;
-    w->bounds[2] = steep ? left : top;
-    w->bounds[3] = steep ? right : bottom;
-    w->steep = steep;
+    w->steep = l->steep;
+    w->bounds[0] = l->steep ? bounds->y0 : bounds->x0;
+    w->bounds[1] = l->steep ? bounds->y1 : bounds->x1;
+    w->bounds[2] = l->steep ? bounds->x0 : bounds->y0;
+    w->bounds[3] = l->steep ? bounds->x1 : bounds->y1;
     w->inner = (w->x[0] + reach + 255) >> 8;
     w->inner_end = (w->x[1] - reach) >> 8;
     w->first = (w->x[0] - reach) >> 8;
