@@ -126,17 +126,10 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     job->width_24p8 = (uint32_t)(bounds->x1 - bounds->x0) * 256;
     job->height_24p8 = (uint32_t)(bounds->y1 - bounds->y0) * 256;
     job->depth_mask = ~0xFFu;
-    switch (qtri_kind_of(&to->state.options)) {
-    case QTRI_IN_565:
-        job->packing = &qtri_packing_565;
-        break;
-    case QTRI_IN_GRAY:
-        job->packing = &qtri_packing_gray;
-        break;
-    default:
-        job->packing = &qtri_packing_888;
-        break;
-    }
+    const qtri_color_kind kind = qtri_kind_of(&to->state.options);
+    job->packing = kind == QTRI_IN_565    ? &qtri_packing_565
+                   : kind == QTRI_IN_GRAY ? &qtri_packing_gray
+                                          : &qtri_packing_888;
 }
 
 void qtri_raster_line(const qtri_surface *surface, const qtri_material *material,

@@ -6,8 +6,7 @@
 #include "line_path.h"
 #include "stroke_shape.h"
 
-#define FULL  QTRI_STROKE_FULL
-#define LEAST (FULL / 64) /* less is nothing: it would not change RGB565 */
+enum { LEAST = QTRI_COVERAGE_FULL / 64 }; /* less is nothing: it would not change RGB565 */
 
 enum { CELLS = 8 }; /* of a column, with what follows the last */
 
@@ -46,25 +45,17 @@ typedef struct wire {
     ptrdiff_t pixel_along, pixel_across, depth_along, depth_across;
 } wire;
 
-/* `dx` by along of a side whose ends are `ends` in 1/256 behind the cell's start, added. */
-QTRI_INLINE void add_piece(int32_t *cell, int32_t dx, int32_t ends)
-{
-    const int32_t behind = dx * ends;
-    cell[0] += dx * 512 - behind;
-    cell[1] += behind;
-}
-
 /*
  * Adds the area on the far side of a side that goes from `ya` to `yb`, 1/256 pixel behind the
  * column's first cell, while `dx` (signed) goes by along. Once all sides are there, the sum of all
- * cells up to one is what its pixel has, of FULL. ratio_q8: |dx| for |yb - ya|.
+ * cells up to one is what its pixel has, of QTRI_COVERAGE_FULL. ratio_q8: |dx| for |yb - ya|.
  */
 QTRI_INLINE void add_side(int32_t *cell, int32_t dx, int32_t ya, int32_t yb, int32_t ratio_q8)
 {
     int32_t k = ya >> 8;
     const int32_t last = yb >> 8;
     if (k == last) {
-        add_piece(&cell[k], dx, (ya & 255) + (yb & 255));
+        qtri_coverage_add_piece(&cell[k], dx, (ya & 255) + (yb & 255));
         return;
     }
     const int32_t size = dx < 0 ? -dx : dx;
@@ -76,12 +67,12 @@ QTRI_INLINE void add_side(int32_t *cell, int32_t dx, int32_t ya, int32_t yb, int
         const int32_t to = step > 0 ? 256 : 0;
         gone += (to - y) * step;
         const int32_t upto = qtri_least32((gone * ratio_q8) >> 8, size); /* 2^10 2^21 */
-        add_piece(&cell[k], dx < 0 ? done - upto : upto - done, y + to);
+        qtri_coverage_add_piece(&cell[k], dx < 0 ? done - upto : upto - done, y + to);
         k += step;
         y = 256 - to;
         done = upto;
     } while (k != last);
-    add_piece(&cell[k], dx < 0 ? done - size : size - done, y + yb - k * 256);
+    qtri_coverage_add_piece(&cell[k], dx < 0 ? done - size : size - done, y + yb - k * 256);
 }
 
 /* An end of the rectangle, from its near corner to the far one, as far as it lies in the column. */
@@ -156,7 +147,7 @@ static void draw_any(const wire *w, const cells *c)
     int32_t count = 0;
     for (const int32_t *cell = c->cell; cell != c->end; cell++, share_q24 += w->share_across) {
         sum += *cell;
-        const uint32_t cover = (uint32_t)qtri_hold32(sum, 0, FULL);
+        const uint32_t cover = (uint32_t)qtri_hold32(sum, 0, QTRI_COVERAGE_FULL);
         weight[count] = (uint16_t)(sum < LEAST ? 0 : qtri_stroke_weight(cover, to->alpha_q16));
         share_q16[count] = qtri_stroke_held_share(share_q24);
         count++;
@@ -190,10 +181,10 @@ QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
             const uint32_t z = (qtri_stroke_look_depth(&w->look, share) + 0x8000u) >> 16;
             if (!has_depth || z < *at) {
                 uint16_t *to = (uint16_t *)(void *)pixel;
-                const uint32_t cover = (uint32_t)qtri_least32(sum, FULL);
+                const uint32_t cover = (uint32_t)qtri_least32(sum, QTRI_COVERAGE_FULL);
                 const uint32_t weight = qtri_stroke_weight(cover, 65536) & 0x1FFu;
                 const uint32_t word = qtri_stroke_look_tint(&w->look, share);
-                if (has_depth && sum >= FULL / 2) {
+                if (has_depth && sum >= QTRI_COVERAGE_FULL / 2) {
                     *at = (uint16_t)z;
                 }
                 *to = (uint16_t)qtri_color_mix(QTRI_IN_565, word, weight, *to, 256 - weight);
