@@ -339,11 +339,6 @@ QTRI_NOINLINE static void look_at_any(const qtri_mesh_job *draw, uint32_t number
     look_at(draw, number, who, qtri_mesh_has_bytes(draw->mesh), simple, draws, false);
 }
 
-QTRI_NOINLINE static void draw_any_noted(const qtri_mesh_job *draw)
-{
-    draw_noted(draw, qtri_mesh_has_bytes(draw->mesh), false);
-}
-
 /*
  * The faces that may be seen of a mesh that has planes of them, by the first triangles: false, and
  * nothing is drawn, where planes tell nothing.
@@ -384,15 +379,15 @@ void qtri_wireframe_mesh(qtri_mesh_job *draw)
         look_at(draw, 0, FIRST, false, true, true, true);
         return;
     }
-    if (quick && who == LAST) {
-        look_at(draw, 0, LAST, false, true, false, true);
-        draw_noted(draw, false, true);
-    } else if (who == LAST) {
-        look_at_any(draw, 0, LAST, simple, false);
-        draw_any_noted(draw);
-    }
-    if (who == LAST) { /* and those that have no notes */
-        number = qtri_mesh_noted(mesh);
+    if (who == LAST) {
+        if (quick) {
+            look_at(draw, 0, LAST, false, true, false, true);
+            draw_noted(draw, false, true);
+        } else {
+            look_at_any(draw, 0, LAST, simple, false);
+            draw_noted(draw, qtri_mesh_has_bytes(mesh), false);
+        }
+        number = qtri_mesh_noted(mesh); /* and those that have no notes */
         who = EVERY;
     }
     look_at_any(draw, number, who, simple, true);
@@ -426,11 +421,4 @@ void qtri_wireframe_band(qtri_mesh_job *draw)
                   taker_by_job(draw) == taker_of(draw->primitive.material, true);
 }
 
-const qtri_fill qtri_wireframe = {
-    .begin = qtri_primitive_begin_lines,
-    .clipped = qtri_primitive_outline,
-    .triangle = qtri_wireframe_triangle,
-    .mesh = qtri_wireframe_mesh,
-    .prepare = qtri_wireframe_prepare,
-    .band = qtri_wireframe_band,
-};
+const qtri_fill qtri_wireframe = QTRI_WIREFRAME_FILL(qtri_primitive_begin_lines);

@@ -333,14 +333,7 @@ static void begin_smooth(qtri_primitive *primitive)
                             &one_pixel, qtri_stroke_line_draw);
 }
 
-const qtri_fill qtri_smooth_wireframe = {
-    .begin = begin_smooth,
-    .clipped = qtri_primitive_outline,
-    .triangle = qtri_wireframe_triangle,
-    .mesh = qtri_wireframe_mesh,
-    .prepare = qtri_wireframe_prepare,
-    .band = qtri_wireframe_band,
-};
+const qtri_fill qtri_smooth_wireframe = QTRI_WIREFRAME_FILL(begin_smooth);
 
 /* What the edges of one call share. */
 typedef struct wide_edges {
@@ -396,10 +389,7 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
     check_draw(surface, view, pose, stroke, material);
     QTRI_CHECK(qtri_check_mesh(mesh));
     wide_edges wide;
-    const wide_fill fill = {.fill = {begin_wide, qtri_primitive_outline, qtri_wireframe_triangle,
-                                     qtri_wireframe_mesh, qtri_wireframe_prepare,
-                                     qtri_wireframe_band},
-                            .edges = &wide};
+    const wide_fill fill = {QTRI_WIREFRAME_FILL(begin_wide), &wide};
     if (!qtri_stroker_init(&wide.stroker, surface, material, stroke, false)) {
         return;
     }

@@ -280,16 +280,6 @@ static void set_direction(wire *w, int32_t length, int32_t delta, int32_t radius
     w->share_across = delta < 0 ? -w->share_across : w->share_across;
 }
 
-/* The near side at the start of a column that begins a chunk, and the share at its middle. */
-static void begin_chunk(const wire *w, int32_t column, int32_t *low_q16, int32_t *share)
-{
-    const int32_t x = column * 256 - w->origin_x; /* |x| < 2^23 */
-    int64_t rise = (int64_t)qtri_mul_u32(qtri_magnitude32(x), w->slope_q30);
-    rise = (x < 0) == (w->slope_q16 < 0) ? rise : -rise;
-    *low_q16 = w->origin_y * 256 + (int32_t)(rise >> 22) - w->half_q16;
-    *share = (int32_t)(qtri_mul_s32(x + 128, w->share_step) >> 8);
-}
-
 /* Ends and what they bring, by the longer axis. False: nothing is covered. */
 static bool set_ends(wire *w, const qtri_line_job *job, const qtri_line_path *l)
 {
@@ -364,12 +354,15 @@ void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const
     qtri_line_look(&w.look, job, l.first, l.last, color, l.turned);
     set_draw(&w);
     for (int32_t start = w.first; start < w.end; start += QTRI_LINE_CHUNK) {
-        int32_t low_q16;
-        int32_t share;
         const int32_t end = qtri_least32(qtri_least32(start + QTRI_LINE_CHUNK, w.end), w.bounds[1]);
         const int32_t skip = qtri_greatest32(w.bounds[0] - start, 0);
         if (start + skip < end) {
-            begin_chunk(&w, start, &low_q16, &share);
+            /* The near side at the start of the chunk's column, and the share at its middle. */
+            const int32_t x = start * 256 - w.origin_x; /* |x| < 2^23 */
+            int64_t rise = (int64_t)qtri_mul_u32(qtri_magnitude32(x), w.slope_q30);
+            rise = (x < 0) == (w.slope_q16 < 0) ? rise : -rise;
+            const int32_t low_q16 = w.origin_y * 256 + (int32_t)(rise >> 22) - w.half_q16;
+            const int32_t share = (int32_t)(qtri_mul_s32(x + 128, w.share_step) >> 8);
             walk(&w, start + skip, end, low_q16 + skip * w.slope_q16, share + skip * w.share_step);
         }
     }
