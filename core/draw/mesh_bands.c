@@ -343,7 +343,7 @@ static void begin_lists(sorter *s, qtri_prepared *prepared)
     const uint32_t bands = ((uint32_t)s->height + s->rows - 1) / s->rows;
     const uint32_t count = prepared->mesh->triangle_count;
     s->next = (2 * bands + LIST_BLOCK - 1) / LIST_BLOCK * LIST_BLOCK;
-    s->end = prepared->list_count < PLACES ? prepared->list_count : PLACES;
+    s->end = prepared->list_count;
     s->lists = prepared->lists;
     qtri_band_divider_init(&s->divider, s->rows);
     s->group_log2 = 0;

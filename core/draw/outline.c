@@ -182,15 +182,11 @@ enum qtri_error qtri_draw_mesh_outlined(const qtri_surface *surface, const qtri_
                                         qtri_outline *outline)
 {
     const enum qtri_error error = begin_outline(outline, view);
-    if (error != QTRI_OK) {
-        if (outline->mesh != NULL) {
-            qtri_draw_mesh(surface, view, pose, outline->mesh, material);
-        }
-        return error;
-    }
-    if (qtri_mesh_draw(&qtri_vertex_stage_any, surface, view, pose, outline->mesh, material,
-                       outline->front)) {
+    if (error == QTRI_OK && qtri_mesh_draw(&qtri_vertex_stage_any, surface, view, pose,
+                                           outline->mesh, material, outline->front)) {
         set_outline(outline, view->vertices, view, pose, material, surface->width, surface->height);
+    } else if (error != QTRI_OK && outline->mesh != NULL) {
+        qtri_draw_mesh(surface, view, pose, outline->mesh, material);
     }
     return error;
 }
