@@ -171,8 +171,7 @@ static bool find_part(const void *from, uint32_t part, qtri_point at[2], qtri_st
     return true;
 }
 
-/* Lines -----------------------------------------------------------------------------------------
- */
+/* ---- Lines ---- */
 
 static void check_draw(const qtri_surface *surface, const qtri_view *view,
                        const qtri_transform *pose, const qtri_stroke *stroke,
@@ -228,8 +227,7 @@ void qtri_draw_wide_lines(const qtri_surface *surface, const qtri_view *view,
     }
 }
 
-/* Points ----------------------------------------------------------------------------------------
- */
+/* ---- Points ---- */
 
 /*
  * Points and splats: parts without a length.
@@ -246,10 +244,7 @@ static qtri_vec3 half_width_up(const qtri_view *view, const qtri_transform *pose
     qtri_transform_mul(&object_to_eye, &view->camera, pose);
     qtri_transform_to_mat4(&object_to_eye, &m);
     const qtri_vec3 row = {m.m[1][0], m.m[1][1], m.m[1][2]};
-    const qtri_vec3 up = qtri_vec3_normalize(row);
-    const qtri_vec3 half = {q16_mul(up.x, width / 2), q16_mul(up.y, width / 2),
-                            q16_mul(up.z, width / 2)};
-    return half;
+    return qtri_vec3_scale(qtri_vec3_normalize(row), width / 2);
 }
 
 /* What a splat's half is on the screen: at least a 256th, at most QTRI_STROKE_WIDTH_MAX / 2. */
@@ -316,8 +311,7 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
     }
 }
 
-/* Wireframes ------------------------------------------------------------------------------------
- */
+/* ---- Wireframes ---- */
 
 /*
  * Edges are found, lit and shared out as those of &qtri_wireframe are; only what draws an edge is

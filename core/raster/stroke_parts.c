@@ -96,7 +96,6 @@ static void add_box(qtri_stroke_box *sum, const qtri_stroke_box *box)
     sum->y1 = box->y1 > sum->y1 ? box->y1 : sum->y1;
 }
 
-/* Boxes of blocks of parts, and that of all; without a part that is seen it is empty. */
 qtri_stroke_box qtri_stroker_find_blocks(qtri_stroker *stroker)
 {
     const qtri_stroke_box none = {INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN};
@@ -203,7 +202,6 @@ qtri_stroke_shape *qtri_stroker_shape(qtri_stroker *stroker, uint32_t part)
     return shape;
 }
 
-/* Lists the parts that meet a box; false: there are more than there is room for. */
 bool qtri_stroker_list(qtri_stroker *stroker, const qtri_stroke_box *box)
 {
     qtri_stroke_box own;
