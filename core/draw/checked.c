@@ -87,17 +87,6 @@ static bool is_within(int32_t x, int32_t last)
     return x >= 0 && x <= last;
 }
 
-void qtri_prepared_reset(qtri_prepared *prepared)
-{
-    const qtri_prepared none = {.vertices = prepared->vertices,
-                                .vertex_count = prepared->vertex_count,
-                                .lists = prepared->lists,
-                                .memory = prepared->memory,
-                                .bytes = prepared->bytes,
-                                .list_count = prepared->list_count};
-    *prepared = none;
-}
-
 /* The fields of type bool are not looked at, which may have values that no bool has. */
 void qtri_check_prepared(const qtri_prepared *prepared)
 {

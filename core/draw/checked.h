@@ -26,9 +26,6 @@ void qtri_check_lights(const qtri_light_source *sources, uint32_t count,
 /* It was initialised: no field has what none is ever given. */
 void qtri_check_prepared(const qtri_prepared *prepared);
 
-/* What qtri_prepared_init leaves alone, since nobody asks for it before a mesh is prepared. */
-void qtri_prepared_reset(qtri_prepared *prepared);
-
 /* Corners of primitives of `each`. */
 void qtri_check_corners(const void *corners, uint32_t count, uint32_t each);
 #endif

@@ -107,8 +107,11 @@ enum qtri_error qtri_edges_begin(qtri_edges *edges, const qtri_surface *surface,
     return QTRI_OK;
 }
 
-void qtri_edge_axes_init(qtri_edge_axis axis[2], const qtri_edges *edges, qtri_edge_test test)
+void qtri_edge_axes_init(qtri_edge_axis axis[2], const qtri_edges *edges, qtri_compare compare)
 {
+    const bool is_farther = compare == QTRI_GREATER || compare == QTRI_GREATER_EQUAL;
+    const bool hides =
+        edges->surface.depth != NULL && compare != QTRI_DEPTH_OFF && compare != QTRI_ALWAYS;
     const qtri_rect *bounds = &edges->bounds;
     const int32_t pitch = edges->pitch;
     const int32_t first_row = edges->surface.first_row;
@@ -122,8 +125,8 @@ void qtri_edge_axes_init(qtri_edge_axis axis[2], const qtri_edges *edges, qtri_e
                             .origin = origin + bounds->y0 * pitch,
                             .marks = edges->marks,
                             .notes = edges->notes,
-                            .flip = test == QTRI_EDGE_FARTHER ? 0xFFFF : 0,
-                            .hides = test != QTRI_EDGE_ALWAYS};
+                            .flip = is_farther ? 0xFFFF : 0,
+                            .hides = hides};
     axis[0] = level;
     level.low = bounds->y0;
     level.high = bounds->y1;

@@ -7,13 +7,6 @@
 
 #include "qtri/antialias.h"
 
-/* How stored depths are compared with those of edges. */
-typedef enum qtri_edge_test {
-    QTRI_EDGE_NEARER,  /* smaller ones hide an edge */
-    QTRI_EDGE_FARTHER, /* greater ones do */
-    QTRI_EDGE_ALWAYS   /* none do */
-} qtri_edge_test;
-
 /* The pixels that edges of one major axis are walked along. */
 typedef struct qtri_edge_axis {
     int32_t low, high; /* pixels on the major axis */
@@ -30,8 +23,9 @@ typedef struct qtri_edge_axis {
     bool hides;    /* depths are compared */
 } qtri_edge_axis;
 
-/* For a pass whose bounds are not empty: axis[0] is for edges longer in x, axis[1] in y. */
-void qtri_edge_axes_init(qtri_edge_axis axis[2], const qtri_edges *edges, qtri_edge_test test);
+/* For a pass whose bounds are not empty: axis[0] is for edges longer in x, axis[1] in y. Stored
+   depths hide edges as `compare`, of what was drawn, says. */
+void qtri_edge_axes_init(qtri_edge_axis axis[2], const qtri_edges *edges, qtri_compare compare);
 
 /*
  * Notes the edge from a to b of the face a b c. All three are inside all planes: coordinates are

@@ -70,20 +70,8 @@ void qtri_prepared_init(qtri_prepared *prepared, void *memory, size_t bytes)
 {
     QTRI_ASSERT(prepared != NULL);
     QTRI_ASSERT(memory != NULL || bytes == 0);
-    prepared->memory = memory;
-    prepared->bytes = bytes;
-    prepared->vertices = NULL;
-    prepared->vertex_count = 0;
-    prepared->lists = NULL;
-    prepared->list_count = 0;
-    prepared->marked = nowhere;
-    prepared->mesh = NULL;
-    prepared->overlap = 0;
-    prepared->edges_above = 0;
-    prepared->edges_below = 0;
-    prepared->front = NULL;
-    prepared->front_of = NULL;
-    QTRI_CHECK(qtri_prepared_reset(prepared));
+    const qtri_prepared empty = {.memory = memory, .bytes = bytes};
+    *prepared = empty;
 }
 
 /* Vertices for the mesh, with their colours in several lights, then lists. */
@@ -114,13 +102,11 @@ typedef struct sorter {
     const qtri_mesh_job *job;
     qtri_prepared *prepared;
     bool is_complete;
-    bool is_listing;
-    bool is_direct; /* groups are single triangles, and there is a block for every list */
-    bool is_solid;
+    int32_t before_24p8, after_24p8; /* see the functions */
     int32_t height, overlap;
-    uint32_t rows, bands; /* of a band; of the frame */
+    uint32_t rows; /* of a band */
     qtri_band_divider divider;
-    uint32_t next, end; /* places: of the next block, of the end of the memory */
+    uint32_t next, end; /* places: of the next block, of the end of the memory; 0: it is full */
     uint16_t *lists;
     uint32_t group_log2;
     uint32_t group;      /* one that is not listed yet; UINT32_MAX: none */
@@ -128,25 +114,19 @@ typedef struct sorter {
     bool is_anywhere;    /* some triangle crosses a plane */
 } sorter;
 
-/* Those in slots are lit when they are drawn; what they span is noted now. */
-static void meet_slots(const sorter *s, qtri_vertex *const vertex[3])
-{
-    for (int i = 0; i < 3; i++) {
-        widen(&s->prepared->extent_24p8, vertex[i]);
-    }
-}
-
 /* The vertices of a triangle that is seen are lit for good; without light that tells they were met.
- */
-static inline void meet_all(const sorter *s, const void *triangle, qtri_vertex *const vertex[3])
+   Those in slots are lit when they are drawn: what they span is noted now. */
+static inline void meet(const sorter *s, const void *triangle, qtri_vertex *const vertex[3])
 {
     if (qtri_vertices_are_lit(vertex[0], vertex[1], vertex[2])) {
         return;
     }
     if (s->is_complete) {
         qtri_mesh_light_corners(s->job, triangle, vertex[0], vertex[1], vertex[2]);
-    } else {
-        meet_slots(s, vertex);
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        widen(&s->prepared->extent_24p8, vertex[i]);
     }
 }
 
@@ -156,7 +136,6 @@ QTRI_NOINLINE static uint32_t add_block(sorter *s, uint32_t band, uint32_t place
     uint32_t block = s->next;
     s->lists[s->lists[2 * band] == 0 ? 2 * band : place] = (uint16_t)block;
     s->next += LIST_BLOCK;
-    s->is_direct = s->is_direct && s->next + s->bands * LIST_BLOCK <= s->end;
     return block;
 }
 
@@ -172,31 +151,27 @@ static inline void append(sorter *s, uint32_t band, uint32_t group)
     list[1] = (uint16_t)(place + 1);
 }
 
-static inline void append_to_all(sorter *s, uint32_t band, uint32_t last, uint32_t group)
+/* Rows top..bottom - 1 of the frame, at least one. Without room neither this group nor one that
+   follows is in a list. */
+static inline void list_group(sorter *s, uint32_t group, int32_t top, int32_t bottom)
 {
-    append(s, band, group);
-    while (band != last) {
-        band++;
-        append(s, band, group);
-    }
-}
-
-/* Rows top..bottom - 1 of the frame, at least one. Without room the group is in no list. */
-static void list_group(sorter *s, uint32_t group, int32_t top, int32_t bottom)
-{
-    const uint32_t band = qtri_band_of(&s->divider, (uint32_t)top);
+    uint32_t band = qtri_band_of(&s->divider, (uint32_t)top);
     const uint32_t last = qtri_band_of(&s->divider, (uint32_t)bottom - 1);
-    if (s->next + (last - band + 1) * LIST_BLOCK <= s->end) {
-        append_to_all(s, band, last, group);
-    } else {
-        s->is_listing = false;
-        s->prepared->listed = group << s->group_log2;
+    if (s->next + (last - band + 1) * LIST_BLOCK > s->end) {
+        if (s->end != 0) {
+            s->end = 0;
+            s->prepared->listed = group << s->group_log2;
+        }
+        return;
+    }
+    for (; band <= last; band++) {
+        append(s, band, group);
     }
 }
 
 static void list_pending(sorter *s)
 {
-    if (s->is_listing && s->group != UINT32_MAX) {
+    if (s->group != UINT32_MAX) {
         list_group(s, s->group, s->top, s->bottom);
     }
 }
@@ -222,88 +197,67 @@ static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_
     if (top >= bottom) {
         return;
     }
-    if (s->is_direct) {
-        append_to_all(s, qtri_band_of(&s->divider, (uint32_t)top),
-                      qtri_band_of(&s->divider, (uint32_t)bottom - 1), number);
+    if (s->group_log2 == 0) {
+        list_group(s, number, top, bottom);
     } else {
         list_in_group(s, number, top, bottom);
     }
 }
 
 /* A triangle inside all planes that is not turned away, and whose vertices were met. */
-static inline void list_seen(sorter *s, uint32_t number, qtri_vertex *const vertex[3],
-                             bool is_solid)
+static inline void list_seen(sorter *s, uint32_t number, qtri_vertex *const vertex[3])
 {
     const int32_t a = vertex[0]->at.y_24p8;
     const int32_t b = vertex[1]->at.y_24p8;
     const int32_t c = vertex[2]->at.y_24p8;
-    list_triangle(s, number, (qtri_least32(a, qtri_least32(b, c)) + before_24p8(is_solid)) >> 8,
-                  (qtri_greatest32(a, qtri_greatest32(b, c)) + after_24p8(is_solid)) >> 8);
+    list_triangle(s, number, (qtri_least32(a, qtri_least32(b, c)) + s->before_24p8) >> 8,
+                  (qtri_greatest32(a, qtri_greatest32(b, c)) + s->after_24p8) >> 8);
 }
 
-QTRI_NOINLINE static void see_solid(sorter *s, uint32_t number, const void *triangle,
-                                    qtri_vertex *const vertex[3])
+QTRI_NOINLINE static void see_inside(sorter *s, uint32_t number, const void *triangle,
+                                     qtri_vertex *const vertex[3])
 {
-    meet_all(s, triangle, vertex);
-    list_seen(s, number, vertex, true);
+    meet(s, triangle, vertex);
+    list_seen(s, number, vertex);
 }
 
 /* Any triangle that is not turned away. */
-QTRI_NOINLINE static void see_any(sorter *s, uint32_t number, const void *triangle,
-                                  qtri_vertex *const vertex[3])
+static void see_any(sorter *s, uint32_t number, const void *triangle, qtri_vertex *const vertex[3])
 {
     if (qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
-        meet_all(s, triangle, vertex);
-        list_seen(s, number, vertex, s->is_solid);
-        return;
-    }
-    if (!qtri_mesh_is_outside(vertex)) {
+        see_inside(s, number, triangle, vertex);
+    } else if (!qtri_mesh_is_outside(vertex)) {
         s->is_anywhere = true;
-        meet_all(s, triangle, vertex);
+        meet(s, triangle, vertex);
         list_triangle(s, number, 0, s->height);
     }
 }
 
-/* All triangles of a mesh whose vertices are there; `simple` as in mesh.c. */
-static inline void see_triangles(sorter *s, bool narrow, bool simple)
+/* All triangles of a mesh whose vertices are there. */
+QTRI_NOINLINE static void see_complete(sorter *s)
 {
     const qtri_mesh *mesh = s->job->mesh;
     qtri_vertex *vertices = s->job->vertices;
     const uint32_t count = mesh->vertex_count;
+    const bool narrow = qtri_mesh_has_bytes(mesh);
     const bool back_only = s->prepared->back_only;
     const uint32_t vertex_size = qtri_vertex_size();
-    const uint8_t *next = qtri_mesh_triangle(mesh, 0, narrow);
-    for (uint32_t number = 0; number != mesh->triangle_count; number++) {
-        const uint8_t *triangle = next;
+    const uint8_t *triangle = qtri_mesh_triangle(mesh, 0, narrow);
+    for (uint32_t number = 0; number != mesh->triangle_count;
+         number++, triangle += narrow ? 3 : 6) {
         uint32_t index[3];
         qtri_vertex *vertex[3];
         qtri_mesh_indices(index, triangle, narrow);
-        next += narrow ? 3 : 6;
         if (!qtri_mesh_find(vertex, vertices, count, index, vertex_size)) {
             continue;
         }
-        if (simple || back_only
-                ? qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
-                : qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
-            continue;
+        if (!back_only) {
+            if (!qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
+                see_any(s, number, triangle, vertex);
+            }
+        } else if (!qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)) {
+            see_inside(s, number, triangle, vertex);
         }
-        if (simple) {
-            see_solid(s, number, triangle, vertex);
-        } else {
-            see_any(s, number, triangle, vertex);
-        }
-    }
-}
-
-QTRI_NOINLINE static void see_complete(sorter *s)
-{
-    const bool simple = s->prepared->back_only && s->is_solid;
-    if (qtri_mesh_has_bytes(s->job->mesh)) {
-        see_triangles(s, true, simple);
-    } else if (simple) {
-        see_triangles(s, false, true);
-    } else {
-        see_triangles(s, false, false);
     }
 }
 
@@ -326,7 +280,7 @@ static inline void see_list(sorter *s, const qtri_mesh_faces *faces, uint32_t fi
             continue;
         }
         if (simple) {
-            list_seen(s, number, vertex, true);
+            list_seen(s, number, vertex);
         } else {
             see_any(s, number, triangle, vertex);
         }
@@ -344,7 +298,7 @@ QTRI_NOINLINE static bool see_faces(sorter *s)
         return false;
     }
     for (uint32_t first = 0; culling->next(&faces, s->job); first = faces.next) {
-        if (back && faces.inside && s->is_solid && !narrow) {
+        if (back && faces.inside && !narrow) {
             see_list(s, &faces, first, false, true);
         } else {
             see_list(s, &faces, first, narrow, false);
@@ -389,21 +343,20 @@ static void begin_lists(sorter *s, qtri_prepared *prepared)
     const uint32_t bands = ((uint32_t)s->height + s->rows - 1) / s->rows;
     const uint32_t count = prepared->mesh->triangle_count;
     s->next = (2 * bands + LIST_BLOCK - 1) / LIST_BLOCK * LIST_BLOCK;
-    s->end = prepared->list_count < PLACES ? prepared->list_count : PLACES;
+    s->end = prepared->list_count;
     s->lists = prepared->lists;
     qtri_band_divider_init(&s->divider, s->rows);
     s->group_log2 = 0;
     s->group = UINT32_MAX;
-    s->is_listing = s->end >= s->next + LIST_BLOCK;
-    prepared->listed = s->is_listing ? count : 0;
-    if (!s->is_listing) {
+    prepared->listed = count;
+    if (s->end < s->next + LIST_BLOCK) {
+        s->end = 0;
+        prepared->listed = 0;
         return;
     }
     while (s->group_log2 < GROUP_LOG2_MAX && count >> s->group_log2 > s->end - s->next) {
         s->group_log2++;
     }
-    s->is_direct = s->group_log2 == 0 && s->next + bands * LIST_BLOCK <= s->end;
-    s->bands = bands;
     for (uint32_t i = 0; i < bands; i++) {
         s->lists[2 * i] = 0;
         s->lists[2 * i + 1] = LIST_FULL;
@@ -451,7 +404,8 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
     sorter s = {.job = &job,
                 .prepared = prepared,
                 .is_complete = is_complete(prepared),
-                .is_solid = is_solid,
+                .before_24p8 = before_24p8(is_solid),
+                .after_24p8 = after_24p8(is_solid),
                 .height = prepared->height,
                 .overlap = prepared->overlap,
                 .rows = (uint32_t)prepared->rows};
@@ -571,9 +525,10 @@ static void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, uint32_t 
 }
 
 /* Fills a band's list of a mesh whose back faces were culled, all vertices inside. */
-static inline void draw_fronts_of(const qtri_mesh_job *draw, const uint16_t *lists, uint32_t place,
-                                  uint32_t end, bool narrow)
+QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw, const uint16_t *lists,
+                                      uint32_t place, uint32_t end)
 {
+    const bool narrow = qtri_mesh_has_bytes(draw->mesh);
     const uint8_t *triangles = qtri_mesh_triangle(draw->mesh, 0, narrow);
     qtri_small t = draw->primitive.to.solid.small;
     bool (*const by)(qtri_small *) = t.state->small;
@@ -588,16 +543,6 @@ static inline void draw_fronts_of(const qtri_mesh_job *draw, const uint16_t *lis
         if (!qtri_mesh_draw_small(by, &t, triangle, index, vertex)) {
             qtri_mesh_draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
         }
-    }
-}
-
-QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw, const uint16_t *lists,
-                                      uint32_t place, uint32_t end)
-{
-    if (qtri_mesh_has_bytes(draw->mesh)) {
-        draw_fronts_of(draw, lists, place, end, true);
-    } else {
-        draw_fronts_of(draw, lists, place, end, false);
     }
 }
 

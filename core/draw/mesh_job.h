@@ -94,6 +94,13 @@ void qtri_wireframe_mesh(qtri_mesh_job *draw);
 void qtri_wireframe_prepare(const qtri_mesh_job *draw, bool back_only);
 void qtri_wireframe_band(qtri_mesh_job *draw);
 
+/* Such a fill, whose `begin` this is. */
+#define QTRI_WIREFRAME_FILL(begin)                                                                 \
+    {                                                                                              \
+        begin, qtri_primitive_outline, qtri_wireframe_triangle, qtri_wireframe_mesh,               \
+            qtri_wireframe_prepare, qtri_wireframe_band                                            \
+    }
+
 /*
  * How it looks and where to: all that triangles inside all planes need, once they are lit; and
  * memory for its vertices.

@@ -57,12 +57,6 @@ static taker taker_by_job(const qtri_mesh_job *draw)
     return taker_of(draw->primitive.material, draw->primitive.surface->depth != NULL);
 }
 
-/* In bands with depth, as most are. */
-static taker taker_by_material(const qtri_material *material)
-{
-    return taker_of(material, true);
-}
-
 /* Whether the edge is noted; it is not any more then. */
 QTRI_INLINE bool was_noted(qtri_vertex *vertex, uint32_t edge)
 {
@@ -113,34 +107,22 @@ static void clear_notes(const qtri_mesh_job *draw)
     }
 }
 
-/* Some edges in the light of the face. */
-QTRI_NOINLINE static void draw_in_face_light(const qtri_mesh_job *draw, const void *triangle,
-                                             qtri_vertex *const vertex[3], uint32_t edges)
+/* Whether the light of a mesh's vertices tells what colours lines have. */
+static inline bool is_tinted(const qtri_mesh_job *draw)
 {
-    const qtri_line_job *line = &draw->primitive.to.lines.job;
-    const uint16_t face_q15 = (uint16_t)qtri_mesh_light_face(draw, triangle);
-    qtri_vertex corner[4];
-    for (int i = 0; i < 4; i++) {
-        corner[i] = *vertex[i < 3 ? i : 0];
-        corner[i].intensity_q15 = face_q15;
-    }
-    for (int i = 0; i < 3; i++) {
-        if ((edges >> i & 1) != 0) {
-            line->draw(line, &corner[i], &corner[i + 1], NULL);
-        }
-    }
+    return draw->mesh->colors == NULL && !draw->lit_per_face && draw->lights == NULL;
 }
 
-/* Some edges in the colours of the vertices. */
-QTRI_NOINLINE static void draw_in_colors(const qtri_mesh_job *draw, const void *triangle,
-                                         qtri_vertex *const vertex[3], uint32_t edges)
+/* Some edges of a triangle inside all planes, in other colours: of a view's lights, or of the
+   vertices or the material in the light of the face or of the vertices. */
+QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const void *triangle,
+                                       qtri_vertex *const vertex[3], uint32_t edges)
 {
     const qtri_line_job *line = &draw->primitive.to.lines.job;
     const qtri_rgb *colors = draw->mesh->colors;
     qtri_rgb shaded[3];
     uint32_t index[3];
-    uint32_t light_q15[3];
-    qtri_line_color color[4]; /* the first once more: an edge's are next to each other */
+    uint32_t light_q15[3] = {QTRI_INTENSITY_ONE, QTRI_INTENSITY_ONE, QTRI_INTENSITY_ONE};
     qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(draw->mesh));
     if (draw->lights != NULL) {
         draw->lights->model->shade(draw, index, vertex[0], vertex[1], vertex[2], shaded);
@@ -148,51 +130,37 @@ QTRI_NOINLINE static void draw_in_colors(const qtri_mesh_job *draw, const void *
         index[0] = 0;
         index[1] = 1;
         index[2] = 2;
-        light_q15[0] = light_q15[1] = light_q15[2] = QTRI_INTENSITY_ONE;
     } else if (draw->lit_per_face) {
-        light_q15[0] = qtri_mesh_light_face(draw, triangle);
-        light_q15[1] = light_q15[2] = light_q15[0];
+        light_q15[0] = light_q15[1] = light_q15[2] = qtri_mesh_light_face(draw, triangle);
     } else {
-        light_q15[0] = vertex[0]->intensity_q15;
-        light_q15[1] = vertex[1]->intensity_q15;
-        light_q15[2] = vertex[2]->intensity_q15;
+        if (!qtri_vertices_are_lit(vertex[0], vertex[1], vertex[2])) {
+            qtri_mesh_light_corners(draw, triangle, vertex[0], vertex[1], vertex[2]);
+        }
+        for (int i = 0; i < 3; i++) {
+            light_q15[i] = vertex[i]->intensity_q15;
+        }
     }
     if (!qtri_is_smooth(draw->primitive.material)) {
         const int from = qtri_provoking_of(draw->primitive.material);
         light_q15[0] = light_q15[1] = light_q15[2] = light_q15[from];
         index[0] = index[1] = index[2] = index[from];
     }
-    for (int i = 0; i < 4; i++) {
-        const int from = i < 3 ? i : 0;
-        qtri_line_color_set(color[i], &colors[index[from]], light_q15[from]);
-    }
     for (int i = 0; i < 3; i++) {
-        if ((edges >> i & 1) != 0) {
-            line->draw(line, vertex[i], vertex[i < 2 ? i + 1 : 0],
-                       (const qtri_line_color *)&color[i]);
+        qtri_vertex end[2];
+        qtri_line_color color[2];
+        if ((edges >> i & 1) == 0) {
+            continue;
         }
+        for (int k = 0; k < 2; k++) {
+            const int from = i + k < 3 ? i + k : 0;
+            end[k] = *vertex[from];
+            end[k].intensity_q15 = (uint16_t)light_q15[from];
+            if (colors != NULL) {
+                qtri_line_color_set(color[k], &colors[index[from]], light_q15[from]);
+            }
+        }
+        line->draw(line, &end[0], &end[1], colors != NULL ? (const qtri_line_color *)color : NULL);
     }
-}
-
-/* Whether the light of a mesh's vertices tells what colours lines have. */
-static inline bool is_tinted(const qtri_mesh_job *draw)
-{
-    return draw->mesh->colors == NULL && !draw->lit_per_face && draw->lights == NULL;
-}
-
-/* Some edges of a triangle inside all planes, in other colours. */
-QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const void *triangle,
-                                       qtri_vertex *const vertex[3], uint32_t edges)
-{
-    if (draw->lights == NULL && draw->mesh->colors == NULL) {
-        draw_in_face_light(draw, triangle, vertex, edges);
-        return;
-    }
-    if (draw->lights == NULL && !draw->lit_per_face &&
-        !qtri_vertices_are_lit(vertex[0], vertex[1], vertex[2])) {
-        qtri_mesh_light_corners(draw, triangle, vertex[0], vertex[1], vertex[2]);
-    }
-    draw_in_colors(draw, triangle, vertex, edges);
 }
 
 /* Some edges of a triangle inside all planes. */
@@ -371,11 +339,6 @@ QTRI_NOINLINE static void look_at_any(const qtri_mesh_job *draw, uint32_t number
     look_at(draw, number, who, qtri_mesh_has_bytes(draw->mesh), simple, draws, false);
 }
 
-QTRI_NOINLINE static void draw_any_noted(const qtri_mesh_job *draw)
-{
-    draw_noted(draw, qtri_mesh_has_bytes(draw->mesh), false);
-}
-
 /*
  * The faces that may be seen of a mesh that has planes of them, by the first triangles: false, and
  * nothing is drawn, where planes tell nothing.
@@ -416,15 +379,15 @@ void qtri_wireframe_mesh(qtri_mesh_job *draw)
         look_at(draw, 0, FIRST, false, true, true, true);
         return;
     }
-    if (quick && who == LAST) {
-        look_at(draw, 0, LAST, false, true, false, true);
-        draw_noted(draw, false, true);
-    } else if (who == LAST) {
-        look_at_any(draw, 0, LAST, simple, false);
-        draw_any_noted(draw);
-    }
-    if (who == LAST) { /* and those that have no notes */
-        number = qtri_mesh_noted(mesh);
+    if (who == LAST) {
+        if (quick) {
+            look_at(draw, 0, LAST, false, true, false, true);
+            draw_noted(draw, false, true);
+        } else {
+            look_at_any(draw, 0, LAST, simple, false);
+            draw_noted(draw, qtri_mesh_has_bytes(mesh), false);
+        }
+        number = qtri_mesh_noted(mesh); /* and those that have no notes */
         who = EVERY;
     }
     look_at_any(draw, number, who, simple, true);
@@ -448,20 +411,14 @@ void qtri_wireframe_triangle(const qtri_mesh_job *draw, const void *triangle,
 void qtri_wireframe_prepare(const qtri_mesh_job *draw, bool back_only)
 {
     clear_notes(draw);
-    look_at_any(draw, 0, taker_by_material(draw->primitive.material), back_only, false);
+    const taker who = taker_of(draw->primitive.material, true); /* bands mostly have depth */
+    look_at_any(draw, 0, who, back_only, false);
 }
 
 void qtri_wireframe_band(qtri_mesh_job *draw)
 {
     draw->noted = draw->slot_count >= draw->mesh->vertex_count &&
-                  taker_by_job(draw) == taker_by_material(draw->primitive.material);
+                  taker_by_job(draw) == taker_of(draw->primitive.material, true);
 }
 
-const qtri_fill qtri_wireframe = {
-    .begin = qtri_primitive_begin_lines,
-    .clipped = qtri_primitive_outline,
-    .triangle = qtri_wireframe_triangle,
-    .mesh = qtri_wireframe_mesh,
-    .prepare = qtri_wireframe_prepare,
-    .band = qtri_wireframe_band,
-};
+const qtri_fill qtri_wireframe = QTRI_WIREFRAME_FILL(qtri_primitive_begin_lines);

@@ -182,15 +182,11 @@ enum qtri_error qtri_draw_mesh_outlined(const qtri_surface *surface, const qtri_
                                         qtri_outline *outline)
 {
     const enum qtri_error error = begin_outline(outline, view);
-    if (error != QTRI_OK) {
-        if (outline->mesh != NULL) {
-            qtri_draw_mesh(surface, view, pose, outline->mesh, material);
-        }
-        return error;
-    }
-    if (qtri_mesh_draw(&qtri_vertex_stage_any, surface, view, pose, outline->mesh, material,
-                       outline->front)) {
+    if (error == QTRI_OK && qtri_mesh_draw(&qtri_vertex_stage_any, surface, view, pose,
+                                           outline->mesh, material, outline->front)) {
         set_outline(outline, view->vertices, view, pose, material, surface->width, surface->height);
+    } else if (error != QTRI_OK && outline->mesh != NULL) {
+        qtri_draw_mesh(surface, view, pose, outline->mesh, material);
     }
     return error;
 }
@@ -287,17 +283,8 @@ static bool list_edge(finder *f, const qtri_vertex *a, const qtri_vertex *b, uin
     return true;
 }
 
-/* Notes the edge from vertex[0] to vertex[1], or lists it. False: there is no room. */
-static inline bool take_edge(finder *f, qtri_vertex *const vertex[3], uint32_t entry)
-{
-    if (f->bands == 0) {
-        qtri_edge_note(f->axis, vertex[0], vertex[1], vertex[2]);
-        return true;
-    }
-    return list_edge(f, vertex[0], vertex[1], entry);
-}
-
-/* Those of a triangle's edges that have a bit. */
+/* Notes or lists those of a triangle's edges that have a bit. False, here and below: there is no
+   room in lists. */
 static bool take_edges(finder *f, uint32_t triangle, uint32_t edges, bool weak)
 {
     const uint32_t entry = (uint32_t)weak << WEAK_SHIFT | triangle;
@@ -305,9 +292,17 @@ static bool take_edges(finder *f, uint32_t triangle, uint32_t edges, bool weak)
     if (!find_corners(f->outline, triangle, v)) {
         return true;
     }
-    return ((edges & 1) == 0 || take_edge(f, v, entry)) &&
-           ((edges & 2) == 0 || take_edge(f, v + 1, entry | (uint32_t)1 << CORNER_SHIFT)) &&
-           ((edges & 4) == 0 || take_edge(f, v + 2, entry | (uint32_t)2 << CORNER_SHIFT));
+    for (uint32_t k = 0; k < 3; k++) {
+        if ((edges >> k & 1) == 0) {
+            continue;
+        }
+        if (f->bands == 0) {
+            qtri_edge_note(f->axis, v[k], v[k + 1], v[k + 2]);
+        } else if (!list_edge(f, v[k], v[k + 1], entry | k << CORNER_SHIFT)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* ---- Finding edges ---- */
@@ -366,8 +361,7 @@ static uint32_t creases_of(const finder *f, uint32_t triangle)
     return edges;
 }
 
-/* Of front triangles silhouettes, or creases, which are weaker. False, here and below: there is no
-   room in lists. */
+/* Of front triangles silhouettes, or creases, which are weaker. */
 static bool find_front_edges(finder *f, bool creases)
 {
     const qtri_outline *outline = f->outline;
@@ -483,16 +477,6 @@ enum qtri_error qtri_prepared_find_edges(const qtri_prepared *prepared, qtri_out
 
 /* ---- Noting ---- */
 
-static qtri_edge_test test_of(const qtri_edges *edges, const qtri_material *material)
-{
-    const qtri_compare compare = qtri_compare_of(material);
-    if (edges->surface.depth == NULL || compare == QTRI_DEPTH_OFF || compare == QTRI_ALWAYS) {
-        return QTRI_EDGE_ALWAYS;
-    }
-    return compare == QTRI_GREATER || compare == QTRI_GREATER_EQUAL ? QTRI_EDGE_FARTHER
-                                                                    : QTRI_EDGE_NEARER;
-}
-
 static void note_list(finder *f, uint32_t band)
 {
     const qtri_outline *outline = f->outline;
@@ -521,7 +505,7 @@ void qtri_edges_note(qtri_edges *edges, const qtri_outline *outline)
         return;
     }
     finder f = {.outline = outline};
-    qtri_edge_axes_init(f.axis, edges, test_of(edges, outline->material));
+    qtri_edge_axes_init(f.axis, edges, qtri_compare_of(outline->material));
     if (outline->rows != 0) { /* is there a list that has all edges of these rows? */
         const int32_t band = (bounds->y0 + outline->above) / outline->rows;
         if (band * outline->rows < outline->height &&

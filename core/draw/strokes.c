@@ -92,8 +92,15 @@ static void job_vertices(const stroke_job *job, uint32_t first, uint32_t count, 
     }
 }
 
+/* A part's corners are that of its number and the next one; behind the last is the first. */
+static inline uint32_t corner_at(const stroke_job *job, uint32_t i)
+{
+    return i < job->count ? i : 0;
+}
+
 static void find_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out)
 {
+    corner = corner_at(job, corner);
     if (corner < job->kept) {
         *out = job->vertices[corner];
     } else {
@@ -101,23 +108,13 @@ static void find_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out
     }
 }
 
-/* A part's corners and where they are; false: one is outside. */
-static bool find_corners(const stroke_job *job, uint32_t part, uint32_t corner[2], qtri_vertex v[2])
-{
-    corner[0] = part;
-    corner[1] = part + 1 < job->count ? part + 1 : 0;
-    find_vertex(job, corner[0], &v[0]);
-    find_vertex(job, corner[1], &v[1]);
-    return is_inside(&v[0]) && is_inside(&v[1]);
-}
-
 /* The ends of what clipping leaves of a part, and how far along it they lie. False: nothing. A
    function of its own: few parts need its stack. */
-QTRI_NOINLINE static bool clip_part(const stroke_job *job, const uint32_t corner[2],
-                                    qtri_vertex end[2], int32_t share_q30[2])
+QTRI_NOINLINE static bool clip_part(const stroke_job *job, uint32_t part, qtri_vertex end[2],
+                                    int32_t share_q30[2])
 {
-    const qtri_vec4 *const position[2] = {&job->corners[corner[0]].position,
-                                          &job->corners[corner[1]].position};
+    const qtri_vec4 *const position[2] = {&job->corners[part].position,
+                                          &job->corners[corner_at(job, part + 1)].position};
     qtri_clip_vertex v[2];
     qtri_projector_points(&job->projector, position, 2, v);
     v[0].b1_q30 = 0;
@@ -150,11 +147,12 @@ static void mix_colors(qtri_stroke_end end[2], const int32_t share_q30[2])
 static bool find_part(const void *from, uint32_t part, qtri_point at[2], qtri_stroke_end end[2])
 {
     const stroke_job *job = from;
-    uint32_t corner[2];
     qtri_vertex v[2];
     int32_t share_q30[2];
-    const bool is_cut = !find_corners(job, part, corner, v);
-    if (is_cut && !clip_part(job, corner, v, share_q30)) {
+    find_vertex(job, part, &v[0]);
+    find_vertex(job, part + 1, &v[1]);
+    const bool is_cut = !is_inside(&v[0]) || !is_inside(&v[1]);
+    if (is_cut && !clip_part(job, part, v, share_q30)) {
         return false;
     }
     at[0] = v[0].at;
@@ -162,9 +160,10 @@ static bool find_part(const void *from, uint32_t part, qtri_point at[2], qtri_st
     if (end == NULL) {
         return true;
     }
-    for (int i = 0; i < 2; i++) {
+    for (uint32_t i = 0; i < 2; i++) {
         end[i].depth_16p8 = v[i].depth_16p8;
-        qtri_line_color_set(end[i].color_8p16, &job->corners[corner[i]].color, QTRI_INTENSITY_ONE);
+        qtri_line_color_set(end[i].color_8p16, &job->corners[corner_at(job, part + i)].color,
+                            QTRI_INTENSITY_ONE);
     }
     if (is_cut) {
         mix_colors(end, share_q30);
@@ -172,8 +171,7 @@ static bool find_part(const void *from, uint32_t part, qtri_point at[2], qtri_st
     return true;
 }
 
-/* Lines -----------------------------------------------------------------------------------------
- */
+/* ---- Lines ---- */
 
 static void check_draw(const qtri_surface *surface, const qtri_view *view,
                        const qtri_transform *pose, const qtri_stroke *stroke,
@@ -195,8 +193,7 @@ void qtri_draw_polyline(const qtri_surface *surface, const qtri_view *view,
     QTRI_CHECK(qtri_check_corners(corners, corner_count, 1));
     stroke_job job;
     qtri_stroker stroker;
-    if (corner_count == 0 || !qtri_stroker_init(&stroker, surface, material, stroke) ||
-        stroker.radius == 0) {
+    if (corner_count == 0 || !qtri_stroker_init(&stroker, surface, material, stroke, false)) {
         return;
     }
     job_init(&job, view, pose, corners, corner_count, material);
@@ -208,10 +205,7 @@ void qtri_draw_polyline(const qtri_surface *surface, const qtri_view *view,
     }
     job.vertices = view->vertices;
     job.kept = kept;
-    const bool closed = stroke->closed && corner_count > 2;
-    const qtri_stroke_source source = {
-        &job, closed || corner_count == 1 ? corner_count : corner_count - 1, closed, find_part};
-    qtri_stroker_draw(&stroker, &source);
+    qtri_stroker_draw(&stroker, find_part, &job, corner_count, stroke->closed);
 }
 
 void qtri_draw_wide_lines(const qtri_surface *surface, const qtri_view *view,
@@ -223,24 +217,17 @@ void qtri_draw_wide_lines(const qtri_surface *surface, const qtri_view *view,
     QTRI_CHECK(qtri_check_corners(corners, corner_count, 2));
     stroke_job job;
     qtri_stroker stroker;
-    if (!qtri_stroker_init(&stroker, surface, material, stroke) || stroker.radius == 0) {
+    if (!qtri_stroker_init(&stroker, surface, material, stroke, false)) {
         return;
     }
     job_init(&job, view, pose, corners, 2, material);
-    const qtri_stroke_source source = {&job, 1, false, find_part};
-    qtri_vertex v[2];
-    job.vertices = v;
-    job.kept = 2;
     for (uint32_t i = 0; corner_count - i >= 2; i += 2) {
         job.corners = &corners[i];
-        any_vertex(&job, 0, &v[0]);
-        any_vertex(&job, 1, &v[1]);
-        qtri_stroker_draw(&stroker, &source);
+        qtri_stroker_draw(&stroker, find_part, &job, 2, false);
     }
 }
 
-/* Points ----------------------------------------------------------------------------------------
- */
+/* ---- Points ---- */
 
 /*
  * Points and splats: parts without a length.
@@ -257,10 +244,7 @@ static qtri_vec3 half_width_up(const qtri_view *view, const qtri_transform *pose
     qtri_transform_mul(&object_to_eye, &view->camera, pose);
     qtri_transform_to_mat4(&object_to_eye, &m);
     const qtri_vec3 row = {m.m[1][0], m.m[1][1], m.m[1][2]};
-    const qtri_vec3 up = qtri_vec3_normalize(row);
-    const qtri_vec3 half = {q16_mul(up.x, width / 2), q16_mul(up.y, width / 2),
-                            q16_mul(up.z, width / 2)};
-    return half;
+    return qtri_vec3_scale(qtri_vec3_normalize(row), width / 2);
 }
 
 /* What a splat's half is on the screen: at least a 256th, at most QTRI_STROKE_WIDTH_MAX / 2. */
@@ -297,7 +281,7 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
     qtri_stroker stroker;
     qtri_vec3 half = {0, 0, 0};
     qtri_stroke_place place;
-    if (!qtri_stroker_init(&stroker, surface, material, stroke)) {
+    if (!qtri_stroker_init(&stroker, surface, material, stroke, stroke->in_space)) {
         return;
     }
     job_init(&job, view, pose, corners, corner_count, material);
@@ -327,8 +311,7 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
     }
 }
 
-/* Wireframes ------------------------------------------------------------------------------------
- */
+/* ---- Wireframes ---- */
 
 /*
  * Edges are found, lit and shared out as those of &qtri_wireframe are; only what draws an edge is
@@ -344,14 +327,7 @@ static void begin_smooth(qtri_primitive *primitive)
                             &one_pixel, qtri_stroke_line_draw);
 }
 
-const qtri_fill qtri_smooth_wireframe = {
-    .begin = begin_smooth,
-    .clipped = qtri_primitive_outline,
-    .triangle = qtri_wireframe_triangle,
-    .mesh = qtri_wireframe_mesh,
-    .prepare = qtri_wireframe_prepare,
-    .band = qtri_wireframe_band,
-};
+const qtri_fill qtri_smooth_wireframe = QTRI_WIREFRAME_FILL(begin_smooth);
 
 /* What the edges of one call share. */
 typedef struct wide_edges {
@@ -373,7 +349,7 @@ static void draw_edge(const qtri_line_job *job, const qtri_vertex *a, const qtri
     wide_edges *wide = job->wide;
     wide->place.end[0] = a->at;
     wide->place.end[1] = b->at;
-    qtri_line_look(&wide->stroker.look, job, a, b, color);
+    qtri_line_look(&wide->stroker.look, job, a, b, color, false);
     qtri_stroker_draw_part(&wide->stroker, &wide->place);
 }
 
@@ -407,11 +383,8 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
     check_draw(surface, view, pose, stroke, material);
     QTRI_CHECK(qtri_check_mesh(mesh));
     wide_edges wide;
-    const wide_fill fill = {.fill = {begin_wide, qtri_primitive_outline, qtri_wireframe_triangle,
-                                     qtri_wireframe_mesh, qtri_wireframe_prepare,
-                                     qtri_wireframe_band},
-                            .edges = &wide};
-    if (!qtri_stroker_init(&wide.stroker, surface, material, stroke) || wide.stroker.radius == 0) {
+    const wide_fill fill = {QTRI_WIREFRAME_FILL(begin_wide), &wide};
+    if (!qtri_stroker_init(&wide.stroker, surface, material, stroke, false)) {
         return;
     }
     wide.place.radius_24p8 = wide.stroker.radius;

@@ -56,23 +56,14 @@ static void begin(triangle_call *call, const qtri_surface *surface, const qtri_v
 {
     qtri_mesh_job *job = &call->job;
     qtri_loose_triangle *triangle = &job->of.triangle;
-    call->before = NULL;
-    memset(&triangle->mesh, 0, sizeof triangle->mesh);
+    memset(call, 0, sizeof *call);
     triangle->mesh.positions = triangle->positions;
     triangle->mesh.uvs = triangle->uvs;
     triangle->mesh.colors = triangle->colors;
     job->mesh = &triangle->mesh;
     job->positions = &qtri_positions_wide;
     job->slot_count = 3;
-    job->lit_per_vertex = false;
-    job->lit_per_face = false;
-    job->noted = false;
     job->lit = true;
-    job->shaded_per_vertex = false;
-    job->lights = NULL;
-    job->illumination = NULL;
-    job->lit_colors = NULL;
-    job->late = NULL;
     qtri_primitive_set_target(&job->primitive, surface, view, material, material->texture, shade);
     qtri_primitive_place(&job->primitive, view, pose);
     if (material->fill == NULL) {
@@ -83,17 +74,13 @@ static void begin(triangle_call *call, const qtri_surface *surface, const qtri_v
     }
 }
 
-static inline bool is_at(const qtri_vec4 *a, const qtri_vec4 *b)
-{
-    return a->x == b->x && a->y == b->y && a->z == b->z;
-}
-
 /* The vertex of three corners that is at this position; NULL: none. */
 static inline const qtri_vertex *find_vertex(const qtri_vertex v[3], const qtri_corner *corners,
                                              const qtri_vec4 *position)
 {
     for (int i = 3; i-- > 0;) { /* fans and strips mostly share the last */
-        if (is_at(&corners[i].position, position)) {
+        const qtri_vec4 *own = &corners[i].position;
+        if (own->x == position->x && own->y == position->y && own->z == position->z) {
             return &v[i];
         }
     }

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "coverage.h"
 
-#include "../bits/bits.h"
-
 /* An edge from left to right. */
 typedef struct edge {
     int32_t x0, x1, height;
@@ -45,7 +43,7 @@ void qtri_coverage_add_wide(qtri_coverage *w, int32_t x0, int32_t y0, int32_t x1
     }
     const int32_t first = x0 >> 8;
     if (first == (x1 - 1) >> 8 || x0 == x1) {
-        qtri_coverage_add_piece(w, first, height, x0 + x1 - 512 * first);
+        qtri_coverage_add_piece(&w->sum[first - w->x], height, x0 + x1 - 512 * first);
         return;
     }
     edge e = {x0, x1, y1 - y0, qtri_clz32((uint32_t)(x1 - x0)), 0}; /* zeros >= 8 */
@@ -61,7 +59,8 @@ void qtri_coverage_add_wide(qtri_coverage *w, int32_t x0, int32_t y0, int32_t x1
         const int32_t side = x & ~(int32_t)255;
         const int32_t to = qtri_least32(side + 256, x1);
         const int32_t upto = height_at(&e, to);
-        qtri_coverage_add_piece(w, side >> 8, winding * (upto - done), x + to - 2 * side);
+        qtri_coverage_add_piece(&w->sum[(side >> 8) - w->x], winding * (upto - done),
+                                x + to - 2 * side);
         x = to;
         done = upto;
     }

@@ -12,7 +12,7 @@
 #ifndef QTRI_PAINT_COVERAGE_H
 #define QTRI_PAINT_COVERAGE_H
 
-#include <stdint.h>
+#include "../bits/bits.h"
 
 enum { QTRI_COVERAGE_WINDOW = 32 };
 
@@ -27,12 +27,11 @@ typedef struct qtri_coverage {
 void qtri_coverage_add_wide(qtri_coverage *w, int32_t x0, int32_t y0, int32_t x1, int32_t y1,
                             int32_t winding);
 
-/* `height` of an edge, with its sign, whose ends are `ends` in 1/256 behind the column's side. */
-static inline void qtri_coverage_add_piece(qtri_coverage *c, int32_t column, int32_t height,
-                                           int32_t ends)
+/* Adds `height` of an edge, with its sign, whose ends are `ends` in 1/256 behind the side of the
+   pixel of this sum. */
+QTRI_INLINE void qtri_coverage_add_piece(int32_t *sum, int32_t height, int32_t ends)
 {
     const int32_t behind = height * ends;
-    int32_t *sum = &c->sum[column - c->x];
     sum[0] += height * 512 - behind;
     sum[1] += behind;
 }
@@ -46,7 +45,8 @@ static inline void qtri_coverage_add(qtri_coverage *c, int32_t x0, int32_t y0, i
 {
     const int32_t column = x0 >> 8;
     if (x1 >> 8 == column && column >= c->x && column < c->end) {
-        qtri_coverage_add_piece(c, column, winding * (y1 - y0), x0 + x1 - 512 * column);
+        qtri_coverage_add_piece(&c->sum[column - c->x], winding * (y1 - y0),
+                                x0 + x1 - 512 * column);
     } else {
         qtri_coverage_add_wide(c, x0, y0, x1, y1, winding);
     }

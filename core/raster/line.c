@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "../bits/bits.h"
-#include "dda.h"
 #include "draw_state.h"
 #include "large_setup.h"
 #include "line_path.h"
@@ -30,48 +29,35 @@ typedef struct limits {
 /* What of a line is inside of the bounds. */
 static limits limits_of(const qtri_line_job *job, const qtri_line_path *l)
 {
-    const int32_t left = job->left_24p8 >> 8;
-    const int32_t top = job->top_24p8 >> 8;
-    const int32_t width = (int32_t)(job->width_24p8 >> 8);
-    const int32_t height = (int32_t)(job->height_24p8 >> 8);
-    const int32_t begin = (l->steep ? top : left) - l->position;
-    const limits in = {begin, begin + (l->steep ? height : width), l->steep ? left : top,
-                       (uint32_t)(l->steep ? width : height)};
-    return in;
+    const qtri_rect *b = &job->to->state.bounds;
+    const limits steep = {b->y0 - l->position, b->y1 - l->position, b->x0,
+                          (uint32_t)(b->x1 - b->x0)};
+    const limits flat = {b->x0 - l->position, b->x1 - l->position, b->y0,
+                         (uint32_t)(b->y1 - b->y0)};
+    return l->steep ? steep : flat;
 }
 
-/* Moves w to the first pixel inside; returns the end of those that are, at most `end`. */
+/* Moves w to the first pixel inside; returns how many follow that are, of those before `end`. */
 static int32_t cut(qtri_line_walk *w, const limits *in, int32_t end)
 {
     end = qtri_least32(end, in->end);
     while (w->k < end &&
-           (w->k < in->begin || (uint32_t)(w->minor - in->minor) >= in->minor_count)) {
-        qtri_line_walk_next(w);
+           (w->k < in->begin || (uint32_t)(w->minor.value - in->minor) >= in->minor_count)) {
+        qtri_dda_next(&w->minor);
+        w->k++;
     }
-    qtri_line_walk ahead = *w;
-    while (ahead.k < end && (uint32_t)(ahead.minor - in->minor) < in->minor_count) {
-        qtri_line_walk_next(&ahead);
+    qtri_dda ahead = w->minor;
+    int32_t k = w->k;
+    for (; k < end && (uint32_t)(ahead.value - in->minor) < in->minor_count; k++) {
+        qtri_dda_next(&ahead);
     }
-    return ahead.k;
+    return k - w->k;
 }
 
 int32_t qtri_line_cut_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l)
 {
     const limits in = limits_of(job, l);
     return cut(w, &in, l->count);
-}
-
-/* To pixel k of any line. */
-static void walk_long(qtri_line_walk *w, const qtri_line_path *l, int32_t k)
-{
-    qtri_dda dda;
-    qtri_dda_init(&dda, l->minor, l->delta, l->length, l->along + 256 * k, 0);
-    w->k = k;
-    w->minor = dda.value;
-    w->slope = dda.step;
-    w->rest = (int32_t)(dda.remainder - dda.denominator);
-    w->rest_step = (int32_t)dda.remainder_step;
-    w->denominator = dda.denominator;
 }
 
 /* At pixel `start`, with which a chunk begins. */
@@ -93,12 +79,19 @@ QTRI_NOINLINE static void ramp_init(qtri_line_ramp *r, int32_t from, int32_t to,
     r->step = (uint32_t)quotient * 256u + (uint32_t)qtri_divide(remainder * 256, by);
 }
 
-/* The colours of two ends in the material's colour, which are lit. */
-static void set_lit_colors(qtri_line_color color[2], const qtri_line_job *job, const qtri_vertex *a,
-                           const qtri_vertex *b)
+/* The colours of a line's ends; without any, those of a and b in their light, which are not
+   turned. */
+static const qtri_line_color *colors_of(qtri_line_color lit[2], const qtri_line_job *job,
+                                        const qtri_vertex *a, const qtri_vertex *b,
+                                        const qtri_line_color *color, bool *turned)
 {
-    qtri_line_color_set(color[0], &job->to->material.color, a->intensity_q15);
-    qtri_line_color_set(color[1], &job->to->material.color, b->intensity_q15);
+    if (color != NULL) {
+        return color;
+    }
+    qtri_line_color_set(lit[0], &job->to->material.color, a->intensity_q15);
+    qtri_line_color_set(lit[1], &job->to->material.color, b->intensity_q15);
+    *turned = false;
+    return (const qtri_line_color *)lit;
 }
 
 bool qtri_line_has_table(const qtri_line_job *job)
@@ -111,7 +104,7 @@ bool qtri_line_has_table(const qtri_line_job *job)
 }
 
 void qtri_line_look(qtri_stroke_look *look, const qtri_line_job *job, const qtri_vertex *a,
-                    const qtri_vertex *b, const qtri_line_color *color)
+                    const qtri_vertex *b, const qtri_line_color *color, bool turned)
 {
     qtri_line_color lit[2];
     qtri_stroke_end end[2];
@@ -125,30 +118,24 @@ void qtri_line_look(qtri_stroke_look *look, const qtri_line_job *job, const qtri
         look->light_step = (int32_t)b->intensity_q15 - (int32_t)a->intensity_q15;
         return;
     }
-    if (color == NULL) {
-        set_lit_colors(lit, job, a, b);
-        color = (const qtri_line_color *)lit;
-    }
-    memcpy(end[0].color_8p16, color[0], sizeof end[0].color_8p16);
-    memcpy(end[1].color_8p16, color[1], sizeof end[1].color_8p16);
+    color = colors_of(lit, job, a, b, color, &turned);
+    memcpy(end[0].color_8p16, color[turned], sizeof end[0].color_8p16);
+    memcpy(end[1].color_8p16, color[!turned], sizeof end[1].color_8p16);
     qtri_stroke_look_init(look, end);
 }
 
-/* Colours from pixel `start` of the line on; color: those of a, and of the other end; NULL: lit. */
+/* Colours from pixel `start` of the line on; see qtri_line_draws. */
 QTRI_NOINLINE static void set_colors(qtri_line_run *run, const qtri_line_job *job,
                                      const qtri_line_path *l, const qtri_divider *by, int32_t start,
-                                     const qtri_vertex *a, const qtri_line_color *color)
+                                     const qtri_line_color *color)
 {
     qtri_line_color lit[2];
     uint32_t from[3];
     uint32_t to[3];
-    const int turned = color != NULL && l->first != a;
-    if (color == NULL) {
-        set_lit_colors(lit, job, l->first, l->last);
-        color = (const qtri_line_color *)lit;
-    }
+    bool turned = l->turned;
+    color = colors_of(lit, job, l->first, l->last, color, &turned);
     job->packing->channels(from, (const uint32_t *)color[turned]);
-    job->packing->channels(to, (const uint32_t *)color[1 - turned]);
+    job->packing->channels(to, (const uint32_t *)color[!turned]);
     run->is_even = true;
     for (int i = 0; i < 3; i++) {
         const int32_t half = 0x8000; /* rounds */
@@ -173,12 +160,13 @@ static void draw_run(qtri_stroke_target *to, const qtri_line_run *run, qtri_line
     one.count = 1;
     for (int32_t i = 0; i < run->count; i++) {
         qtri_stroke_sample sample;
-        one.y = run->is_steep ? run->y + i : one.walk.minor;
-        qtri_stroke_sample_begin(&sample, to, run->is_steep ? one.walk.minor : run->x + i, one.y);
+        const int32_t minor = one.walk.minor.value;
+        one.y = run->is_steep ? run->y + i : minor;
+        qtri_stroke_sample_begin(&sample, to, run->is_steep ? minor : run->x + i, one.y);
         one.x = sample.x;
         draw(&one);
         qtri_stroke_sample_end(&sample, to);
-        qtri_line_walk_next(&one.walk);
+        qtri_dda_next(&one.walk.minor);
         one.z.value += one.z.step;
         for (int k = 0; k < 3; k++) {
             one.color[k].value += one.color[k].step;
@@ -188,8 +176,7 @@ static void draw_run(qtri_stroke_target *to, const qtri_line_run *run, qtri_line
 
 /* A line of more than a chunk. */
 QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_path *l,
-                                    const qtri_vertex *a, const qtri_line_color *color,
-                                    qtri_line_runs draw)
+                                    const qtri_line_color *color, qtri_line_runs draw)
 {
     const limits in = limits_of(job, l);
     qtri_divider by;
@@ -207,14 +194,15 @@ QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_pa
     run.is_lit = false;
     while (k < count) {
         const int32_t start = k & ~(QTRI_LINE_CHUNK - 1);
-        walk_long(&run.walk, l, k);
+        run.walk.k = k;
+        qtri_dda_init(&run.walk.minor, l->minor, l->delta, l->length, l->along + 256 * k, 0);
         k = qtri_least32(count, start + QTRI_LINE_CHUNK);
-        const int32_t end = cut(&run.walk, &in, k);
-        if (run.walk.k < end) {
+        run.count = cut(&run.walk, &in, k);
+        if (run.count > 0) {
             ramp_init(&run.z, qtri_line_depth(job, l->first), qtri_line_depth(job, l->last),
                       l->along, &by, start);
-            set_colors(&run, job, l, &by, start, a, color);
-            qtri_line_run_place(&run, job, l, end, start);
+            set_colors(&run, job, l, &by, start, color);
+            qtri_line_run_place(&run, job, l, start);
             draw_run(job->to, &run, draw);
         }
     }
@@ -226,28 +214,24 @@ void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_v
     qtri_line_path l;
     qtri_line_path_init(&l, a, b);
     if ((uint32_t)(l.count - 1) >= QTRI_LINE_CHUNK) {
-        draw_long(job, &l, a, color, draw);
+        draw_long(job, &l, color, draw);
         return;
     }
     qtri_line_run run;
     qtri_divider by;
     qtri_line_walk_short(&run.walk, &l);
-    const int32_t end =
-        qtri_line_is_inside(job, a, b) ? l.count : qtri_line_cut_short(&run.walk, job, &l);
-    if (run.walk.k >= end) {
+    run.count = qtri_line_is_inside(job, &l) ? l.count : qtri_line_cut_short(&run.walk, job, &l);
+    if (run.count <= 0) {
         return;
     }
-    qtri_divider_init_short(&by, (uint32_t)l.length);
-    qtri_line_ramp_short(&run.z, qtri_line_depth(job, l.first), qtri_line_depth(job, l.last),
-                         l.along, &by);
-    run.is_lit = color == NULL && qtri_line_has_table(job);
-    if (run.is_lit) {
-        qtri_line_ramp_light(&run.color[0], &l, &by);
+    qtri_line_run_depth(&run, &by, job, &l, true);
+    if (color == NULL && qtri_line_has_table(job)) {
+        qtri_line_run_light(&run, &l, &by);
         run.color[1] = run.color[2] = run.color[0]; /* they do not count */
-        run.is_even = true;
     } else {
-        set_colors(&run, job, &l, &by, 0, a, color);
+        run.is_lit = false;
+        set_colors(&run, job, &l, &by, 0, color);
     }
-    qtri_line_run_place(&run, job, &l, end, 0);
+    qtri_line_run_place(&run, job, &l, 0);
     draw_run(job->to, &run, draw);
 }

@@ -84,9 +84,10 @@ static inline void qtri_line_color_set(qtri_line_color out, const qtri_rgb *rgb,
     out[2] = rgb->b * light;
 }
 
-/* The look of a line from a to b as a part of a stroke; color: as qtri_line_draws has it. */
+/* The look of a line from a to b as a part of a stroke; color: as qtri_line_draws has it, or, where
+   they are turned, of the line from b to a. */
 void qtri_line_look(qtri_stroke_look *look, const qtri_line_job *job, const qtri_vertex *a,
-                    const qtri_vertex *b, const qtri_line_color *color);
+                    const qtri_vertex *b, const qtri_line_color *color, bool turned);
 
 /* Whether all of a triangle lies above or below the rows of this surface. */
 static inline bool qtri_line_misses(const qtri_line_job *job, int32_t y0_24p8, int32_t y1_24p8,
@@ -101,10 +102,8 @@ static inline bool qtri_line_misses(const qtri_line_job *job, int32_t y0_24p8, i
 /* A corner lies at most sqrt(2) radii from an end. */
 #define QTRI_STROKE_LINE_REACH 512 /* 24.8 */
 
-/*
- * Lets the job, of surface and material, draw smooth lines. The rows in which it looks for
- * triangles reach further then than those of the surface, which stroke_line.c knows.
- */
+/* Lets the job, of surface and material, draw smooth lines. The rows in which it looks for
+   triangles reach further then than those of the surface. */
 static inline void qtri_stroke_line_choose(qtri_line_job *job, const qtri_surface *surface,
                                            const qtri_material *material,
                                            const qtri_stroke_line *style, qtri_line_draws draw)

@@ -11,20 +11,14 @@
 
 #include "qtri/body/small.h"
 
+#include "dda.h"
 #include "divider.h"
 #include "line.h"
 
-/*
- * Where a line is across its longer axis: at floor((minor + (along + 256 k) delta / length) / 256)
- * in the column (row) of its pixel k, a quotient and a remainder, as in dda.h. Kept is the
- * remainder less its denominator, below 0.
- */
+/* Where a line is across its longer axis in the column (row) of its pixel k. */
 typedef struct qtri_line_walk {
-    int32_t k;     /* the pixel of the path */
-    int32_t minor; /* where it is */
-    int32_t slope; /* -1, 0 or 1 a pixel, and 1 more where the remainder runs over */
-    int32_t rest, rest_step;
-    uint32_t denominator; /* <= 2^31 */
+    int32_t k;
+    qtri_dda minor; /* its step is -1, 0 or 1 */
 } qtri_line_walk;
 
 /* A value along the line, from one pixel to the next: modulo 2^32. */
@@ -72,14 +66,16 @@ QTRI_BODY void qtri_line_run_draw(const qtri_options *o, const qtri_line_run *ru
     const ptrdiff_t depth_bytes = (ptrdiff_t)qtri_depth_size(o, surface);
     const ptrdiff_t row = run->y - surface->first_row;
     const bool is_steep = run->is_steep, is_even = run->is_even;
-    const int32_t slope = run->walk.slope, rest_step = run->walk.rest_step;
+    const int32_t slope = run->walk.minor.step;
+    const int32_t rest_step = (int32_t)run->walk.minor.remainder_step;
     const ptrdiff_t across = is_steep ? bytes : surface->pitch;
     const ptrdiff_t along = (is_steep ? surface->pitch : bytes) + slope * across;
     const ptrdiff_t depth_across = is_steep ? depth_bytes : state->depth_pitch;
     const ptrdiff_t depth_along =
         (is_steep ? state->depth_pitch : depth_bytes) + slope * depth_across;
-    const uint32_t denominator = run->walk.denominator;
-    int32_t rest = run->walk.rest, count = run->count;
+    const uint32_t denominator = run->walk.minor.denominator;
+    int32_t rest = (int32_t)(run->walk.minor.remainder - denominator); /* < 0: its sign tells */
+    int32_t count = run->count;
     qtri_line_ramp color[3] = {run->color[0]};
     qtri_pixel_walk w = QTRI_BODY_ZERO;
     qtri_walk_begin(o, &w, state);
@@ -119,7 +115,7 @@ QTRI_BODY void qtri_line_run_draw(const qtri_options *o, const qtri_line_run *ru
             w.x += is_steep ? slope - 1 : 0;
             w.y += is_steep ? 1 : slope;
         }
-        rest += rest_step; /* < 0 and < 2^31 */
+        rest += rest_step; /* < 2^31 */
         if (rest >= 0) {
             rest = (int32_t)((uint32_t)rest - denominator);
             if (!paired) {
@@ -156,6 +152,7 @@ enum { QTRI_LINE_CHUNK = 128 };
  */
 typedef struct qtri_line_path {
     const qtri_vertex *first, *last; /* by increasing major coordinate */
+    bool turned;                     /* the first is b */
     bool steep;                      /* the major axis is y */
     int32_t minor;                   /* of the first end, 1/256 pixel */
     int32_t length, delta;           /* to the last: 0 <= |delta| <= length <= 2^23 */
@@ -182,6 +179,7 @@ QTRI_INLINE void qtri_line_path_init(qtri_line_path *l, const qtri_vertex *a, co
     }
     l->first = a;
     l->last = b;
+    l->turned = length < 0;
     if (length < 0) {
         major += length;
         minor += delta;
@@ -208,48 +206,37 @@ QTRI_INLINE void qtri_line_walk_short(qtri_line_walk *w, const qtri_line_path *l
      * From minor's pixel to where the line is at pixel 0, times length. As 0 <= along < 256 and
      * |delta| <= length, the slope moves it by less than a pixel.
      */
-    int32_t rest = (l->minor & 255) * l->length + l->along * l->delta; /* |.| < 2^9 2^15 */
+    int32_t remainder = (l->minor & 255) * l->length + l->along * l->delta; /* |.| < 2^9 2^15 */
+    int32_t remainder_step = l->delta * 256;
     w->k = 0;
-    w->minor = l->minor >> 8;
-    w->rest_step = l->delta * 256;
-    w->slope = 0;
+    w->minor.value = l->minor >> 8;
+    w->minor.step = 0;
     if (l->delta < 0) {
-        w->slope = -1;
-        w->rest_step += denominator;
-        if (rest < 0) {
-            rest += denominator;
-            w->minor--;
+        w->minor.step = -1;
+        remainder_step += denominator;
+        if (remainder < 0) {
+            remainder += denominator;
+            w->minor.value--;
         }
-    } else if (rest >= denominator) {
-        rest -= denominator;
-        w->minor++;
+    } else if (remainder >= denominator) {
+        remainder -= denominator;
+        w->minor.value++;
     }
-    w->rest = rest - denominator;
-    w->denominator = (uint32_t)denominator;
-}
-
-static inline void qtri_line_walk_next(qtri_line_walk *w)
-{
-    w->k++;
-    w->minor += w->slope;
-    w->rest += w->rest_step; /* < 0 and < 2^31 */
-    if (w->rest >= 0) {
-        w->rest = (int32_t)((uint32_t)w->rest - w->denominator);
-        w->minor++;
-    }
+    w->minor.remainder = (uint32_t)remainder;
+    w->minor.remainder_step = (uint32_t)remainder_step;
+    w->minor.denominator = (uint32_t)denominator;
 }
 
 /* Whether both ends are. */
-QTRI_INLINE bool qtri_line_is_inside(const qtri_line_job *job, const qtri_vertex *a,
-                                     const qtri_vertex *b)
+QTRI_INLINE bool qtri_line_is_inside(const qtri_line_job *job, const qtri_line_path *l)
 {
-    return (uint32_t)(a->at.x_24p8 - job->left_24p8) < job->width_24p8 &&
-           (uint32_t)(b->at.x_24p8 - job->left_24p8) < job->width_24p8 &&
-           (uint32_t)(a->at.y_24p8 - job->top_24p8) < job->height_24p8 &&
-           (uint32_t)(b->at.y_24p8 - job->top_24p8) < job->height_24p8;
+    return (uint32_t)(l->first->at.x_24p8 - job->left_24p8) < job->width_24p8 &&
+           (uint32_t)(l->last->at.x_24p8 - job->left_24p8) < job->width_24p8 &&
+           (uint32_t)(l->first->at.y_24p8 - job->top_24p8) < job->height_24p8 &&
+           (uint32_t)(l->last->at.y_24p8 - job->top_24p8) < job->height_24p8;
 }
 
-/* Moves w to the first pixel inside of a short line; returns the end of those that are. */
+/* Moves w to the first pixel inside of a short line; returns how many follow that are. */
 int32_t qtri_line_cut_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l);
 
 /* From a line's ends, at pixel 0, `along` from the first; `by`: its length. */
@@ -268,17 +255,18 @@ QTRI_INLINE void qtri_line_ramp_short(qtri_line_ramp *r, int32_t from, int32_t t
 }
 
 /*
- * Light of two lit ends, 8.16, at pixel 0. What a step cuts off is less than 2^-22, and what the
+ * Light of two lit ends, 8.16, from pixel 0. What a step cuts off is less than 2^-22, and what the
  * first pixel lacks less than a step: along < length, so that their product is below 2^30.
  */
-QTRI_INLINE void qtri_line_ramp_light(qtri_line_ramp *r, const qtri_line_path *l,
-                                      const qtri_divider *by)
+QTRI_INLINE void qtri_line_run_light(qtri_line_run *run, const qtri_line_path *l,
+                                     const qtri_divider *by)
 {
     const int32_t from = (int32_t)((uint32_t)l->first->intensity_q15 << 7);
     const int32_t to = (int32_t)((uint32_t)l->last->intensity_q15 << 7);
     const int32_t step = qtri_divide((to - from) * 256, by);
-    r->value = (uint32_t)(from + ((step * l->along) >> 8)) << 2;
-    r->step = (uint32_t)step << 2;
+    run->color[0].value = (uint32_t)(from + ((step * l->along) >> 8)) << 2;
+    run->color[0].step = (uint32_t)step << 2;
+    run->is_lit = run->is_even = true;
 }
 
 /* Depth of an end, 0..65535.0 in 16.15: differences fit 32 bits. */
@@ -287,20 +275,31 @@ QTRI_INLINE int32_t qtri_line_depth(const qtri_line_job *job, const qtri_vertex 
     return (int32_t)((end->depth_16p8 & job->depth_mask) >> 1);
 }
 
+/* The divider of a short line's ramps, and that of depth, if it counts. */
+QTRI_INLINE void qtri_line_run_depth(qtri_line_run *run, qtri_divider *by, const qtri_line_job *job,
+                                     const qtri_line_path *l, bool has_depth)
+{
+    qtri_divider_init_short(by, (uint32_t)l->length);
+    run->z.value = run->z.step = 0;
+    if (has_depth) {
+        qtri_line_ramp_short(&run->z, qtri_line_depth(job, l->first), qtri_line_depth(job, l->last),
+                             l->along, by);
+    }
+}
+
 /*
- * The pixels of the walk, up to `end`, of the chunk of a line that begins at pixel `start`, where
- * depth is 16.15 and with colours set.
+ * Where the walk's pixels are, of the chunk of a line that begins at pixel `start`, where depth is
+ * 16.15 and with colours set.
  */
 QTRI_INLINE void qtri_line_run_place(qtri_line_run *run, const qtri_line_job *job,
-                                     const qtri_line_path *l, int32_t end, int32_t start)
+                                     const qtri_line_path *l, int32_t start)
 {
     const int32_t along = l->position + run->walk.k;
     const uint32_t number = (uint32_t)(run->walk.k - start);
     run->state = &job->to->state;
     run->is_steep = l->steep;
-    run->x = l->steep ? run->walk.minor : along;
-    run->y = l->steep ? along : run->walk.minor;
-    run->count = end - run->walk.k;
+    run->x = l->steep ? run->walk.minor.value : along;
+    run->y = l->steep ? along : run->walk.minor.value;
     run->z.step *= 2;
     run->z.value = 2 * run->z.value + number * run->z.step;
     run->color[0].value += number * run->color[0].step;

@@ -23,61 +23,40 @@ QTRI_BODY void draw_lit(const qtri_options *o, const qtri_line_job *job, const q
     }
     qtri_line_run run;
     qtri_divider by;
-    int32_t end = l.count;
     qtri_line_walk_short(&run.walk, &l);
-    if (!qtri_line_is_inside(job, a, b)) {
+    run.count = l.count;
+    if (!qtri_line_is_inside(job, &l)) {
         const qtri_line_path path = l; /* copies: these need not be in memory */
         qtri_line_walk first = run.walk;
-        end = qtri_line_cut_short(&first, job, &path);
+        run.count = qtri_line_cut_short(&first, job, &path);
         run.walk = first;
-        if (first.k >= end) {
+        if (run.count <= 0) {
             return;
         }
     }
-    qtri_divider_init_short(&by, (uint32_t)l.length);
-    run.z.value = run.z.step = 0;
-    if (qtri_needs_depth(o)) {
-        qtri_line_ramp_short(&run.z, qtri_line_depth(job, l.first), qtri_line_depth(job, l.last),
-                             l.along, &by);
-    }
-    qtri_line_ramp_light(&run.color[0], &l, &by);
-    run.is_lit = true;
-    run.is_even = true;
-    qtri_line_run_place(&run, job, &l, end, 0);
+    qtri_line_run_depth(&run, &by, job, &l, qtri_needs_depth(o));
+    qtri_line_run_light(&run, &l, &by);
+    qtri_line_run_place(&run, job, &l, 0);
     qtri_line_run_draw(o, &run);
 }
 
-#define LESS .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS
+/* Lines that `draw_lit` draws for the options. */
+#define LIT_LINE(name, ...)                                                                        \
+    static void name##_run(const qtri_line_run *run)                                               \
+    {                                                                                              \
+        static const qtri_options options = {__VA_ARGS__};                                         \
+        qtri_line_run_draw(&options, run);                                                         \
+    }                                                                                              \
+    static void name##_line(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,  \
+                            const qtri_line_color *color)                                          \
+    {                                                                                              \
+        static const qtri_options lit = {__VA_ARGS__, .shade = QTRI_LIGHT};                        \
+        draw_lit(&lit, job, a, b, color, name##_run);                                              \
+    }                                                                                              \
+    static const qtri_pipeline name = {.options = {__VA_ARGS__}, .line = name##_line};
 
-static const qtri_options less = {LESS};
-static const qtri_options less_lit = {LESS, .shade = QTRI_LIGHT};
-static const qtri_options over = {.format = QTRI_RGB565};
-static const qtri_options over_lit = {.format = QTRI_RGB565, .shade = QTRI_LIGHT};
-
-static void draw_less(const qtri_line_run *run)
-{
-    qtri_line_run_draw(&less, run);
-}
-
-static void draw_over(const qtri_line_run *run)
-{
-    qtri_line_run_draw(&over, run);
-}
-
-static void line_less(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
-                      const qtri_line_color *color)
-{
-    draw_lit(&less_lit, job, a, b, color, draw_less);
-}
-
-static void line_over(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
-                      const qtri_line_color *color)
-{
-    draw_lit(&over_lit, job, a, b, color, draw_over);
-}
-
-static const qtri_pipeline pipeline_less = {.options = {LESS}, .line = line_less};
-static const qtri_pipeline pipeline_over = {.options = {.format = QTRI_RGB565}, .line = line_over};
+LIT_LINE(line_less, .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS)
+LIT_LINE(line_over, .format = QTRI_RGB565)
 
 /* With depth: any comparison, written or read only. */
 #define DEPTH .depth = QTRI_LINEAR16, .compare = QTRI_ANY, .read_only = QTRI_ANY
@@ -108,8 +87,8 @@ LINE(line_gray, .format = QTRI_GRAY8, DEPTH)
 LINE(line_gray_over, .format = QTRI_GRAY8)
 
 const qtri_pipeline *const qtri_line_pipelines[] = {
-    &pipeline_less, &pipeline_over,  &line_depth,    &line_swapped, &line_swapped_over,
-    &line_gray,     &line_gray_over, &qtri_line_any, NULL};
+    &line_less, &line_over,      &line_depth,    &line_swapped, &line_swapped_over,
+    &line_gray, &line_gray_over, &qtri_line_any, NULL};
 
 /* Spans: smooth or hard, of 500 to 800 bytes each at -Os, for a third of the generic one's time. */
 #define SPAN(name, ...)                                                                            \
@@ -147,17 +126,10 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     job->width_24p8 = (uint32_t)(bounds->x1 - bounds->x0) * 256;
     job->height_24p8 = (uint32_t)(bounds->y1 - bounds->y0) * 256;
     job->depth_mask = ~0xFFu;
-    switch (qtri_kind_of(&to->state.options)) {
-    case QTRI_IN_565:
-        job->packing = &qtri_packing_565;
-        break;
-    case QTRI_IN_GRAY:
-        job->packing = &qtri_packing_gray;
-        break;
-    default:
-        job->packing = &qtri_packing_888;
-        break;
-    }
+    const qtri_color_kind kind = qtri_kind_of(&to->state.options);
+    job->packing = kind == QTRI_IN_565    ? &qtri_packing_565
+                   : kind == QTRI_IN_GRAY ? &qtri_packing_gray
+                                          : &qtri_packing_888;
 }
 
 void qtri_raster_line(const qtri_surface *surface, const qtri_material *material,

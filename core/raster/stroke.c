@@ -15,7 +15,7 @@ static int32_t radius_of(q16 width)
 }
 
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
-                       const qtri_material *material, const qtri_stroke *stroke)
+                       const qtri_material *material, const qtri_stroke *stroke, bool in_space)
 {
     const bool is_flat = stroke->cap == QTRI_CAP_BUTT || stroke->cap == QTRI_CAP_SQUARE;
     stroker->edges = stroke->edges;
@@ -24,7 +24,7 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
     stroker->ring.radius = 0;
     stroker->disc.radius = 0;
     memset(stroker->window.coverage.sum, 0, sizeof stroker->window.coverage.sum);
-    return stroke->alpha != 0 && stroke->width > 0 && (stroker->radius > 0 || stroke->in_space) &&
+    return stroke->alpha != 0 && stroke->width > 0 && (stroker->radius > 0 || in_space) &&
            qtri_stroke_target_init(&stroker->to, surface, material, qtri_stroke_pipelines,
                                    stroke->alpha, stroke->edges != NULL);
 }
@@ -277,38 +277,41 @@ void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *plac
 /* Whether all parts have one colour and depth, which the stroker's look has then. */
 static bool find_look(qtri_stroker *stroker)
 {
-    const qtri_stroke_source *source = stroker->source;
-    qtri_point at[2];
-    qtri_stroke_look first;
     bool is_first = true;
-    for (uint32_t part = 0; part < source->count; part++) {
+    for (uint32_t part = 0; part < stroker->count; part++) {
+        qtri_point at[2];
         qtri_stroke_end end[2];
-        if (!source->find(source->from, part, at, end)) {
+        qtri_stroke_look look;
+        if (!stroker->source(stroker->from, part, at, end)) {
             continue;
         }
-        qtri_stroke_look *look = is_first ? &first : &stroker->look;
-        qtri_stroke_look_init(look, end);
-        if (!look->is_level || look->z_16p16 != first.z_16p16 ||
-            look->color_8p8[0] != first.color_8p8[0] || look->color_8p8[1] != first.color_8p8[1] ||
-            look->color_8p8[2] != first.color_8p8[2]) {
+        qtri_stroke_look_init(&look, end);
+        if (is_first) {
+            stroker->look = look;
+            is_first = false;
+        }
+        if (!look.is_level || look.z_16p16 != stroker->look.z_16p16 ||
+            look.color_8p8[0] != stroker->look.color_8p8[0] ||
+            look.color_8p8[1] != stroker->look.color_8p8[1] ||
+            look.color_8p8[2] != stroker->look.color_8p8[2]) {
             return false;
         }
-        is_first = false;
-    }
-    if (!is_first) {
-        stroker->look = first;
     }
     return true;
 }
 
-void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source)
+void qtri_stroker_draw(qtri_stroker *stroker, qtri_stroke_source source, const void *from,
+                       uint32_t points, bool closed)
 {
     stroker->source = source;
+    stroker->from = from;
+    stroker->closed = closed && points > 2;
+    stroker->count = stroker->closed || points == 1 ? points : points - 1;
     stroker->next_shape = 0;
     for (int i = 0; i < QTRI_STROKE_SHAPES; i++) {
         stroker->shape[i].part = QTRI_STROKE_NONE;
     }
-    if (source->count == 1) {
+    if (stroker->count == 1) {
         qtri_stroke_place place;
         qtri_stroke_end end[2];
         if (qtri_stroker_find(stroker, 0, &place, end)) {
@@ -369,11 +372,8 @@ void qtri_raster_polyline(const qtri_surface *surface, const qtri_material *mate
     QTRI_ASSERT(v != NULL || count == 0);
     qtri_stroker stroker;
     const polyline line = {v, count};
-    const bool closed = stroke->closed && count > 2;
-    const qtri_stroke_source source = {&line, closed || count == 1 ? count : count - 1, closed,
-                                       find_part};
-    if (count > 0 && qtri_stroker_init(&stroker, surface, material, stroke) && stroker.radius > 0) {
-        qtri_stroker_draw(&stroker, &source);
+    if (count > 0 && qtri_stroker_init(&stroker, surface, material, stroke, false)) {
+        qtri_stroker_draw(&stroker, find_part, &line, count, stroke->closed);
     }
 }
 

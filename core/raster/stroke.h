@@ -24,14 +24,10 @@ enum {
     QTRI_STROKE_BLOCKS = 8  /* of parts that follow each other, with their boxes */
 };
 
-/* Parts 0 .. count-1 of a line. `find` says where a part is and, if `end` is not NULL, what its
-   ends look like; false: it is not to be seen. */
-typedef struct qtri_stroke_source {
-    const void *from;
-    uint32_t count;
-    bool closed;
-    bool (*find)(const void *from, uint32_t part, qtri_point at[2], qtri_stroke_end end[2]);
-} qtri_stroke_source;
+/* Where a part of a line is and, if `end` is not NULL, what its ends look like; false: it is not to
+   be seen. */
+typedef bool (*qtri_stroke_source)(const void *from, uint32_t part, qtri_point at[2],
+                                   qtri_stroke_end end[2]);
 
 /* Pixels: x0 <= x < x1. */
 typedef struct qtri_stroke_box {
@@ -76,12 +72,14 @@ typedef struct qtri_stroke_block {
 } qtri_stroke_block;
 
 typedef struct qtri_stroker {
-    const qtri_stroke_source *source;
     const qtri_stroke_edges *edges;
+    qtri_stroke_source source;
+    const void *from;
+    uint32_t count; /* of its parts */
     qtri_stroke_target to;
     int32_t radius;
     uint8_t cap;
-    bool has_one_look;
+    bool closed, has_one_look;
     qtri_stroke_look look; /* of all parts, or of the one that is drawn */
     qtri_stroke_ring ring; /* of smooth edges */
     qtri_stroke_disc disc;
@@ -105,10 +103,13 @@ struct qtri_stroke_edges {
     qtri_line_draws line; /* thin ones, each by itself: see line.h */
 };
 
-/* False: nothing can be drawn. Then parts of any source. */
+/* False: nothing can be drawn. `in_space`: each point has a radius of its own. */
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
-                       const qtri_material *material, const qtri_stroke *stroke);
-void qtri_stroker_draw(qtri_stroker *stroker, const qtri_stroke_source *source);
+                       const qtri_material *material, const qtri_stroke *stroke, bool in_space);
+
+/* The line through `points` points, at least one. */
+void qtri_stroker_draw(qtri_stroker *stroker, qtri_stroke_source source, const void *from,
+                       uint32_t points, bool closed);
 
 /* One part by itself, of stroker->look. */
 void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *place);
@@ -121,7 +122,7 @@ void qtri_stroke_point_cover(qtri_stroke_disc *disc, const qtri_stroke_block *bl
 
 #define QTRI_STROKE_NONE UINT32_MAX
 
-/* stroke_parts.c: as a source's `find`. The disc of a joint may be a part. */
+/* stroke_parts.c: as a source does. The disc of a joint may be a part. */
 bool qtri_stroker_find(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place,
                        qtri_stroke_end end[2]);
 

@@ -1,20 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "line.h"
 
-#include <string.h>
-
 #include "../bits/bits.h"
 #include "../filter/mix.h"
 #include "line_path.h"
 #include "stroke_shape.h"
 
-#define FULL  QTRI_STROKE_FULL
-#define LEAST (FULL / 64) /* less is nothing: it would not change RGB565 */
+enum { LEAST = QTRI_COVERAGE_FULL / 64 }; /* less is nothing: it would not change RGB565 */
 
-enum {
-    CELLS = 8,  /* of a column, with what follows the last */
-    CHUNK = 128 /* columns after which a line starts anew: see line_path.h */
-};
+enum { CELLS = 8 }; /* of a column, with what follows the last */
 
 /* Where a column's cells are, what covers the pixel before the first, and the share there in Q24.
  */
@@ -44,7 +38,6 @@ typedef struct wire {
     bool inside;                /* all of it lies in them */
     int32_t share_step;         /* Q24 of its length a column; at most 2^28 */
     int32_t share_across;       /* the same for a pixel across */
-    const qtri_vertex *ends[2]; /* the first, and the last */
     qtri_stroke_look look;
     bool steep; /* along is y */
     /* Where pixels are stored as they are found: row 0 of the frame, and bytes. */
@@ -52,25 +45,17 @@ typedef struct wire {
     ptrdiff_t pixel_along, pixel_across, depth_along, depth_across;
 } wire;
 
-/* `dx` by along of a side whose ends are `ends` in 1/256 behind the cell's start, added. */
-QTRI_INLINE void add_piece(int32_t *cell, int32_t dx, int32_t ends)
-{
-    const int32_t behind = dx * ends;
-    cell[0] += dx * 512 - behind;
-    cell[1] += behind;
-}
-
 /*
  * Adds the area on the far side of a side that goes from `ya` to `yb`, 1/256 pixel behind the
  * column's first cell, while `dx` (signed) goes by along. Once all sides are there, the sum of all
- * cells up to one is what its pixel has, of FULL. ratio_q8: |dx| for |yb - ya|.
+ * cells up to one is what its pixel has, of QTRI_COVERAGE_FULL. ratio_q8: |dx| for |yb - ya|.
  */
 QTRI_INLINE void add_side(int32_t *cell, int32_t dx, int32_t ya, int32_t yb, int32_t ratio_q8)
 {
     int32_t k = ya >> 8;
     const int32_t last = yb >> 8;
     if (k == last) {
-        add_piece(&cell[k], dx, (ya & 255) + (yb & 255));
+        qtri_coverage_add_piece(&cell[k], dx, (ya & 255) + (yb & 255));
         return;
     }
     const int32_t size = dx < 0 ? -dx : dx;
@@ -82,12 +67,12 @@ QTRI_INLINE void add_side(int32_t *cell, int32_t dx, int32_t ya, int32_t yb, int
         const int32_t to = step > 0 ? 256 : 0;
         gone += (to - y) * step;
         const int32_t upto = qtri_least32((gone * ratio_q8) >> 8, size); /* 2^10 2^21 */
-        add_piece(&cell[k], dx < 0 ? done - upto : upto - done, y + to);
+        qtri_coverage_add_piece(&cell[k], dx < 0 ? done - upto : upto - done, y + to);
         k += step;
         y = 256 - to;
         done = upto;
     } while (k != last);
-    add_piece(&cell[k], dx < 0 ? done - size : size - done, y + yb - k * 256);
+    qtri_coverage_add_piece(&cell[k], dx < 0 ? done - size : size - done, y + yb - k * 256);
 }
 
 /* An end of the rectangle, from its near corner to the far one, as far as it lies in the column. */
@@ -162,7 +147,7 @@ static void draw_any(const wire *w, const cells *c)
     int32_t count = 0;
     for (const int32_t *cell = c->cell; cell != c->end; cell++, share_q24 += w->share_across) {
         sum += *cell;
-        const uint32_t cover = (uint32_t)qtri_hold32(sum, 0, FULL);
+        const uint32_t cover = (uint32_t)qtri_hold32(sum, 0, QTRI_COVERAGE_FULL);
         weight[count] = (uint16_t)(sum < LEAST ? 0 : qtri_stroke_weight(cover, to->alpha_q16));
         share_q16[count] = qtri_stroke_held_share(share_q24);
         count++;
@@ -196,10 +181,10 @@ QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
             const uint32_t z = (qtri_stroke_look_depth(&w->look, share) + 0x8000u) >> 16;
             if (!has_depth || z < *at) {
                 uint16_t *to = (uint16_t *)(void *)pixel;
-                const uint32_t cover = (uint32_t)qtri_least32(sum, FULL);
+                const uint32_t cover = (uint32_t)qtri_least32(sum, QTRI_COVERAGE_FULL);
                 const uint32_t weight = qtri_stroke_weight(cover, 65536) & 0x1FFu;
                 const uint32_t word = qtri_stroke_look_tint(&w->look, share);
-                if (has_depth && sum >= FULL / 2) {
+                if (has_depth && sum >= QTRI_COVERAGE_FULL / 2) {
                     *at = (uint16_t)z;
                 }
                 *to = (uint16_t)qtri_color_mix(QTRI_IN_565, word, weight, *to, 256 - weight);
@@ -295,52 +280,30 @@ static void set_direction(wire *w, int32_t length, int32_t delta, int32_t radius
     w->share_across = delta < 0 ? -w->share_across : w->share_across;
 }
 
-/* The near side at the start of a column that begins a chunk, and the share at its middle. */
-static void begin_chunk(const wire *w, int32_t column, int32_t *low_q16, int32_t *share)
-{
-    const int32_t x = column * 256 - w->origin_x; /* |x| < 2^23 */
-    int64_t rise = (int64_t)qtri_mul_u32(qtri_magnitude32(x), w->slope_q30);
-    rise = (x < 0) == (w->slope_q16 < 0) ? rise : -rise;
-    *low_q16 = w->origin_y * 256 + (int32_t)(rise >> 22) - w->half_q16;
-    *share = (int32_t)(qtri_mul_s32(x + 128, w->share_step) >> 8);
-}
-
 /* Ends and what they bring, by the longer axis. False: nothing is covered. */
-static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b)
+static bool set_ends(wire *w, const qtri_line_job *job, const qtri_line_path *l)
 {
-    qtri_line_path l;
-    qtri_line_path_init(&l, a, b);
-    if (l.length == 0) {
-        return false;
-    }
     w->job = job;
-    w->x[0] = l.steep ? l.first->at.y_24p8 : l.first->at.x_24p8;
-    w->x[1] = w->x[0] + l.length;
-    w->y[0] = l.minor;
-    w->y[1] = l.minor + l.delta;
+    w->x[0] = l->steep ? l->first->at.y_24p8 : l->first->at.x_24p8;
+    w->x[1] = w->x[0] + l->length;
+    w->y[0] = l->minor;
+    w->y[1] = l->minor + l->delta;
     w->origin_x = w->x[0];
     w->origin_y = w->y[0];
-    w->ends[0] = l.first;
-    w->ends[1] = l.last;
-    set_direction(w, l.length, l.delta, job->smooth->radius_24p8);
+    set_direction(w, l->length, l->delta, job->smooth->radius_24p8);
     if (job->smooth->square) {
         w->x[0] -= w->offset_y; /* radius times cosine */
         w->x[1] += w->offset_y;
         w->y[0] -= w->offset_x;
         w->y[1] += w->offset_x;
     }
-    const bool steep = l.steep;
-    const int32_t left = job->left_24p8 >> 8;
-    const int32_t more = QTRI_STROKE_LINE_REACH >> 8;
-    const int32_t top = (job->top_24p8 >> 8) + more;
-    const int32_t right = left + (int32_t)(job->width_24p8 >> 8);
-    const int32_t bottom = top + (int32_t)(job->height_24p8 >> 8) - 2 * more;
+    const qtri_rect *bounds = &job->to->state.bounds;
     const int32_t reach = w->offset_x < 0 ? -w->offset_x : w->offset_x;
-    w->bounds[0] = steep ? top : left;
-    w->bounds[1] = steep ? bottom : right;
-    w->bounds[2] = steep ? left : top;
-    w->bounds[3] = steep ? right : bottom;
-    w->steep = steep;
+    w->steep = l->steep;
+    w->bounds[0] = l->steep ? bounds->y0 : bounds->x0;
+    w->bounds[1] = l->steep ? bounds->y1 : bounds->x1;
+    w->bounds[2] = l->steep ? bounds->x0 : bounds->y0;
+    w->bounds[3] = l->steep ? bounds->x1 : bounds->y1;
     w->inner = (w->x[0] + reach + 255) >> 8;
     w->inner_end = (w->x[1] - reach) >> 8;
     w->first = (w->x[0] - reach) >> 8;
@@ -351,18 +314,6 @@ static bool set_ends(wire *w, const qtri_line_job *job, const qtri_vertex *a, co
                 high + 1 < w->bounds[3];
     return w->end > w->bounds[0] && w->first < w->bounds[1] && high + 1 >= w->bounds[2] &&
            low <= w->bounds[3];
-}
-
-/* Depth and colours. */
-static void set_look(wire *w, const qtri_vertex *a, const qtri_line_color *color)
-{
-    qtri_line_color turned[2];
-    if (color != NULL && w->ends[0] != a) {
-        memcpy(turned[0], color[1], sizeof turned[0]);
-        memcpy(turned[1], color[0], sizeof turned[1]);
-        color = (const qtri_line_color *)turned;
-    }
-    qtri_line_look(&w->look, w->job, w->ends[0], w->ends[1], color);
 }
 
 /* What draws its pixels. */
@@ -395,18 +346,23 @@ void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const
                            const qtri_line_color *color)
 {
     wire w;
-    if (job->width_24p8 == 0 || !set_ends(&w, job, a, b)) {
+    qtri_line_path l;
+    qtri_line_path_init(&l, a, b);
+    if (job->width_24p8 == 0 || l.length == 0 || !set_ends(&w, job, &l)) {
         return;
     }
-    set_look(&w, a, color);
+    qtri_line_look(&w.look, job, l.first, l.last, color, l.turned);
     set_draw(&w);
-    for (int32_t start = w.first; start < w.end; start += CHUNK) {
-        int32_t low_q16;
-        int32_t share;
-        const int32_t end = qtri_least32(qtri_least32(start + CHUNK, w.end), w.bounds[1]);
+    for (int32_t start = w.first; start < w.end; start += QTRI_LINE_CHUNK) {
+        const int32_t end = qtri_least32(qtri_least32(start + QTRI_LINE_CHUNK, w.end), w.bounds[1]);
         const int32_t skip = qtri_greatest32(w.bounds[0] - start, 0);
         if (start + skip < end) {
-            begin_chunk(&w, start, &low_q16, &share);
+            /* The near side at the start of the chunk's column, and the share at its middle. */
+            const int32_t x = start * 256 - w.origin_x; /* |x| < 2^23 */
+            int64_t rise = (int64_t)qtri_mul_u32(qtri_magnitude32(x), w.slope_q30);
+            rise = (x < 0) == (w.slope_q16 < 0) ? rise : -rise;
+            const int32_t low_q16 = w.origin_y * 256 + (int32_t)(rise >> 22) - w.half_q16;
+            const int32_t share = (int32_t)(qtri_mul_s32(x + 128, w.share_step) >> 8);
             walk(&w, start + skip, end, low_q16 + skip * w.slope_q16, share + skip * w.share_step);
         }
     }

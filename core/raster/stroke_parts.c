@@ -19,23 +19,21 @@ static bool is_short(const qtri_stroke_place *place)
  */
 static uint32_t count_of(const qtri_stroker *stroker)
 {
-    const qtri_stroke_source *source = stroker->source;
-    const bool has_discs = source->count > 1 && !source->closed && stroker->cap != QTRI_CAP_ROUND;
-    return source->count + (has_discs ? 2 : 0);
+    const bool has_discs = stroker->count > 1 && !stroker->closed && stroker->cap != QTRI_CAP_ROUND;
+    return stroker->count + (has_discs ? 2 : 0);
 }
 
 bool qtri_stroker_find(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place,
                        qtri_stroke_end end[2])
 {
-    const qtri_stroke_source *source = stroker->source;
-    const uint32_t last = source->count - 1;
+    const uint32_t last = stroker->count - 1;
     const uint32_t owner = part <= last ? part : part == last + 1 ? 0 : last;
-    if (!source->find(source->from, owner, place->end, end)) {
+    if (!stroker->source(stroker->from, owner, place->end, end)) {
         return false;
     }
     place->radius_24p8 = stroker->radius;
-    place->caps[0] = owner == 0 && !source->closed ? stroker->cap : QTRI_CAP_ROUND;
-    place->caps[1] = owner == last && !source->closed ? stroker->cap : QTRI_CAP_ROUND;
+    place->caps[0] = owner == 0 && !stroker->closed ? stroker->cap : QTRI_CAP_ROUND;
+    place->caps[1] = owner == last && !stroker->closed ? stroker->cap : QTRI_CAP_ROUND;
     if (part <= last) {
         return true;
     }
@@ -90,18 +88,6 @@ static inline bool do_meet(const qtri_stroke_box *a, const qtri_stroke_box *b)
     return a->y0 < b->y1 && b->y0 < a->y1 && a->x0 < b->x1 && b->x0 < a->x1;
 }
 
-/* Whether a part is to be seen and meets a box; *own: its box. */
-static bool is_near(const qtri_stroker *stroker, uint32_t part, const qtri_stroke_box *box,
-                    qtri_stroke_box *own)
-{
-    qtri_stroke_place place;
-    if (!qtri_stroker_find(stroker, part, &place, NULL)) {
-        return false;
-    }
-    *own = qtri_stroke_box_of(&place);
-    return do_meet(own, box);
-}
-
 static void add_box(qtri_stroke_box *sum, const qtri_stroke_box *box)
 {
     sum->x0 = box->x0 < sum->x0 ? box->x0 : sum->x0;
@@ -110,7 +96,6 @@ static void add_box(qtri_stroke_box *sum, const qtri_stroke_box *box)
     sum->y1 = box->y1 > sum->y1 ? box->y1 : sum->y1;
 }
 
-/* Boxes of blocks of parts, and that of all; without a part that is seen it is empty. */
 qtri_stroke_box qtri_stroker_find_blocks(qtri_stroker *stroker)
 {
     const qtri_stroke_box none = {INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN};
@@ -142,14 +127,18 @@ static uint32_t next_near(const qtri_stroker *stroker, uint32_t part, const qtri
     while (part < count) {
         const uint32_t block = part / stroker->block_parts;
         const uint32_t end = (block + 1) * stroker->block_parts;
-        if (do_meet(&stroker->block[block], box)) {
-            for (; part < end && part < count; part++) {
-                if (is_near(stroker, part, box, own)) {
+        if (!do_meet(&stroker->block[block], box)) {
+            part = end;
+        }
+        for (; part < end && part < count; part++) {
+            qtri_stroke_place place;
+            if (qtri_stroker_find(stroker, part, &place, NULL)) {
+                *own = qtri_stroke_box_of(&place);
+                if (do_meet(own, box)) {
                     return part;
                 }
             }
         }
-        part = end;
     }
     return QTRI_STROKE_NONE;
 }
@@ -213,7 +202,6 @@ qtri_stroke_shape *qtri_stroker_shape(qtri_stroker *stroker, uint32_t part)
     return shape;
 }
 
-/* Lists the parts that meet a box; false: there are more than there is room for. */
 bool qtri_stroker_list(qtri_stroker *stroker, const qtri_stroke_box *box)
 {
     qtri_stroke_box own;

@@ -12,6 +12,8 @@
 
 #include "qtri/body/pixel.h"
 
+#include "../paint/coverage.h"
+
 /* What an end of a part looks like. */
 typedef struct qtri_stroke_end {
     uint32_t depth_16p8; /* 0..65535.0 */
@@ -42,14 +44,12 @@ typedef struct qtri_stroke_span {
     const uint16_t *share;     /* of a level part it is not read */
 } qtri_stroke_span;
 
-/* What covers a whole pixel: 256 of a height by 512 halves of 1/256 of a width. */
-#define QTRI_STROKE_FULL ((int32_t)256 * 512)
-
-/* What a pixel takes of a stroke: see qtri_stroke_span. Less than a half of 1/256 is nothing. */
+/* What a pixel takes of a stroke: see qtri_stroke_span and QTRI_COVERAGE_FULL. Less than a half of
+   1/256 is nothing. */
 static inline uint32_t qtri_stroke_weight(uint32_t cover, uint32_t alpha_q16)
 {
     const uint32_t weight = ((cover >> 2) * alpha_q16 + ((uint32_t)1 << 22)) >> 23; /* < 2^32 */
-    return weight != 0 && cover >= QTRI_STROKE_FULL / 2 ? weight | QTRI_STROKE_WRITES : weight;
+    return cover >= QTRI_COVERAGE_FULL / 2 ? weight | QTRI_STROKE_WRITES : weight;
 }
 
 /* Where strokes of one draw call are drawn to, and how. */

@@ -194,7 +194,7 @@ void qtri_stroker_draw_point(qtri_stroker *stroker, const qtri_point *center, in
         if (stroker->edges != NULL) {
             stroker->edges->cover_point(&stroker->disc, &block, alpha_q16, weight);
         } else {
-            cover_centers(&block, (uint16_t)qtri_stroke_weight(QTRI_STROKE_FULL, alpha_q16),
+            cover_centers(&block, (uint16_t)qtri_stroke_weight(QTRI_COVERAGE_FULL, alpha_q16),
                           weight);
         }
         qtri_stroke_target_draw(&stroker->to, &span);

@@ -99,15 +99,6 @@ static int32_t times_q30(int32_t x, int32_t y_q30)
     return (int32_t)((qtri_mul_s32(x, y_q30) + ((int64_t)1 << 29)) >> 30);
 }
 
-static void set_no_length(qtri_stroke_shape *s)
-{
-    s->along_x_q30 = (int32_t)1 << 30;
-    s->along_y_q30 = 0;
-    s->length_24p8 = 0;
-    s->share_x = s->share_y = 0;
-    s->share_shift = 31;
-}
-
 /*
  * Direction and length: the difference is shifted up so far that the square of its length has 61
  * or 62 bits, which leaves the direction 30 bits of a part of any length.
@@ -120,7 +111,11 @@ static void set_direction(qtri_stroke_shape *s, int32_t dx, int32_t dy)
 {
     const uint64_t square = (uint64_t)qtri_mul_s32(dx, dx) + (uint64_t)qtri_mul_s32(dy, dy);
     if (square == 0) {
-        set_no_length(s);
+        s->along_x_q30 = (int32_t)1 << 30;
+        s->along_y_q30 = 0;
+        s->length_24p8 = 0;
+        s->share_x = s->share_y = 0;
+        s->share_shift = 31;
         return;
     }
     const int32_t up = (qtri_clz64(square) - 2) >> 1; /* square < 2^49: 6..30 */

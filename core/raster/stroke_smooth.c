@@ -241,8 +241,7 @@ const qtri_stroke_edges qtri_stroke_smooth = {
     .line = qtri_stroke_line_draw,
 };
 
-/* The stroke of an application that has chosen nothing -----------------------------------------
- */
+/* ---- The stroke of an application that has chosen nothing ---- */
 
 /*
  * The constant has a name because it holds an address: in a file of the whole library, a linker
