@@ -4,7 +4,6 @@
  */
 #include "qtri/antialias.h"
 
-#include "../frame/barrier.h"
 #include "../frame/pixel.h"
 #include "mix.h"
 
@@ -250,9 +249,9 @@ QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32
     const uint16_t *own = w->lumas[2];
     const uint16_t *down = w->lumas[3];
     for (; x + 1 < end; x += 2) {
-        const uint32_t both = *(const qtri_pair *)(const void *)(own + x);
-        const uint32_t above = *(const qtri_pair *)(const void *)(up + x);
-        const uint32_t below = *(const qtri_pair *)(const void *)(down + x);
+        const uint32_t both = *(const qtri_word *)(const void *)(own + x);
+        const uint32_t above = *(const qtri_word *)(const void *)(up + x);
+        const uint32_t below = *(const qtri_word *)(const void *)(down + x);
         const uint32_t left = moved_in(both, own[x - 1], true);
         const uint32_t right = moved_in(both, own[x + 2], false);
         const uint32_t most = both + near;
@@ -275,19 +274,19 @@ typedef struct extent {
 
 static extent extent_of(const uint16_t *row, int32_t width)
 {
-    const qtri_pair *words = (const qtri_pair *)(const void *)row;
+    const qtri_word *words = (const qtri_word *)(const void *)row;
     const int32_t count = width / 2;
     const uint32_t color = words[0];
     extent e = {color, 0, width};
     if (color != (color << 16 | color >> 16)) {
         return e;
     }
-    const qtri_pair *at = words;
-    const qtri_pair *end = words + count;
+    const qtri_word *at = words;
+    const qtri_word *end = words + count;
     while (end - at >= 4 &&
            ((at[0] ^ color) | (at[1] ^ color) | (at[2] ^ color) | (at[3] ^ color)) == 0) {
         at += 4;
-        QTRI_OPAQUE(at)
+        QTRI_BODY_BARRIER(at);
     }
     while (at != end && *at == color) {
         at++;
@@ -296,7 +295,7 @@ static extent extent_of(const uint16_t *row, int32_t width)
     while (end - at >= 4 &&
            ((end[-1] ^ color) | (end[-2] ^ color) | (end[-3] ^ color) | (end[-4] ^ color)) == 0) {
         end -= 4;
-        QTRI_OPAQUE(end)
+        QTRI_BODY_BARRIER(end);
     }
     while (end != at && end[-1] == color) {
         end--;
@@ -327,21 +326,21 @@ static uint16_t *row_of(const qtri_surface *surface, int32_t y)
     return (uint16_t *)(void *)qtri_surface_at(surface, 0, y);
 }
 
-static void fill_words(qtri_pair *to, int32_t count, uint32_t word)
+static void fill_words(qtri_word *to, int32_t count, uint32_t word)
 {
     if (count > 0) {
         qtri_fill_words((uint8_t *)to, 0, 4 * (size_t)count, 1, word);
     }
 }
 
-static void luma_words(qtri_pair *to, const qtri_pair *from, const qtri_pair *end)
+static void luma_words(qtri_word *to, const qtri_word *from, const qtri_word *end)
 {
     for (; end - from >= 2; to += 2, from += 2) {
         const uint32_t a = from[0];
         const uint32_t b = from[1];
         to[0] = lumas_of_two(a);
         to[1] = lumas_of_two(b);
-        QTRI_OPAQUE(to)
+        QTRI_BODY_BARRIER(to);
     }
     if (from != end) {
         *to = lumas_of_two(*from);
@@ -359,8 +358,8 @@ static void keep_row(uint32_t *out, const uint16_t *row, const extent *e, int32_
         }
         return;
     }
-    qtri_pair *to = (qtri_pair *)out;
-    const qtri_pair *from = (const qtri_pair *)(const void *)row;
+    qtri_word *to = (qtri_word *)out;
+    const qtri_word *from = (const qtri_word *)(const void *)row;
     const int32_t first = e->first / 2;
     const int32_t end = qtri_greatest32(e->end / 2, first); /* e->end is 0 where there is nothing */
     const uint32_t about = luma ? lumas_of_two(e->color) : e->color;

@@ -87,14 +87,14 @@ static bool are_pairs(const qtri_surface *band)
     return (((uintptr_t)band->pixels | (uintptr_t)band->pitch) & 3) == 0;
 }
 
-QTRI_NOINLINE static void halve_pairs(const qtri_pair *upper, const qtri_pair *lower, uint16_t *to,
+QTRI_NOINLINE static void halve_pairs(const qtri_word *upper, const qtri_word *lower, uint16_t *to,
                                       int32_t count)
 {
     for (; count >= 2 && ((uintptr_t)to & 3) == 0; count -= 2, upper += 2, lower += 2, to += 2) {
         const uint32_t first = upper[0];
         if (first == upper[1] && first == lower[0] && first == lower[1] &&
             first == (first << 16 | first >> 16)) {
-            *(qtri_pair *)(void *)to = first; /* of one colour, as most are */
+            *(qtri_word *)(void *)to = first; /* of one colour, as most are */
         } else {
             const uint32_t other = mean_of_pairs(upper[1], lower[1]);
             to[0] = (uint16_t)mean_of_pairs(first, lower[0]);
@@ -112,8 +112,8 @@ static void halve_565(const qtri_surface *band, const qtri_surface *half)
     for (int32_t y = scissor->y0; y < scissor->y1; y++) {
         const uint8_t *from = qtri_surface_at(band, 2 * scissor->x0, 2 * y);
         uint8_t *to = qtri_surface_at(half, scissor->x0, y);
-        halve_pairs((const qtri_pair *)(const void *)from,
-                    (const qtri_pair *)(const void *)(from + band->pitch), (uint16_t *)(void *)to,
+        halve_pairs((const qtri_word *)(const void *)from,
+                    (const qtri_word *)(const void *)(from + band->pitch), (uint16_t *)(void *)to,
                     scissor->x1 - scissor->x0);
     }
 }

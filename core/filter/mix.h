@@ -16,13 +16,6 @@
 #include "../bits/bits.h"
 #include "../frame/pixel.h"
 
-/* Two pixels of 16 bits as a word, which are read as single ones elsewhere. */
-#ifdef __GNUC__
-typedef uint32_t __attribute__((__may_alias__)) qtri_pair;
-#else
-typedef uint32_t qtri_pair;
-#endif
-
 /* A word with room for 5 bits above each channel of 565: green, red, blue, from the top. */
 #define QTRI_LANES_565 0x07E0F81Fu
 

@@ -7,7 +7,7 @@
 #include "qtri/antialias.h"
 #include "qtri/error.h"
 
-#include "../frame/barrier.h"
+#include "../frame/pixel.h"
 #include "mix.h"
 
 /* The rows and columns that count, and a sum's words; false: there is an error, or nothing to do.
@@ -41,13 +41,13 @@ static uint32_t place_of(const qtri_surface *surface, const qtri_rect *bounds, i
     {                                                                                              \
         const uint32_t color = pixel[i];                                                           \
         sum[i] += (color | color << 16) & lanes;                                                   \
-        QTRI_OPAQUE(sum)                                                                           \
+        QTRI_BODY_BARRIER(sum);                                                                           \
     }
 
 QTRI_NOINLINE static void add_row_565(uint32_t *sum, const uint16_t *pixel, int32_t count)
 {
     uint32_t lanes = QTRI_LANES_565;
-    QTRI_OPAQUE(lanes)
+    QTRI_BODY_BARRIER(lanes);
     for (; count >= 4; count -= 4, sum += 4, pixel += 4) {
         ADD(0)
         ADD(1)
@@ -64,7 +64,7 @@ QTRI_NOINLINE static void add_row_565(uint32_t *sum, const uint16_t *pixel, int3
         uint32_t mean = ((sum[i] + half) >> log2) & lanes;                                         \
         mean |= mean >> 16;                                                                        \
         pixel[i] = (uint16_t)mean;                                                                 \
-        QTRI_OPAQUE(pixel)                                                                         \
+        QTRI_BODY_BARRIER(pixel);                                                                         \
     }
 
 QTRI_NOINLINE static void store_row_565(uint16_t *pixel, const uint32_t *sum, int32_t count,
@@ -73,7 +73,7 @@ QTRI_NOINLINE static void store_row_565(uint16_t *pixel, const uint32_t *sum, in
     uint32_t lanes = QTRI_LANES_565;
     /* Half of a step in each lane. */
     const uint32_t half = log2 == 0 ? 0 : (uint32_t)0x00200801 << (log2 - 1);
-    QTRI_OPAQUE(lanes)
+    QTRI_BODY_BARRIER(lanes);
     for (; count >= 4; count -= 4, sum += 4, pixel += 4) {
         STORE(0)
         STORE(1)

@@ -12,6 +12,7 @@
 
 #include <stdbool.h>
 
+#include "qtri/body/color.h"
 #include "qtri/surface.h"
 
 #include "../bits/bits.h"
@@ -82,46 +83,18 @@ uint32_t qtri_pixel_from_rgb(const qtri_format *format, qtri_rgb color);
 
 /* ---- Stored pixels ---- */
 
+/* A word of memory that is read as other types elsewhere: two pixels of 16 bits, for one. */
+#ifdef __GNUC__
+typedef uint32_t __attribute__((__may_alias__)) qtri_word;
+#else
+typedef uint32_t qtri_word;
+#endif
+
 /* Where a pixel of a row that the surface holds is stored. */
 static inline uint8_t *qtri_surface_at(const qtri_surface *surface, int32_t x, int32_t row)
 {
     return surface->pixels + (ptrdiff_t)(row - surface->first_row) * surface->pitch +
            (ptrdiff_t)surface->format->pixels->bytes * x;
-}
-
-/* A pixel of 1 to 4 bytes. */
-QTRI_INLINE uint32_t qtri_stored_get(int32_t bytes, const uint8_t *at)
-{
-    switch (bytes) {
-    case 1:
-        return at[0];
-    case 2:
-        return *(const uint16_t *)(const void *)at;
-    case 3:
-        return at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16;
-    default:
-        return *(const uint32_t *)(const void *)at;
-    }
-}
-
-QTRI_INLINE void qtri_stored_put(int32_t bytes, uint8_t *at, uint32_t stored)
-{
-    switch (bytes) {
-    case 1:
-        at[0] = (uint8_t)stored;
-        break;
-    case 2:
-        *(uint16_t *)(void *)at = (uint16_t)stored;
-        break;
-    case 3:
-        at[0] = (uint8_t)stored;
-        at[1] = (uint8_t)(stored >> 8);
-        at[2] = (uint8_t)(stored >> 16);
-        break;
-    default:
-        *(uint32_t *)(void *)at = stored;
-        break;
-    }
 }
 
 /*
@@ -141,6 +114,40 @@ QTRI_INLINE void qtri_stored_put(int32_t bytes, uint8_t *at, uint32_t stored)
     default:                                                                                       \
         function(4, __VA_ARGS__);                                                                  \
         break
+
+/* ---- Words that formats encode and decode ---- */
+
+/* `encode` of qtri_rgb565_swapped and of qtri_rgb888. */
+void qtri_encode_rgb565_swapped(uint32_t *color, int32_t count);
+void qtri_encode_rgb888(uint32_t *color, int32_t count);
+
+/*
+ * Makes of each x of `count` words the `result`, in place, for descriptions of formats: `words` is
+ * a variable that moves on. Up to three words more are changed, so that groups of four need no
+ * remainder.
+ */
+/* clang-format off */
+#define QTRI_ONE_WORD(words, i, x, result)                                                         \
+    {                                                                                              \
+        const uint32_t x = (words)[i];                                                             \
+        (words)[i] = (result);                                                                     \
+        QTRI_BODY_BARRIER(words);                                                                  \
+    }
+#ifdef __OPTIMIZE_SIZE__
+#define QTRI_EACH_WORD(words, count, x, result)                                                    \
+    for (const uint32_t *end = (words) + (count); (words) < end; (words)++) {                      \
+        QTRI_ONE_WORD(words, 0, x, result)                                                         \
+    }
+#else
+#define QTRI_EACH_WORD(words, count, x, result)                                                    \
+    for (const uint32_t *end = (words) + (count); (words) < end; (words) += 4) {                   \
+        QTRI_ONE_WORD(words, 0, x, result)                                                         \
+        QTRI_ONE_WORD(words, 1, x, result)                                                         \
+        QTRI_ONE_WORD(words, 2, x, result)                                                         \
+        QTRI_ONE_WORD(words, 3, x, result)                                                         \
+    }
+#endif
+/* clang-format on */
 
 /* ---- Memory filled with one value, and copied ---- */
 

@@ -81,7 +81,7 @@ void qtri_hard_rect(const qtri_painter *painter, const qtri_area *box)
 
 /* ---- Blended pixels ---- */
 
-QTRI_INLINE void span_of(qtri_mix mix, int32_t bytes, uint8_t *at, int32_t count, uint32_t keep,
+QTRI_INLINE void span_of(qtri_mix mix, uint32_t bytes, uint8_t *at, int32_t count, uint32_t keep,
                          qtri_mix_part share)
 {
     for (; count > 0; count--) {
@@ -140,7 +140,7 @@ void qtri_blend_span(const qtri_painter *painter, uint8_t *at, int32_t count, ui
 }
 
 /* Most pixels of a row of coverage are all or nothing. */
-QTRI_INLINE void cover_of(qtri_mix mix, int32_t bytes, const qtri_painter *painter, uint8_t *at,
+QTRI_INLINE void cover_of(qtri_mix mix, uint32_t bytes, const qtri_painter *painter, uint8_t *at,
                           int32_t count, const uint8_t *coverage)
 {
     const uint32_t alpha = painter->alpha;
@@ -170,7 +170,7 @@ void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
 }
 
 /* All pixels have one weight: what is added to each is made once for a glyph. */
-QTRI_INLINE void bits_of(qtri_mix mix, int32_t bytes, const qtri_painter *painter, uint8_t *to,
+QTRI_INLINE void bits_of(qtri_mix mix, uint32_t bytes, const qtri_painter *painter, uint8_t *to,
                          const qtri_ink_bits *bits)
 {
     const uint32_t a = qtri_mix_weight(255, painter->alpha); /* < 256, or it would not be mixed */

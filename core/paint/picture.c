@@ -4,8 +4,7 @@
 
 #include "qtri/error.h"
 
-#include "../frame/barrier.h"
-#include "qtri/body/barrier.h"
+#include "../frame/pixel.h"
 
 bool qtri_picture_is_usable(const qtri_image *image)
 {
@@ -79,13 +78,6 @@ static uint32_t mask_of(const qtri_image *image, const uint32_t *stored, int32_t
     return mask;
 }
 
-/* As qtri_decode_rgb565. */
-static inline uint32_t color_of_565(uint32_t c)
-{
-    return ((c >> 11) * 527 + 23) >> 6 << 16 | ((c >> 5 & 63) * 259 + 33) >> 6 << 8 |
-           ((c & 31) * 527 + 23) >> 6;
-}
-
 /*
  * From stored pixels to 0x00RRGGBB; of those known to be RGB565 without their bytes' order if that
  * is all that is wanted. Frequent formats do not pay for a call a pixel.
@@ -97,12 +89,12 @@ static void decode(const qtri_image *image, bool keep_565, uint32_t *color, int3
     uint32_t *end = color + count;
     if (kind == QTRI_MIX_565_SWAPPED) {
         for (uint32_t *c = color; c != end; c++) {
-            *c = qtri_swapped16(*c);
+            *c = qtri_swap_16(*c);
         }
     }
     if (is_565 && !keep_565) {
         for (uint32_t *c = color; c != end; c++) {
-            *c = color_of_565(*c);
+            *c = qtri_pixel_565_to_888(*c);
         }
     } else if (kind == QTRI_MIX_32) {
         for (uint32_t *c = color; c != end; c++) {
@@ -145,7 +137,7 @@ void qtri_picture_copy(uint8_t *to, ptrdiff_t to_pitch, const uint8_t *from, ptr
 
 /* ---- Mixed pixels ---- */
 
-QTRI_INLINE void mix_of(qtri_mix mix, int32_t bytes, uint8_t *at, const uint32_t *stored,
+QTRI_INLINE void mix_of(qtri_mix mix, uint32_t bytes, uint8_t *at, const uint32_t *stored,
                         uint32_t mask, uint32_t a)
 {
     for (; mask != 0; mask <<= 1) {
@@ -240,16 +232,16 @@ qtri_image qtri_image_of(const qtri_surface *surface)
 }
 
 /* Pixels that are not the key, four at a time. */
-QTRI_INLINE void keyed_row(int32_t bytes, uint8_t *to, const uint8_t *from, int32_t count,
+QTRI_INLINE void keyed_row(uint32_t bytes, uint8_t *to, const uint8_t *from, int32_t count,
                            uint32_t key, uint32_t key_mask)
 {
     const uint32_t mask = bytes == 4 ? key_mask : UINT32_MAX;
 #define ONE(i)                                                                                     \
     {                                                                                              \
-        const uint32_t stored = qtri_stored_get(bytes, from + (i)*bytes);                          \
+        const uint32_t stored = qtri_load(bytes, from + (i)*bytes);                                \
         if ((stored & mask) != key) {                                                              \
-            QTRI_BRANCH                                                                            \
-            qtri_stored_put(bytes, to + (i)*bytes, stored);                                        \
+            QTRI_BODY_BRANCH();                                                                    \
+            qtri_save(bytes, to + (i)*bytes, stored);                                              \
         }                                                                                          \
     }
     for (; !QTRI_BODY_IS_SMALL && count >= 4; count -= 4) {
@@ -259,8 +251,8 @@ QTRI_INLINE void keyed_row(int32_t bytes, uint8_t *to, const uint8_t *from, int3
         ONE(3)
         to += 4 * bytes;
         from += 4 * bytes;
-        QTRI_OPAQUE(to)
-        QTRI_OPAQUE(from)
+        QTRI_BODY_BARRIER(to);
+        QTRI_BODY_BARRIER(from);
     }
     for (; count > 0; count--) {
         ONE(0)

@@ -5,8 +5,7 @@
 #include "qtri/error.h"
 #include "qtri/q16.h"
 
-#include "../frame/barrier.h"
-#include "qtri/body/barrier.h"
+#include "../frame/pixel.h"
 
 #ifdef QTRI_CHECKED
 /* Not so near to 0 in both that they are taken for plain numbers; 0, too. */
@@ -211,7 +210,7 @@ static void fetch(const run *r, int32_t u, int32_t v, uint32_t *stored, int32_t 
 
 /* What a loop knows of its pixels: how many bytes, whether there is a key, whether v changes. */
 typedef struct kind {
-    int32_t bytes;
+    uint32_t bytes;
     bool is_keyed, is_turned;
 } kind;
 
@@ -232,18 +231,18 @@ QTRI_INLINE void walk_row(kind is, const run *r, uint8_t *to, int32_t count)
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint8_t *row = is.is_turned ? pixels + (ptrdiff_t)(v >> 16) * pitch : pixels;        \
-        const uint32_t stored = qtri_stored_get(is.bytes, row + (ptrdiff_t)(u >> 16) * is.bytes);  \
+        const uint32_t stored = qtri_load(is.bytes, row + (ptrdiff_t)(u >> 16) * is.bytes);        \
         u += du;                                                                                   \
-        QTRI_OPAQUE(u)                                                                             \
+        QTRI_BODY_BARRIER(u);                                                                      \
         if (is.is_turned) {                                                                        \
             v += dv;                                                                               \
-            QTRI_OPAQUE(v)                                                                         \
+            QTRI_BODY_BARRIER(v);                                                                  \
         }                                                                                          \
         if (!is.is_keyed) {                                                                        \
-            qtri_stored_put(is.bytes, to + (i)*is.bytes, stored);                                  \
+            qtri_save(is.bytes, to + (i)*is.bytes, stored);                                        \
         } else if ((stored & mask) != key) {                                                       \
-            QTRI_BRANCH                                                                            \
-            qtri_stored_put(is.bytes, to + (i)*is.bytes, stored);                                  \
+            QTRI_BODY_BRANCH();                                                                    \
+            qtri_save(is.bytes, to + (i)*is.bytes, stored);                                        \
         }                                                                                          \
     }
     for (; count >= 4; count -= 4) {
@@ -260,7 +259,7 @@ QTRI_INLINE void walk_row(kind is, const run *r, uint8_t *to, int32_t count)
 #undef ONE
 }
 
-QTRI_INLINE void walk_sized(int32_t bytes, const run *r, uint8_t *to, int32_t count)
+QTRI_INLINE void walk_sized(uint32_t bytes, const run *r, uint8_t *to, int32_t count)
 {
     const kind plain = {bytes, false, false};
     const kind turned = {bytes, false, true};

@@ -6,9 +6,7 @@
 #include "qtri/paint.h"
 
 #include "../bits/bits.h"
-#include "../frame/barrier.h"
 #include "../frame/pixel.h"
-#include "qtri/body/barrier.h"
 
 /* A first byte 110xxxxx, 1110xxxx or 11110xxx tells how many bytes 10xxxxxx follow. */
 static int32_t following(uint32_t first)
@@ -49,12 +47,12 @@ uint32_t qtri_text_next(const char **text)
 
 #define BIT(i)                                                                                     \
     if ((int32_t)(value << (i)) < 0) {                                                             \
-        QTRI_BRANCH                                                                                \
-        qtri_stored_put(bytes, at + (i)*bytes, stored);                                            \
+        QTRI_BODY_BRANCH();                                                                        \
+        qtri_save(bytes, at + (i)*bytes, stored);                                                  \
     }
 
 /* Eight pixels of 1 to 4 bytes. */
-QTRI_INLINE void paint_eight(int32_t bytes, uint8_t *at, uint32_t value, uint32_t stored)
+QTRI_INLINE void paint_eight(uint32_t bytes, uint8_t *at, uint32_t value, uint32_t stored)
 {
     value <<= 24;
     if (QTRI_BODY_IS_SMALL) {
@@ -77,7 +75,7 @@ QTRI_INLINE void paint_eight(int32_t bytes, uint8_t *at, uint32_t value, uint32_
  * The `count` pixels behind the first `skip` of a byte of each row. Those in front leave the word
  * where it is shifted up.
  */
-QTRI_INLINE void paint_column(int32_t bytes, const qtri_painter *painter, uint8_t *to,
+QTRI_INLINE void paint_column(uint32_t bytes, const qtri_painter *painter, uint8_t *to,
                               const uint8_t *row, int32_t stride, int32_t rows, int32_t skip,
                               int32_t count)
 {
@@ -95,7 +93,7 @@ QTRI_INLINE void paint_column(int32_t bytes, const qtri_painter *painter, uint8_
 }
 
 /* Whole rows of up to eight pixels, which nothing clips: most characters. */
-QTRI_INLINE void paint_narrow(int32_t bytes, const qtri_painter *painter, uint8_t *to,
+QTRI_INLINE void paint_narrow(uint32_t bytes, const qtri_painter *painter, uint8_t *to,
                               const qtri_ink_bits *b)
 {
     paint_column(bytes, painter, to, b->row, 1, b->height, 0, b->width);
@@ -109,7 +107,7 @@ static void paint_narrow_bits(const qtri_painter *painter, uint8_t *to, const qt
 }
 
 /* Of wide characters, and of those that are clipped: byte by byte of their rows. */
-QTRI_INLINE void paint_columns(int32_t bytes, const qtri_painter *painter, uint8_t *to,
+QTRI_INLINE void paint_columns(uint32_t bytes, const qtri_painter *painter, uint8_t *to,
                                const qtri_ink_bits *b)
 {
     const int32_t end = b->skip + b->width;

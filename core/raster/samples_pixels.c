@@ -7,7 +7,6 @@
 #include "samples.h"
 
 #include "../filter/mix.h"
-#include "../frame/barrier.h"
 #include "../frame/pixel.h"
 
 static inline uint8_t *pixels_at(const qtri_surface *surface, int32_t row)
@@ -119,7 +118,7 @@ static void clear_565(uint8_t *record, int32_t count, uint32_t stored)
     const uint32_t depth_color = two[3];
     const uint32_t color_depth = two[5];
     for (; count >= 2; count -= 2, record += PAIR) {
-        qtri_pair *to = (qtri_pair *)(void *)record;
+        qtri_word *to = (qtri_word *)(void *)record;
         to[0] = colors;
         to[1] = colors;
         to[2] = depths;
@@ -207,7 +206,7 @@ static void resolve_565(const uint8_t *record, uint16_t *to, int32_t count)
         count--;
     }
     for (; count >= 2; count -= 2, record += PAIR, to += 2) {
-        const qtri_pair *two = (const qtri_pair *)(const void *)record;
+        const qtri_word *two = (const qtri_word *)(const void *)record;
         const uint16_t *half = (const uint16_t *)(const void *)record;
         const uint32_t both = color | color << 16;
         if (two[0] == both && two[1] == both && two[4] == both && half[7] == color &&
