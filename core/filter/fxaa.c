@@ -23,15 +23,24 @@ static inline int32_t magnitude(int32_t x)
 /* Whether a pixel's luma and that of its four neighbours differ too little to look further. */
 static inline bool is_flat(int32_t m, int32_t a, int32_t b, int32_t c, int32_t d)
 {
-    int32_t low = a < b ? a : b;
-    int32_t high = a < b ? b : a;
-    high = m > high ? m : high;
-    low = m < low ? m : low;
-    high = c > high ? c : high;
-    low = c < low ? c : low;
-    high = d > high ? d : high;
-    low = d < low ? d : low;
+    const int32_t low = qtri_least32(qtri_least32(m, qtri_least32(a, b)), qtri_least32(c, d));
+    const int32_t high =
+        qtri_greatest32(qtri_greatest32(m, qtri_greatest32(a, b)), qtri_greatest32(c, d));
     return high - low < LUMA_MIN || (high - low) * 8 < high;
+}
+
+/* What a pixel takes of its neighbour across an edge, in 32nds: the edge ends `first` pixels to one
+   side and `last` to the other, where the luma of its two sides departs by first_end and last_end.
+ */
+static uint32_t share_of(int32_t first, int32_t last, int32_t first_end, int32_t last_end,
+                         int32_t step, int32_t side)
+{
+    const int32_t nearer = first < last ? first : last;
+    const int32_t end = first < last ? first_end : last_end;
+    if (magnitude(end) < step || (end < 0) == (side < 0)) {
+        return 0; /* no end within reach, or of the other side */
+    }
+    return 16u - ((uint32_t)nearer * inverses[first + last] >> 11); /* 32 nearer / sum */
 }
 
 /* ---- Any format: rows are decoded, with their luma in the high byte ---- */
@@ -315,12 +324,6 @@ static extent extent_of_three(const extent *a, const extent *b, const extent *c,
     return e;
 }
 
-static bool are_pairs(const qtri_surface *surface)
-{
-    return (((uintptr_t)surface->pixels | (uintptr_t)surface->pitch) & 3) == 0 &&
-           (surface->width & 1) == 0;
-}
-
 static uint16_t *row_of(const qtri_surface *surface, int32_t y)
 {
     return (uint16_t *)(void *)qtri_surface_at(surface, 0, y);
@@ -406,7 +409,8 @@ QTRI_NOINLINE static void filter_rows_565(const qtri_surface *surface, qtri_rect
                                           uint32_t *memory)
 {
     const int32_t width = surface->width;
-    const incoming in = {surface, memory, (width + 1) / 2, are_pairs(surface)};
+    const incoming in = {surface, memory, (width + 1) / 2,
+                         qtri_begins_with_words(surface) && (width & 1) == 0};
     window_565 w = {{NULL, NULL, NULL, NULL, NULL}, {NULL, NULL, NULL, NULL, NULL}};
     extent rows[KEPT_ROWS] = {{0, 0, width}, {0, 0, width}, {0, 0, width}}; /* above, this, below */
     w.lumas[3] = come_in(&in, bounds.y0, &rows[2]);

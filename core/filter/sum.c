@@ -41,7 +41,7 @@ static uint32_t place_of(const qtri_surface *surface, const qtri_rect *bounds, i
     {                                                                                              \
         const uint32_t color = pixel[i];                                                           \
         sum[i] += (color | color << 16) & lanes;                                                   \
-        QTRI_BODY_BARRIER(sum);                                                                           \
+        QTRI_BODY_BARRIER(sum);                                                                    \
     }
 
 QTRI_NOINLINE static void add_row_565(uint32_t *sum, const uint16_t *pixel, int32_t count)
@@ -64,7 +64,7 @@ QTRI_NOINLINE static void add_row_565(uint32_t *sum, const uint16_t *pixel, int3
         uint32_t mean = ((sum[i] + half) >> log2) & lanes;                                         \
         mean |= mean >> 16;                                                                        \
         pixel[i] = (uint16_t)mean;                                                                 \
-        QTRI_BODY_BARRIER(pixel);                                                                         \
+        QTRI_BODY_BARRIER(pixel);                                                                  \
     }
 
 QTRI_NOINLINE static void store_row_565(uint16_t *pixel, const uint32_t *sum, int32_t count,
@@ -88,13 +88,12 @@ QTRI_NOINLINE static void store_row_565(uint16_t *pixel, const uint32_t *sum, in
 static void add_row_any(uint32_t *sum, const uint8_t *pixel, int32_t count,
                         const qtri_format *format)
 {
-    qtri_masks masks;
-    qtri_masks_of(&masks, format->colors);
+    const qtri_masks *masks = qtri_masks_of(format->colors);
     for (; count > 0; count--, sum += 2, pixel += format->pixels->bytes) {
         const uint32_t color = qtri_color_of(format, format->pixels->load(pixel));
-        sum[0] += (color >> masks.shift[0] & masks.mask[0]) << 16 |
-                  (color >> masks.shift[2] & masks.mask[2]);
-        sum[1] += color >> masks.shift[1] & masks.mask[1];
+        sum[0] += (color >> masks->shift[0] & masks->mask[0]) << 16 |
+                  (color >> masks->shift[2] & masks->mask[2]);
+        sum[1] += color >> masks->shift[1] & masks->mask[1];
     }
 }
 
@@ -102,16 +101,15 @@ static void store_row_any(uint8_t *pixel, const uint32_t *sum, int32_t count, ui
                           const qtri_format *format)
 {
     const uint32_t half = (uint32_t)1 << log2 >> 1;
-    qtri_masks masks;
-    qtri_masks_of(&masks, format->colors);
+    const qtri_masks *masks = qtri_masks_of(format->colors);
     for (; count > 0; count--, sum += 2, pixel += format->pixels->bytes) {
         const uint32_t red = (sum[0] >> 16) + half;
         const uint32_t blue = (sum[0] & 0xFFFF) + half;
         const uint32_t green = sum[1] + half;
         const uint32_t stored =
-            qtri_stored_of(format, (red >> log2 & masks.mask[0]) << masks.shift[0] |
-                                       (green >> log2 & masks.mask[1]) << masks.shift[1] |
-                                       (blue >> log2 & masks.mask[2]));
+            qtri_stored_of(format, (red >> log2 & masks->mask[0]) << masks->shift[0] |
+                                       (green >> log2 & masks->mask[1]) << masks->shift[1] |
+                                       (blue >> log2 & masks->mask[2]));
         format->pixels->store(pixel, &stored, 1, 1);
     }
 }

@@ -137,21 +137,6 @@ QTRI_INLINE uint32_t qtri_mix_add(qtri_mix mix, uint32_t d, uint32_t keep, qtri_
     return mix == QTRI_MIX_565_SWAPPED ? qtri_swap_16(d) : d;
 }
 
-QTRI_INLINE uint32_t qtri_mix_size(qtri_mix mix)
-{
-    return mix == QTRI_MIX_GRAY8 ? 1 : mix == QTRI_MIX_24 ? 3 : mix == QTRI_MIX_32 ? 4 : 2;
-}
-
-QTRI_INLINE uint32_t qtri_mix_get(qtri_mix mix, const uint8_t *at)
-{
-    return qtri_load(qtri_mix_size(mix), at);
-}
-
-QTRI_INLINE void qtri_mix_put(qtri_mix mix, uint8_t *at, uint32_t stored)
-{
-    qtri_save(qtri_mix_size(mix), at, stored);
-}
-
 /* The cases of a switch over qtri_mix_of(): calls `function` with the kind and its bytes, constants
    that the compiler makes a loop each of. */
 #define QTRI_MIX_CASES(function, ...)                                                              \

@@ -27,11 +27,6 @@ bool qtri_painter_begin(qtri_painter *painter, const qtri_surface *surface, cons
     return true;
 }
 
-uint8_t *qtri_painter_at(const qtri_painter *painter, int32_t x, int32_t row)
-{
-    return qtri_surface_at(painter->surface, x, row);
-}
-
 static bool is_opaque(const qtri_painter *painter, uint32_t coverage)
 {
     return painter->ink == NULL || (painter->alpha & coverage) == 255;
@@ -40,8 +35,8 @@ static bool is_opaque(const qtri_painter *painter, uint32_t coverage)
 void qtri_painter_span(const qtri_painter *painter, int32_t row, int32_t x0, int32_t x1,
                        uint32_t coverage)
 {
-    x0 = x0 > painter->bounds.x0 ? x0 : painter->bounds.x0;
-    x1 = x1 < painter->bounds.x1 ? x1 : painter->bounds.x1;
+    x0 = qtri_greatest32(x0, painter->bounds.x0);
+    x1 = qtri_least32(x1, painter->bounds.x1);
     if (x0 >= x1) {
         return;
     }
@@ -49,17 +44,16 @@ void qtri_painter_span(const qtri_painter *painter, int32_t row, int32_t x0, int
         const qtri_rect rect = {x0, row, x1, row + 1};
         qtri_fill_rect(painter->surface, &rect, painter->stored);
     } else {
-        painter->ink->span(painter, qtri_painter_at(painter, x0, row), x1 - x0, coverage);
+        painter->ink->span(painter, qtri_surface_at(painter->surface, x0, row), x1 - x0, coverage);
     }
 }
 
 void qtri_painter_rect(const qtri_painter *painter, const qtri_rect *rect)
 {
     const qtri_rect *bounds = &painter->bounds;
-    const qtri_rect r = {rect->x0 > bounds->x0 ? rect->x0 : bounds->x0,
-                         rect->y0 > bounds->y0 ? rect->y0 : bounds->y0,
-                         rect->x1 < bounds->x1 ? rect->x1 : bounds->x1,
-                         rect->y1 < bounds->y1 ? rect->y1 : bounds->y1};
+    const qtri_rect r = {qtri_greatest32(rect->x0, bounds->x0),
+                         qtri_greatest32(rect->y0, bounds->y0), qtri_least32(rect->x1, bounds->x1),
+                         qtri_least32(rect->y1, bounds->y1)};
     if (r.x0 >= r.x1 || r.y0 >= r.y1) {
         return;
     }
@@ -68,7 +62,7 @@ void qtri_painter_rect(const qtri_painter *painter, const qtri_rect *rect)
         return;
     }
     for (int32_t row = r.y0; row < r.y1; row++) {
-        painter->ink->span(painter, qtri_painter_at(painter, r.x0, row), r.x1 - r.x0, 255);
+        painter->ink->span(painter, qtri_surface_at(painter->surface, r.x0, row), r.x1 - r.x0, 255);
     }
 }
 
@@ -85,8 +79,8 @@ QTRI_INLINE void span_of(qtri_mix mix, uint32_t bytes, uint8_t *at, int32_t coun
                          qtri_mix_part share)
 {
     for (; count > 0; count--) {
-        const uint32_t mixed = qtri_mix_add(mix, qtri_mix_get(mix, at), keep, share);
-        qtri_mix_put(mix, at, mixed);
+        const uint32_t mixed = qtri_mix_add(mix, qtri_load(bytes, at), keep, share);
+        qtri_save(bytes, at, mixed);
         at += bytes;
     }
 }
@@ -149,10 +143,10 @@ QTRI_INLINE void cover_of(qtri_mix mix, uint32_t bytes, const qtri_painter *pain
     for (; count > 0; count--) {
         const uint32_t a = qtri_mix_weight(*coverage++, alpha);
         if (a == 256) {
-            qtri_mix_put(mix, at, stored);
+            qtri_save(bytes, at, stored);
         } else if (a != 0) {
             const qtri_mix_part share = qtri_mix_part_of(mix, &channels, stored, a);
-            qtri_mix_put(mix, at, qtri_mix_add(mix, qtri_mix_get(mix, at), 256 - a, share));
+            qtri_save(bytes, at, qtri_mix_add(mix, qtri_load(bytes, at), 256 - a, share));
         }
         at += bytes;
     }
@@ -183,8 +177,8 @@ QTRI_INLINE void bits_of(qtri_mix mix, uint32_t bytes, const qtri_painter *paint
             uint32_t value = qtri_ink_bits_at(row, bits->skip + done, count) << 24;
             for (uint8_t *at = next; value != 0; value <<= 1) {
                 if ((int32_t)value < 0) {
-                    const uint32_t d = qtri_mix_get(mix, at);
-                    qtri_mix_put(mix, at, qtri_mix_add(mix, d, 256 - a, share));
+                    const uint32_t d = qtri_load(bytes, at);
+                    qtri_save(bytes, at, qtri_mix_add(mix, d, 256 - a, share));
                 }
                 at += bytes;
             }

@@ -123,18 +123,6 @@ static void convert(const qtri_image *image, const qtri_surface *surface, uint32
     }
 }
 
-/* ---- Copies ---- */
-
-void qtri_picture_copy(uint8_t *to, ptrdiff_t to_pitch, const uint8_t *from, ptrdiff_t from_pitch,
-                       size_t bytes, int32_t rows)
-{
-    for (; rows > 0; rows--) {
-        qtri_copy(to, from, bytes);
-        to += to_pitch;
-        from += from_pitch;
-    }
-}
-
 /* ---- Mixed pixels ---- */
 
 QTRI_INLINE void mix_of(qtri_mix mix, uint32_t bytes, uint8_t *at, const uint32_t *stored,
@@ -143,7 +131,7 @@ QTRI_INLINE void mix_of(qtri_mix mix, uint32_t bytes, uint8_t *at, const uint32_
     for (; mask != 0; mask <<= 1) {
         if ((int32_t)mask < 0) {
             const qtri_mix_part share = qtri_mix_part_of_stored(mix, *stored, a);
-            qtri_mix_put(mix, at, qtri_mix_add(mix, qtri_mix_get(mix, at), 256 - a, share));
+            qtri_save(bytes, at, qtri_mix_add(mix, qtri_load(bytes, at), 256 - a, share));
         }
         stored++;
         at += bytes;
@@ -201,26 +189,6 @@ static void paint_row(const qtri_surface *surface, const qtri_image *image, uint
     }
 }
 
-void qtri_image_blend(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y,
-                      uint8_t alpha)
-{
-    qtri_rect rect;
-    const uint8_t *from;
-    if (alpha == 255) {
-        qtri_image_paint(surface, image, x, y);
-        return;
-    }
-    if (alpha == 0 || !qtri_picture_clip(surface, image, x, y, &rect, &from)) {
-        return;
-    }
-    uint8_t *to = qtri_surface_at(surface, rect.x0, rect.y0);
-    for (int32_t row = rect.y0; row < rect.y1; row++) {
-        paint_row(surface, image, to, from, rect.x1 - rect.x0, qtri_mix_weight(255, alpha));
-        to += surface->pitch;
-        from += image->pitch;
-    }
-}
-
 /* ---- Draw calls ---- */
 
 qtri_image qtri_image_of(const qtri_surface *surface)
@@ -262,38 +230,54 @@ QTRI_INLINE void keyed_row(uint32_t bytes, uint8_t *to, const uint8_t *from, int
 #undef ONE
 }
 
-static void paint_keyed(const qtri_image *image, uint8_t *to, const uint8_t *from, int32_t count)
+static void paint_keyed(const qtri_surface *surface, const qtri_image *image, uint8_t *to,
+                        const uint8_t *from, int32_t count, int32_t rows)
 {
     const uint32_t mask = qtri_picture_key_mask(image);
     const uint32_t key = image->key & mask;
-    switch (image->format->pixels->bytes) {
-        QTRI_BYTES_CASES(keyed_row, to, from, count, key, mask);
+    for (; rows > 0; rows--, to += surface->pitch, from += image->pitch) {
+        switch (image->format->pixels->bytes) {
+            QTRI_BYTES_CASES(keyed_row, to, from, count, key, mask);
+        }
+    }
+}
+
+/* Rows of `bytes` each; pitches are bytes from a row to the next. */
+static void copy_rows(uint8_t *to, ptrdiff_t to_pitch, const uint8_t *from, ptrdiff_t from_pitch,
+                      size_t bytes, int32_t rows)
+{
+    for (; rows > 0; rows--) {
+        qtri_copy(to, from, bytes);
+        to += to_pitch;
+        from += from_pitch;
     }
 }
 
 void qtri_image_paint(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y)
 {
+    qtri_image_blend(surface, image, x, y, 255);
+}
+
+void qtri_image_blend(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y,
+                      uint8_t alpha)
+{
     qtri_rect rect;
     const uint8_t *from;
-    if (!qtri_picture_clip(surface, image, x, y, &rect, &from)) {
+    if (alpha == 0 || !qtri_picture_clip(surface, image, x, y, &rect, &from)) {
         return;
     }
-    const int32_t bytes = surface->format->pixels->bytes;
-    const bool is_alike = qtri_picture_is_alike(image, surface);
+    const bool is_alike = alpha == 255 && qtri_picture_is_alike(image, surface);
     const int32_t count = rect.x1 - rect.x0;
+    const int32_t rows = rect.y1 - rect.y0;
     uint8_t *to = qtri_surface_at(surface, rect.x0, rect.y0);
-    if (is_alike && !image->has_key) {
-        qtri_picture_copy(to, surface->pitch, from, image->pitch, (size_t)bytes * (size_t)count,
-                          rect.y1 - rect.y0);
-        return;
-    }
-    for (int32_t row = rect.y0; row < rect.y1; row++) {
-        if (is_alike) {
-            paint_keyed(image, to, from, count);
-        } else {
-            paint_row(surface, image, to, from, count, 256);
+    if (is_alike && image->has_key) {
+        paint_keyed(surface, image, to, from, count, rows);
+    } else if (is_alike) {
+        copy_rows(to, surface->pitch, from, image->pitch,
+                  image->format->pixels->bytes * (size_t)count, rows);
+    } else {
+        for (int32_t row = 0; row < rows; row++, to += surface->pitch, from += image->pitch) {
+            paint_row(surface, image, to, from, count, qtri_mix_weight(255, alpha));
         }
-        to += surface->pitch;
-        from += image->pitch;
     }
 }

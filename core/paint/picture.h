@@ -35,8 +35,4 @@ uint32_t qtri_picture_key_mask(const qtri_image *image);
 void qtri_picture_put(const qtri_surface *surface, const qtri_image *image, uint8_t *to,
                       uint32_t *stored, int32_t count, uint32_t a);
 
-/* Stored pixels of rows, `bytes` of each; pitches are bytes from a row to the next. */
-void qtri_picture_copy(uint8_t *to, ptrdiff_t to_pitch, const uint8_t *from, ptrdiff_t from_pitch,
-                       size_t bytes, int32_t rows);
-
 #endif

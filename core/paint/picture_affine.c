@@ -75,11 +75,7 @@ static int64_t divide_up(int64_t t, uint32_t step)
 {
     bool half;
     const uint64_t n = t > 0 ? (uint64_t)t + step - 1 : 0 - (uint64_t)t;
-#if QTRI_DIVIDE
-    const uint64_t q = n >> 32 == 0 ? (uint32_t)n / step : qtri_divide64(n, step, 0, &half);
-#else
     const uint64_t q = qtri_divide64(n, step, 0, &half);
-#endif
     return t > 0 ? (int64_t)q : -(int64_t)q;
 }
 
@@ -292,8 +288,7 @@ QTRI_NOINLINE static bool walk_pixels(const run *r, uint8_t *to, int32_t count)
     if (r->inverse.vx == 0 && r->inverse.ux == 65536 && !image->has_key) {
         const uint8_t *row =
             (const uint8_t *)image->pixels + (ptrdiff_t)(r->v >> 16) * image->pitch;
-        qtri_picture_copy(to, 0, row + (ptrdiff_t)(r->u >> 16) * bytes, 0,
-                          (size_t)bytes * (size_t)count, 1);
+        qtri_copy(to, row + (ptrdiff_t)(r->u >> 16) * bytes, (size_t)bytes * (size_t)count);
         return true;
     }
     if (bytes < 1 || bytes > 4) {
@@ -333,7 +328,7 @@ static void paint_run(run *r, uint8_t *to, int32_t count)
     const bool is_upright = r->inverse.vx == 0 && r->inverse.uy == 0;
     if (is_upright && r->a == 256 && !image->has_key) {
         if (r->kept != NULL && r->kept_v == r->v >> 16) {
-            qtri_picture_copy(to, 0, r->kept, 0, (size_t)bytes * (size_t)count, 1);
+            qtri_copy(to, r->kept, (size_t)bytes * (size_t)count);
             return;
         }
         r->kept_v = r->v >> 16;

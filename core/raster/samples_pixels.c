@@ -41,14 +41,6 @@ void qtri_samples_store(uint8_t *pixel, const uint32_t *stored, uint32_t mask, i
     }
 }
 
-/* In each lane four channels and 2: less than 2^8. */
-static inline uint32_t mean_565(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
-{
-    const uint32_t sum =
-        qtri_lanes_565(a) + qtri_lanes_565(b) + qtri_lanes_565(c) + qtri_lanes_565(d);
-    return qtri_packed_565((sum + 0x00401002u) >> 2);
-}
-
 uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record)
 {
     const int32_t bytes = format->pixels->bytes;
@@ -60,19 +52,9 @@ uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record)
         return stored[0];
     }
     if (qtri_is_565(format)) {
-        return mean_565(stored[0], stored[1], stored[2], stored[3]);
+        return qtri_mean_565(stored[0], stored[1], stored[2], stored[3]);
     }
-    qtri_masks masks;
-    uint32_t mean = 0;
-    qtri_masks_of(&masks, format->colors);
-    for (int i = 0; i < 3; i++) {
-        uint32_t sum = 2;
-        for (int k = 0; k < QTRI_SAMPLES; k++) {
-            sum += qtri_color_of(format, stored[k]) >> masks.shift[i] & masks.mask[i];
-        }
-        mean |= sum >> 2 << masks.shift[i];
-    }
-    return qtri_stored_of(format, mean);
+    return qtri_mean_of(format, stored);
 }
 
 /* Records from `record` on. */
@@ -193,7 +175,7 @@ QTRI_INLINE uint32_t resolved_565(const uint8_t *record)
     const uint32_t fourth = color[3];
     return first == second && first == third && first == fourth
                ? first
-               : mean_565(first, second, third, fourth);
+               : qtri_mean_565(first, second, third, fourth);
 }
 
 /* Most pixels have one colour, which is that of the one before: two are seen to by their words. */
