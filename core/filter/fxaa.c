@@ -395,16 +395,6 @@ static const uint16_t *come_in(const incoming *in, int32_t y, extent *e)
     return (const uint16_t *)(const void *)lumas;
 }
 
-/* Row y, whose old colours and those above are kept: columns first..end - 1. */
-static void filter_row(const qtri_surface *surface, const window_565 *w, int32_t y, int32_t first,
-                       int32_t end)
-{
-    uint16_t *out = row_of(surface, y);
-    const int32_t even = qtri_least32((first + 1) & ~1, end);
-    filter_pixels(w, out, first, even, surface->width);
-    filter_pairs(w, out, even, end, surface->width);
-}
-
 QTRI_NOINLINE static void filter_rows_565(const qtri_surface *surface, qtri_rect bounds,
                                           uint32_t *memory)
 {
@@ -431,8 +421,12 @@ QTRI_NOINLINE static void filter_rows_565(const qtri_surface *surface, qtri_rect
         }
         if (w.row[1] != NULL && w.row[3] != NULL) {
             const extent all = extent_of_three(&rows[0], &rows[1], &rows[2], width);
-            filter_row(surface, &w, y, qtri_greatest32(all.first, bounds.x0 > 0 ? bounds.x0 : 1),
-                       qtri_least32(all.end, bounds.x1 < width ? bounds.x1 : width - 1));
+            const int32_t first = qtri_greatest32(all.first, bounds.x0 > 0 ? bounds.x0 : 1);
+            const int32_t end = qtri_least32(all.end, bounds.x1 < width ? bounds.x1 : width - 1);
+            const int32_t even = qtri_least32((first + 1) & ~1, end);
+            uint16_t *out = row_of(surface, y);
+            filter_pixels(&w, out, first, even, width);
+            filter_pairs(&w, out, even, end, width);
         }
     }
 }

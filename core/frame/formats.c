@@ -111,38 +111,10 @@ const qtri_format qtri_gray8 = {&qtri_pixels_8, &qtri_colors_gray, NULL, qtri_de
 
 /* ---- Depth alone: pixels that are not there ---- */
 
-static uint32_t load_nothing(const uint8_t *pixel)
-{
-    (void)pixel;
-    return 0;
-}
+#define NAME(name) name##_0
+#define BYTES      0
+#include "pixels.inc"
+static const qtri_pixels no_pixels = {0, load_0, fill_0, store_0};
 
-/* The types of qtri_pixels: NOLINTBEGIN(readability-non-const-parameter) */
-static void fill_nothing(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t count)
-{
-    (void)pixel;
-    (void)stored;
-    (void)mask;
-    (void)count;
-}
-
-static void store_nothing(uint8_t *pixel, const uint32_t *stored, uint32_t mask, int32_t count)
-{
-    (void)pixel;
-    (void)stored;
-    (void)mask;
-    (void)count;
-}
-
-/* NOLINTEND(readability-non-const-parameter) */
-
-static uint32_t decode_nothing(uint32_t stored)
-{
-    (void)stored;
-    return 0;
-}
-
-static const qtri_pixels no_pixels = {0, load_nothing, fill_nothing, store_nothing};
-
-const qtri_format qtri_depth_only = {&no_pixels, &qtri_colors_gray, NULL, decode_nothing,
+const qtri_format qtri_depth_only = {&no_pixels, &qtri_colors_gray, NULL, qtri_decode_gray8,
                                      NULL,       QTRI_DEPTH_ONLY};

@@ -19,11 +19,6 @@
 
 /* ---- Kinds of colour ---- */
 
-/* White in gray's units: .299 .587 .114 of 255, n.16; the sum is 255 << 16 exactly. */
-#define QTRI_GRAY_RED   4996792
-#define QTRI_GRAY_GREEN 9809756
-#define QTRI_GRAY_BLUE  1905132
-
 struct qtri_colors {
     uint32_t ratio_q30[3];                      /* units of 1/255, rounded */
     bool single;                                /* only the sum of the channels counts */
@@ -31,49 +26,11 @@ struct qtri_colors {
     uint32_t (*pack)(const int32_t channel[3]); /* rounded, from n.16 */
 };
 
-static inline uint32_t qtri_channel_round(int32_t c)
-{
-    return (uint32_t)(c + 0x8000) >> 16;
-}
-
-static inline uint32_t qtri_pack_565(const int32_t c[3])
-{
-    return qtri_channel_round(c[0]) << 11 | qtri_channel_round(c[1]) << 5 |
-           qtri_channel_round(c[2]);
-}
-
-static inline uint32_t qtri_pack_888(const int32_t c[3])
-{
-    return qtri_channel_round(c[0]) << 16 | qtri_channel_round(c[1]) << 8 |
-           qtri_channel_round(c[2]);
-}
-
-static inline uint32_t qtri_pack_gray(const int32_t c[3])
-{
-    return qtri_channel_round(c[0] + c[1] + c[2]);
-}
-
 /* ---- Channels ---- */
 
 typedef struct qtri_channels {
     int32_t c[3]; /* red green blue, n.16 */
 } qtri_channels;
-
-/*
- * A channel of 0..255.0, n.16, in units of which there are ratio_q30 2^-30 to one, n.16, rounded
- * down: with 8 of its bits after the point, so that no product is longer than 32 bits. It is off by
- * 1/512 of a step of 255; of colours of 8 bits by nothing.
- */
-static inline uint32_t qtri_channel_scaled(uint32_t channel_8p16, uint32_t ratio_q30)
-{
-    const uint32_t q8 = (channel_8p16 + 128) >> 8; /* <= 65280 */
-#if QTRI_LONG_MULTIPLY
-    return (uint32_t)(((uint64_t)(q8 << 10) * ratio_q30) >> 32);
-#else
-    const uint32_t low = q8 * (ratio_q30 & (((uint32_t)1 << 14) - 1)); /* < 2^30 */
-    return (q8 * (ratio_q30 >> 14) + (low >> 14)) >> 8;                /* <= 65280 2^16 */
-#endif
-}
 
 /* color_8p16 (0..255.0) in units of these colours, n.16. */
 qtri_channels qtri_channels_from_color(const qtri_colors *colors, const int32_t color_8p16[3]);

@@ -55,17 +55,14 @@ static int32_t bits_of(const qtri_wide v[3])
     return bits;
 }
 
-static int32_t shifted(const qtri_wide *x, int32_t exponent)
-{
-    const int32_t down = x->e + exponent;
-    return (int32_t)(down > 62 ? 0 : qtri_shift_round(x->m, down));
-}
-
 static bool unit_q14(int32_t out[3], const qtri_wide v[3])
 {
     const int32_t exponent = bits_of(v) - PLACE_BITS;
-    const int64_t fixed[3] = {shifted(&v[0], exponent), shifted(&v[1], exponent),
-                              shifted(&v[2], exponent)};
+    int64_t fixed[3];
+    for (int i = 0; i < 3; i++) {
+        const int32_t down = v[i].e + exponent;
+        fixed[i] = down > 62 ? 0 : qtri_shift_round(v[i].m, down);
+    }
     return qtri_direction_q14(out, fixed);
 }
 
@@ -293,16 +290,11 @@ void qtri_normalize_q14(int32_t out[3], const int32_t v[3], uint32_t square)
     }
 }
 
-static uint32_t square_of(const int32_t v[3])
-{
-    return (uint32_t)(v[0] * v[0]) + (uint32_t)(v[1] * v[1]) + (uint32_t)(v[2] * v[2]);
-}
-
 bool qtri_direction_q14(int32_t out[3], const int64_t v[3])
 {
     int32_t scaled[3];
     (void)qtri_align32(scaled, v, 15);
-    const uint32_t square = square_of(scaled);
+    const uint32_t square = qtri_square_q28(scaled);
     if (square == 0) {
         out[0] = 0;
         out[1] = 0;

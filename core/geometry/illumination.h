@@ -158,6 +158,12 @@ static inline void qtri_light_add(uint32_t sum_q24[3], const uint32_t color_q12[
     sum_q24[2] += color_q12[2] * share_q12;
 }
 
+static inline uint32_t qtri_square_q28(const int32_t v_q14[3])
+{
+    return (uint32_t)(v_q14[0] * v_q14[0]) + (uint32_t)(v_q14[1] * v_q14[1]) +
+           (uint32_t)(v_q14[2] * v_q14[2]);
+}
+
 /* ---- One point: in place, since vertices are many ---- */
 
 /* v / |v| for |v| < 2^15.5, not 0, of this square. */

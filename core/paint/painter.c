@@ -175,6 +175,14 @@ QTRI_INLINE void bits_of(qtri_mix mix, uint32_t bytes, const qtri_painter *paint
         for (int32_t done = 0; done < bits->width; done += 8) {
             const int32_t count = qtri_least32(bits->width - done, 8);
             uint32_t value = qtri_ink_bits_at(row, bits->skip + done, count) << 24;
+            if (mix == QTRI_MIX_OTHER && value != 0) {
+                uint8_t coverage[8];
+                for (int32_t i = 0; i < 8; i++) {
+                    coverage[i] = (uint8_t)(0 - (value << i >> 31));
+                }
+                cover_others(painter, next, count, coverage);
+                value = 0;
+            }
             for (uint8_t *at = next; value != 0; value <<= 1) {
                 if ((int32_t)value < 0) {
                     const uint32_t d = qtri_load(bytes, at);
@@ -189,35 +197,13 @@ QTRI_INLINE void bits_of(qtri_mix mix, uint32_t bytes, const qtri_painter *paint
     }
 }
 
-/* Bits in a format that is not known here. */
-QTRI_NOINLINE static void bits_of_others(const qtri_painter *painter, uint8_t *to,
-                                         const qtri_ink_bits *bits)
-{
-    const ptrdiff_t bytes = painter->surface->format->pixels->bytes;
-    const uint8_t *row = bits->row;
-    for (int32_t rows = bits->height; rows > 0; rows--) {
-        for (int32_t done = 0; done < bits->width; done += 8) {
-            const int32_t count = qtri_least32(bits->width - done, 8);
-            const uint32_t value = qtri_ink_bits_at(row, bits->skip + done, count);
-            uint8_t coverage[8];
-            for (int32_t i = 0; i < 8; i++) {
-                coverage[i] = (uint8_t)(0 - (value >> (7 - i) & 1));
-            }
-            if (value != 0) {
-                cover_others(painter, to + bytes * done, count, coverage);
-            }
-        }
-        to += painter->surface->pitch;
-        row += bits->stride;
-    }
-}
-
 void qtri_blend_bits(const qtri_painter *painter, uint8_t *to, const qtri_ink_bits *bits)
 {
+    const uint32_t bytes = painter->surface->format->pixels->bytes;
     switch (qtri_mix_of(painter->surface->format)) {
         QTRI_MIX_CASES(bits_of, painter, to, bits);
     default:
-        bits_of_others(painter, to, bits);
+        bits_of(QTRI_MIX_OTHER, bytes, painter, to, bits);
         break;
     }
 }
