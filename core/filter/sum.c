@@ -37,35 +37,28 @@ static uint32_t place_of(const qtri_surface *surface, const qtri_rect *bounds, i
 
 /* ---- Rows ---- */
 
-#define ADD(i)                                                                                     \
-    {                                                                                              \
-        const uint32_t color = pixel[i];                                                           \
-        sum[i] += (color | color << 16) & lanes;                                                   \
-        QTRI_BODY_BARRIER(sum);                                                                    \
-    }
-
 QTRI_NOINLINE static void add_row_565(uint32_t *sum, const uint16_t *pixel, int32_t count)
 {
     uint32_t lanes = QTRI_LANES_565;
     QTRI_BODY_BARRIER(lanes);
     for (; count >= 4; count -= 4, sum += 4, pixel += 4) {
-        ADD(0)
-        ADD(1)
-        ADD(2)
-        ADD(3)
+        QTRI_BODY_UNROLL
+        for (int i = 0; i < 4; i++) {
+            const uint32_t color = pixel[i];
+            sum[i] += (color | color << 16) & lanes;
+            QTRI_BODY_BARRIER(sum);
+        }
     }
-    for (; count > 0; count--, sum++, pixel++) {
-        ADD(0)
+    for (; count > 0; count--) {
+        *sum++ += qtri_lanes_565(*pixel++);
     }
 }
 
-#define STORE(i)                                                                                   \
-    {                                                                                              \
-        uint32_t mean = ((sum[i] + half) >> log2) & lanes;                                         \
-        mean |= mean >> 16;                                                                        \
-        pixel[i] = (uint16_t)mean;                                                                 \
-        QTRI_BODY_BARRIER(pixel);                                                                  \
-    }
+static inline uint16_t mean_of(uint32_t sum, uint32_t half, uint32_t log2, uint32_t lanes)
+{
+    const uint32_t mean = ((sum + half) >> log2) & lanes;
+    return (uint16_t)(mean | mean >> 16);
+}
 
 QTRI_NOINLINE static void store_row_565(uint16_t *pixel, const uint32_t *sum, int32_t count,
                                         uint32_t log2)
@@ -75,13 +68,14 @@ QTRI_NOINLINE static void store_row_565(uint16_t *pixel, const uint32_t *sum, in
     const uint32_t half = log2 == 0 ? 0 : (uint32_t)0x00200801 << (log2 - 1);
     QTRI_BODY_BARRIER(lanes);
     for (; count >= 4; count -= 4, sum += 4, pixel += 4) {
-        STORE(0)
-        STORE(1)
-        STORE(2)
-        STORE(3)
+        QTRI_BODY_UNROLL
+        for (int i = 0; i < 4; i++) {
+            pixel[i] = mean_of(sum[i], half, log2, lanes);
+            QTRI_BODY_BARRIER(pixel);
+        }
     }
-    for (; count > 0; count--, sum++, pixel++) {
-        STORE(0)
+    for (; count > 0; count--) {
+        *pixel++ = mean_of(*sum++, half, log2, lanes);
     }
 }
 

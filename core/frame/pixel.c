@@ -4,45 +4,25 @@
 #include "../bits/bits.h"
 
 /*
- * A channel of 0..255.0, n.16, in units of which there are ratio_q30 2^-30 to one, n.16, rounded
- * down: with 8 of its bits after the point, so that no product is longer than 32 bits. It is off by
- * 1/512 of a step of 255; of colours of 8 bits by nothing.
+ * A channel of 8 bits in units of which there are ratio_q30 2^-30 to one, n.16, rounded down: of
+ * halves, so that no product is longer than 32 bits.
  */
-static inline uint32_t channel_scaled(uint32_t channel_8p16, uint32_t ratio_q30)
+static int32_t scaled(uint32_t channel, uint32_t ratio_q30)
 {
-    const uint32_t q8 = (channel_8p16 + 128) >> 8; /* <= 65280 */
-#if QTRI_LONG_MULTIPLY
-    return (uint32_t)(((uint64_t)(q8 << 10) * ratio_q30) >> 32);
-#else
-    const uint32_t low = q8 * (ratio_q30 & (((uint32_t)1 << 14) - 1)); /* < 2^30 */
-    return (q8 * (ratio_q30 >> 14) + (low >> 14)) >> 8;                /* <= 65280 2^16 */
-#endif
+    return (int32_t)(channel * (ratio_q30 >> 14) + (channel * (ratio_q30 & 0x3FFF) >> 14));
 }
 
-static int32_t scaled(int32_t color_8p16, uint32_t ratio_q30)
-{
-    const uint32_t white = (uint32_t)255 << 16;
-    uint32_t c = (uint32_t)color_8p16;
-    if (c > white) {
-        QTRI_RARELY();
-        c = color_8p16 < 0 ? 0 : white;
-    }
-    return (int32_t)channel_scaled(c, ratio_q30);
-}
-
-qtri_channels qtri_channels_from_color(const qtri_colors *colors, const int32_t color_8p16[3])
+qtri_channels qtri_channels_from_color(const qtri_colors *colors, qtri_rgb color)
 {
     const uint32_t *ratio = colors->ratio_q30;
-    qtri_channels result = {{scaled(color_8p16[0], ratio[0]), scaled(color_8p16[1], ratio[1]),
-                             scaled(color_8p16[2], ratio[2])}};
+    const qtri_channels result = {
+        {scaled(color.r, ratio[0]), scaled(color.g, ratio[1]), scaled(color.b, ratio[2])}};
     return result;
 }
 
 uint32_t qtri_pixel_from_rgb(const qtri_format *format, qtri_rgb color)
 {
-    int32_t color_8p16[3] = {(int32_t)color.r << 16, (int32_t)color.g << 16,
-                             (int32_t)color.b << 16};
-    qtri_channels channels = qtri_channels_from_color(format->colors, color_8p16);
+    const qtri_channels channels = qtri_channels_from_color(format->colors, color);
     uint32_t pixel[4] = {format->colors->pack(channels.c)};
     if (format->encode != NULL) {
         format->encode(pixel, 1);

@@ -32,8 +32,8 @@ typedef struct qtri_channels {
     int32_t c[3]; /* red green blue, n.16 */
 } qtri_channels;
 
-/* color_8p16 (0..255.0) in units of these colours, n.16. */
-qtri_channels qtri_channels_from_color(const qtri_colors *colors, const int32_t color_8p16[3]);
+/* An 8-bit colour in units of these colours. */
+qtri_channels qtri_channels_from_color(const qtri_colors *colors, qtri_rgb color);
 
 /* An 8-bit colour as a stored pixel. */
 uint32_t qtri_pixel_from_rgb(const qtri_format *format, qtri_rgb color);
@@ -83,28 +83,16 @@ void qtri_encode_rgb888(uint32_t *color, int32_t count);
  * a variable that moves on. Up to three words more are changed, so that groups of four need no
  * remainder.
  */
-/* clang-format off */
-#define QTRI_ONE_WORD(words, i, x, result)                                                         \
-    {                                                                                              \
-        const uint32_t x = (words)[i];                                                             \
-        (words)[i] = (result);                                                                     \
-        QTRI_BODY_BARRIER(words);                                                                  \
-    }
-#ifdef __OPTIMIZE_SIZE__
 #define QTRI_EACH_WORD(words, count, x, result)                                                    \
-    for (const uint32_t *end = (words) + (count); (words) < end; (words)++) {                      \
-        QTRI_ONE_WORD(words, 0, x, result)                                                         \
+    for (const uint32_t *end = (words) + (count); (words) < end; (words) += QTRI_WORDS_AT_ONCE) {  \
+        QTRI_BODY_UNROLL                                                                           \
+        for (int i = 0; i < QTRI_WORDS_AT_ONCE; i++) {                                             \
+            const uint32_t x = (words)[i];                                                         \
+            (words)[i] = (result);                                                                 \
+            QTRI_BODY_BARRIER(words);                                                              \
+        }                                                                                          \
     }
-#else
-#define QTRI_EACH_WORD(words, count, x, result)                                                    \
-    for (const uint32_t *end = (words) + (count); (words) < end; (words) += 4) {                   \
-        QTRI_ONE_WORD(words, 0, x, result)                                                         \
-        QTRI_ONE_WORD(words, 1, x, result)                                                         \
-        QTRI_ONE_WORD(words, 2, x, result)                                                         \
-        QTRI_ONE_WORD(words, 3, x, result)                                                         \
-    }
-#endif
-/* clang-format on */
+enum { QTRI_WORDS_AT_ONCE = QTRI_BODY_IS_SMALL ? 1 : 4 };
 
 /* ---- Memory filled with one value, and copied ---- */
 

@@ -199,35 +199,34 @@ qtri_image qtri_image_of(const qtri_surface *surface)
     return image;
 }
 
+QTRI_INLINE void keyed_pixel(uint32_t bytes, uint8_t *to, const uint8_t *from, uint32_t key,
+                             uint32_t mask)
+{
+    const uint32_t stored = qtri_load(bytes, from);
+    if ((stored & mask) != key) {
+        QTRI_BODY_BRANCH();
+        qtri_save(bytes, to, stored);
+    }
+}
+
 /* Pixels that are not the key, four at a time. */
 QTRI_INLINE void keyed_row(uint32_t bytes, uint8_t *to, const uint8_t *from, int32_t count,
                            uint32_t key, uint32_t key_mask)
 {
     const uint32_t mask = bytes == 4 ? key_mask : UINT32_MAX;
-#define ONE(i)                                                                                     \
-    {                                                                                              \
-        const uint32_t stored = qtri_load(bytes, from + (i)*bytes);                                \
-        if ((stored & mask) != key) {                                                              \
-            QTRI_BODY_BRANCH();                                                                    \
-            qtri_save(bytes, to + (i)*bytes, stored);                                              \
-        }                                                                                          \
-    }
     for (; !QTRI_BODY_IS_SMALL && count >= 4; count -= 4) {
-        ONE(0)
-        ONE(1)
-        ONE(2)
-        ONE(3)
+        QTRI_BODY_UNROLL
+        for (uint32_t i = 0; i < 4 * bytes; i += bytes) {
+            keyed_pixel(bytes, to + i, from + i, key, mask);
+        }
         to += 4 * bytes;
         from += 4 * bytes;
         QTRI_BODY_BARRIER(to);
         QTRI_BODY_BARRIER(from);
     }
-    for (; count > 0; count--) {
-        ONE(0)
-        to += bytes;
-        from += bytes;
+    for (; count > 0; count--, to += bytes, from += bytes) {
+        keyed_pixel(bytes, to, from, key, mask);
     }
-#undef ONE
 }
 
 static void paint_keyed(const qtri_surface *surface, const qtri_image *image, uint8_t *to,
