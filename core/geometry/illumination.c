@@ -305,8 +305,7 @@ bool qtri_direction_q14(int32_t out[3], const int64_t v[3])
     return true;
 }
 
-/* The direction of a normal in eye space. */
-static void normal_q14(int32_t out[3], const int32_t *m_q28, const int32_t v[3])
+void qtri_uneven_normal_q14(int32_t out[3], const int32_t *m_q28, const int32_t v[3])
 {
     int64_t turned[3]; /* < 3 2^15 2^29 */
     for (int row = 0; row < 3; row++) {
@@ -315,11 +314,6 @@ static void normal_q14(int32_t out[3], const int32_t *m_q28, const int32_t v[3])
             qtri_mul_s32(m[0], v[0]) + qtri_mul_s32(m[1], v[1]) + qtri_mul_s32(m[2], v[2]);
     }
     (void)qtri_direction_q14(out, turned);
-}
-
-void qtri_illuminated_uneven(qtri_lit_point *point, const qtri_illumination *by, const int32_t v[3])
-{
-    normal_q14(point->normal_q14, by->normal_q28[0], v);
 }
 
 /* Edges are held to 30 bits, their product to 61. */
@@ -446,7 +440,7 @@ void qtri_sphere_map(qtri_uv16 *uvs, const qtri_transform *camera, const qtri_tr
         if (mesh->normals8 != NULL || mesh->normals != NULL) {
             qtri_lit_vertex_normal(n, mesh, i);
         }
-        normal_q14(unit_q14, m_q28[0], n);
+        qtri_uneven_normal_q14(unit_q14, m_q28[0], n);
         uvs[i].x = half_q14(unit_q14[0]);
         uvs[i].y = half_q14(-unit_q14[1]);
     }

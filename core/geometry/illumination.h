@@ -169,9 +169,8 @@ static inline uint32_t qtri_square_q28(const int32_t v_q14[3])
 /* v / |v| for |v| < 2^15.5, not 0, of this square. */
 void qtri_normalize_q14(int32_t out[3], const int32_t v[3], uint32_t square);
 
-/* The normal v, |.| <= 2^15, and a place, where by->even is not set; the largest below 2^29. */
-void qtri_illuminated_uneven(qtri_lit_point *point, const qtri_illumination *by,
-                             const int32_t v[3]);
+/* Where by->even is not set: v, |.| <= 2^15, by normal_q28, and a place; the largest below 2^29. */
+void qtri_uneven_normal_q14(int32_t out[3], const int32_t *m_q28, const int32_t v[3]);
 void qtri_illuminated_place_uneven(qtri_lit_point *point, const qtri_row row[3],
                                    const qtri_vec3 *p);
 
@@ -191,7 +190,7 @@ QTRI_IN_PLACE void qtri_illuminated_normal(qtri_lit_point *point, const qtri_ill
     const uint32_t one_q28 = (uint32_t)1 << 28;
     if (!by->even) {
         const int32_t v[3] = {x, y, z};
-        qtri_illuminated_uneven(point, by, v);
+        qtri_uneven_normal_q14(point->normal_q14, by->normal_q28[0], v);
         return;
     }
     const uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z); /* 3 2^30 */

@@ -85,7 +85,8 @@ static inline int32_t qtri_pixel_from(int32_t x_24p8)
 
 static inline int32_t qtri_hold_24p8(int32_t x)
 {
-    return qtri_hold32(x, -QTRI_PAINT_MAX_24P8, QTRI_PAINT_MAX_24P8);
+    return x < -QTRI_PAINT_MAX_24P8 ? -QTRI_PAINT_MAX_24P8
+                                    : (x > QTRI_PAINT_MAX_24P8 ? QTRI_PAINT_MAX_24P8 : x);
 }
 
 static inline qtri_point qtri_hold_point(const qtri_point *point)

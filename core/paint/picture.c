@@ -21,8 +21,10 @@ bool qtri_picture_is_alike(const qtri_image *image, const qtri_surface *surface)
     return a == b || (a->decode == b->decode && a->encode == b->encode && a->pixels == b->pixels);
 }
 
-bool qtri_picture_clip(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y,
-                       qtri_rect *rect, const uint8_t **first)
+/* The part of the surface that the picture at (x, y) covers, and its first pixel there; false:
+   none. */
+static bool clip_picture(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y,
+                         qtri_rect *rect, const uint8_t **first)
 {
     const qtri_rect bounds = qtri_surface_bounds(surface);
     if (!qtri_picture_is_usable(image) || bounds.x0 == bounds.x1) {
@@ -262,7 +264,7 @@ void qtri_image_blend(const qtri_surface *surface, const qtri_image *image, int3
 {
     qtri_rect rect;
     const uint8_t *from;
-    if (alpha == 0 || !qtri_picture_clip(surface, image, x, y, &rect, &from)) {
+    if (alpha == 0 || !clip_picture(surface, image, x, y, &rect, &from)) {
         return;
     }
     const bool is_alike = alpha == 255 && qtri_picture_is_alike(image, surface);

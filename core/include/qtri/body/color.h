@@ -130,7 +130,7 @@ QTRI_BODY uint32_t qtri_color_sum(qtri_color_kind kind, uint32_t c, uint32_t o)
     return (lanes & QTRI_BODY_LANES_888) | green << 8;
 }
 
-/* Conversions ---------------------------------------------------------------------------------- */
+/* Conversions, loads and stores ---------------------------------------------------------------- */
 
 QTRI_BODY uint32_t qtri_pixel_rgb_to_888(const qtri_rgb *color)
 {
@@ -172,8 +172,6 @@ QTRI_BODY uint32_t qtri_pixel_888_to_luma(uint32_t c)
     return ((c >> 16 & 255) * 19595u + qtri_green_888(c) * 38470u + (c & 255) * 7471u + 32768u) >>
            16;
 }
-
-/* Stored pixels -------------------------------------------------------------------------------- */
 
 /* A pixel of 1 to 4 bytes that a row has: NOLINTBEGIN(clang-analyzer-core.NullDereference) */
 QTRI_BODY uint32_t qtri_load(uint32_t bytes, const uint8_t *at)
