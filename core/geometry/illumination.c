@@ -296,9 +296,7 @@ bool qtri_direction_q14(int32_t out[3], const int64_t v[3])
     (void)qtri_align32(scaled, v, 15);
     const uint32_t square = qtri_square_q28(scaled);
     if (square == 0) {
-        out[0] = 0;
-        out[1] = 0;
-        out[2] = 0;
+        out[0] = out[1] = out[2] = 0;
         return false;
     }
     qtri_normalize_q14(out, scaled, square);

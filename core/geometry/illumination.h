@@ -201,9 +201,7 @@ QTRI_IN_PLACE void qtri_illuminated_normal(qtri_lit_point *point, const qtri_ill
         point->normal_q14[2] = (z * factor_q15 + 0x4000) >> 15;
         return;
     }
-    point->normal_q14[0] = 0;
-    point->normal_q14[1] = 0;
-    point->normal_q14[2] = 0;
+    point->normal_q14[0] = point->normal_q14[1] = point->normal_q14[2] = 0;
     if (square != 0) {
         const int32_t v[3] = {x, y, z};
         qtri_normalize_q14(point->normal_q14, v, square);
@@ -265,9 +263,7 @@ QTRI_IN_PLACE void qtri_gather_light(const qtri_illumination *by, qtri_lit_point
     point->diffuse_q24[0] = by->ambient_q24[0];
     point->diffuse_q24[1] = by->ambient_q24[1];
     point->diffuse_q24[2] = by->ambient_q24[2];
-    point->specular_q24[0] = 0;
-    point->specular_q24[1] = 0;
-    point->specular_q24[2] = 0;
+    point->specular_q24[0] = point->specular_q24[1] = point->specular_q24[2] = 0;
     const qtri_shine *first = by->shine;
     const qtri_light_run *end = by->run + by->count;
     for (const qtri_light_run *run = by->run; run != end; run++) {
