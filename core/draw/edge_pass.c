@@ -33,7 +33,6 @@
 
 #include "../bits/bits.h"
 #include "../filter/mix.h"
-#include "../frame/barrier.h"
 #include "../frame/depth_format.h"
 #include "../frame/pixel.h"
 #include "checked.h"
@@ -450,7 +449,7 @@ QTRI_INLINE void blend(const qtri_edges *edges, bool is_565)
     uint32_t row_end = length;
     const uint32_t *word = edges->marks;
     const uint32_t *end = word + (length * (uint32_t)surface->rows + WORD_PIXELS - 1) / WORD_PIXELS;
-    QTRI_OPAQUE(s) /* in a register */
+    QTRI_BODY_BARRIER(s); /* in a register */
     while (word != end) {
         uint32_t marks = *word++;
         if (marks == 0) {

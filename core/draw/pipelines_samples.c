@@ -2,7 +2,7 @@
 /* Formats with four samples a pixel, and what most programs draw with on that of RGB565. */
 #include "qtri/pipeline_make.h"
 
-#include "../frame/barrier.h"
+#include "../frame/pixel.h"
 #include "../raster/samples.h"
 
 #define LESS .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS, .samples = 4
@@ -41,21 +41,13 @@ const qtri_pipeline *const qtri_pipelines_rgb565_x4[] = {
     const qtri_format qtri_##name##_x4 = {&name##_records, colors,          encode,                \
                                           name##_decode,   &name##_samples, number};
 
-static void encode_rgb565_swapped(uint32_t *color, int32_t count)
-{
-    QTRI_EACH_WORD(color, count, c, qtri_reversed(c) >> 16)
-}
-
-static void encode_rgb888(uint32_t *color,
-                          int32_t count){QTRI_EACH_WORD(color, count, c, qtri_reversed(c) >> 8)}
-
 FORMAT(rgb565, QTRI_RGB565_X4_BYTES, &qtri_colors_565, NULL, qtri_decode_rgb565,
        qtri_pipelines_rgb565_x4, QTRI_RGB565)
-    FORMAT(rgb565_swapped, QTRI_RGB565_X4_BYTES, &qtri_colors_565, encode_rgb565_swapped,
-           qtri_decode_rgb565_swapped, qtri_pipelines_x4, QTRI_RGB565_SWAPPED)
-        FORMAT(rgb888, QTRI_RGB888_X4_BYTES, &qtri_colors_888, encode_rgb888, qtri_decode_rgb888,
-               qtri_pipelines_x4, QTRI_RGB888)
-            FORMAT(xrgb8888, QTRI_XRGB8888_X4_BYTES, &qtri_colors_888, NULL, qtri_decode_xrgb8888,
-                   qtri_pipelines_x4, QTRI_XRGB8888)
-                FORMAT(gray8, QTRI_GRAY8_X4_BYTES, &qtri_colors_gray, NULL, qtri_decode_gray8,
-                       qtri_pipelines_x4, QTRI_GRAY8)
+FORMAT(rgb565_swapped, QTRI_RGB565_X4_BYTES, &qtri_colors_565, qtri_encode_rgb565_swapped,
+       qtri_decode_rgb565_swapped, qtri_pipelines_x4, QTRI_RGB565_SWAPPED)
+FORMAT(rgb888, QTRI_RGB888_X4_BYTES, &qtri_colors_888, qtri_encode_rgb888, qtri_decode_rgb888,
+       qtri_pipelines_x4, QTRI_RGB888)
+FORMAT(xrgb8888, QTRI_XRGB8888_X4_BYTES, &qtri_colors_888, NULL, qtri_decode_xrgb8888,
+       qtri_pipelines_x4, QTRI_XRGB8888)
+FORMAT(gray8, QTRI_GRAY8_X4_BYTES, &qtri_colors_gray, NULL, qtri_decode_gray8, qtri_pipelines_x4,
+       QTRI_GRAY8)

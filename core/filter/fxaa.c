@@ -4,7 +4,6 @@
  */
 #include "qtri/antialias.h"
 
-#include "../frame/barrier.h"
 #include "../frame/pixel.h"
 #include "mix.h"
 
@@ -24,15 +23,24 @@ static inline int32_t magnitude(int32_t x)
 /* Whether a pixel's luma and that of its four neighbours differ too little to look further. */
 static inline bool is_flat(int32_t m, int32_t a, int32_t b, int32_t c, int32_t d)
 {
-    int32_t low = a < b ? a : b;
-    int32_t high = a < b ? b : a;
-    high = m > high ? m : high;
-    low = m < low ? m : low;
-    high = c > high ? c : high;
-    low = c < low ? c : low;
-    high = d > high ? d : high;
-    low = d < low ? d : low;
+    const int32_t low = qtri_least32(qtri_least32(m, qtri_least32(a, b)), qtri_least32(c, d));
+    const int32_t high =
+        qtri_greatest32(qtri_greatest32(m, qtri_greatest32(a, b)), qtri_greatest32(c, d));
     return high - low < LUMA_MIN || (high - low) * 8 < high;
+}
+
+/* What a pixel takes of its neighbour across an edge, in 32nds: the edge ends `first` pixels to one
+   side and `last` to the other, where the luma of its two sides departs by first_end and last_end.
+ */
+static uint32_t share_of(int32_t first, int32_t last, int32_t first_end, int32_t last_end,
+                         int32_t step, int32_t side)
+{
+    const int32_t nearer = first < last ? first : last;
+    const int32_t end = first < last ? first_end : last_end;
+    if (magnitude(end) < step || (end < 0) == (side < 0)) {
+        return 0; /* no end within reach, or of the other side */
+    }
+    return 16u - ((uint32_t)nearer * inverses[first + last] >> 11); /* 32 nearer / sum */
 }
 
 /* ---- Any format: rows are decoded, with their luma in the high byte ---- */
@@ -250,9 +258,9 @@ QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32
     const uint16_t *own = w->lumas[2];
     const uint16_t *down = w->lumas[3];
     for (; x + 1 < end; x += 2) {
-        const uint32_t both = *(const qtri_pair *)(const void *)(own + x);
-        const uint32_t above = *(const qtri_pair *)(const void *)(up + x);
-        const uint32_t below = *(const qtri_pair *)(const void *)(down + x);
+        const uint32_t both = *(const qtri_word *)(const void *)(own + x);
+        const uint32_t above = *(const qtri_word *)(const void *)(up + x);
+        const uint32_t below = *(const qtri_word *)(const void *)(down + x);
         const uint32_t left = moved_in(both, own[x - 1], true);
         const uint32_t right = moved_in(both, own[x + 2], false);
         const uint32_t most = both + near;
@@ -275,19 +283,19 @@ typedef struct extent {
 
 static extent extent_of(const uint16_t *row, int32_t width)
 {
-    const qtri_pair *words = (const qtri_pair *)(const void *)row;
+    const qtri_word *words = (const qtri_word *)(const void *)row;
     const int32_t count = width / 2;
     const uint32_t color = words[0];
     extent e = {color, 0, width};
     if (color != (color << 16 | color >> 16)) {
         return e;
     }
-    const qtri_pair *at = words;
-    const qtri_pair *end = words + count;
+    const qtri_word *at = words;
+    const qtri_word *end = words + count;
     while (end - at >= 4 &&
            ((at[0] ^ color) | (at[1] ^ color) | (at[2] ^ color) | (at[3] ^ color)) == 0) {
         at += 4;
-        QTRI_OPAQUE(at)
+        QTRI_BODY_BARRIER(at);
     }
     while (at != end && *at == color) {
         at++;
@@ -296,7 +304,7 @@ static extent extent_of(const uint16_t *row, int32_t width)
     while (end - at >= 4 &&
            ((end[-1] ^ color) | (end[-2] ^ color) | (end[-3] ^ color) | (end[-4] ^ color)) == 0) {
         end -= 4;
-        QTRI_OPAQUE(end)
+        QTRI_BODY_BARRIER(end);
     }
     while (end != at && end[-1] == color) {
         end--;
@@ -316,32 +324,26 @@ static extent extent_of_three(const extent *a, const extent *b, const extent *c,
     return e;
 }
 
-static bool are_pairs(const qtri_surface *surface)
-{
-    return (((uintptr_t)surface->pixels | (uintptr_t)surface->pitch) & 3) == 0 &&
-           (surface->width & 1) == 0;
-}
-
 static uint16_t *row_of(const qtri_surface *surface, int32_t y)
 {
     return (uint16_t *)(void *)qtri_surface_at(surface, 0, y);
 }
 
-static void fill_words(qtri_pair *to, int32_t count, uint32_t word)
+static void fill_words(qtri_word *to, int32_t count, uint32_t word)
 {
     if (count > 0) {
         qtri_fill_words((uint8_t *)to, 0, 4 * (size_t)count, 1, word);
     }
 }
 
-static void luma_words(qtri_pair *to, const qtri_pair *from, const qtri_pair *end)
+static void luma_words(qtri_word *to, const qtri_word *from, const qtri_word *end)
 {
     for (; end - from >= 2; to += 2, from += 2) {
         const uint32_t a = from[0];
         const uint32_t b = from[1];
         to[0] = lumas_of_two(a);
         to[1] = lumas_of_two(b);
-        QTRI_OPAQUE(to)
+        QTRI_BODY_BARRIER(to);
     }
     if (from != end) {
         *to = lumas_of_two(*from);
@@ -359,8 +361,8 @@ static void keep_row(uint32_t *out, const uint16_t *row, const extent *e, int32_
         }
         return;
     }
-    qtri_pair *to = (qtri_pair *)out;
-    const qtri_pair *from = (const qtri_pair *)(const void *)row;
+    qtri_word *to = (qtri_word *)out;
+    const qtri_word *from = (const qtri_word *)(const void *)row;
     const int32_t first = e->first / 2;
     const int32_t end = qtri_greatest32(e->end / 2, first); /* e->end is 0 where there is nothing */
     const uint32_t about = luma ? lumas_of_two(e->color) : e->color;
@@ -393,21 +395,12 @@ static const uint16_t *come_in(const incoming *in, int32_t y, extent *e)
     return (const uint16_t *)(const void *)lumas;
 }
 
-/* Row y, whose old colours and those above are kept: columns first..end - 1. */
-static void filter_row(const qtri_surface *surface, const window_565 *w, int32_t y, int32_t first,
-                       int32_t end)
-{
-    uint16_t *out = row_of(surface, y);
-    const int32_t even = qtri_least32((first + 1) & ~1, end);
-    filter_pixels(w, out, first, even, surface->width);
-    filter_pairs(w, out, even, end, surface->width);
-}
-
 QTRI_NOINLINE static void filter_rows_565(const qtri_surface *surface, qtri_rect bounds,
                                           uint32_t *memory)
 {
     const int32_t width = surface->width;
-    const incoming in = {surface, memory, (width + 1) / 2, are_pairs(surface)};
+    const incoming in = {surface, memory, (width + 1) / 2,
+                         qtri_begins_with_words(surface) && (width & 1) == 0};
     window_565 w = {{NULL, NULL, NULL, NULL, NULL}, {NULL, NULL, NULL, NULL, NULL}};
     extent rows[KEPT_ROWS] = {{0, 0, width}, {0, 0, width}, {0, 0, width}}; /* above, this, below */
     w.lumas[3] = come_in(&in, bounds.y0, &rows[2]);
@@ -428,8 +421,12 @@ QTRI_NOINLINE static void filter_rows_565(const qtri_surface *surface, qtri_rect
         }
         if (w.row[1] != NULL && w.row[3] != NULL) {
             const extent all = extent_of_three(&rows[0], &rows[1], &rows[2], width);
-            filter_row(surface, &w, y, qtri_greatest32(all.first, bounds.x0 > 0 ? bounds.x0 : 1),
-                       qtri_least32(all.end, bounds.x1 < width ? bounds.x1 : width - 1));
+            const int32_t first = qtri_greatest32(all.first, bounds.x0 > 0 ? bounds.x0 : 1);
+            const int32_t end = qtri_least32(all.end, bounds.x1 < width ? bounds.x1 : width - 1);
+            const int32_t even = qtri_least32((first + 1) & ~1, end);
+            uint16_t *out = row_of(surface, y);
+            filter_pixels(&w, out, first, even, width);
+            filter_pairs(&w, out, even, end, width);
         }
     }
 }

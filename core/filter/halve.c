@@ -26,26 +26,6 @@ static enum qtri_error describe(const qtri_surface *band, qtri_surface *half)
     return QTRI_OK;
 }
 
-/* The mean of four stored pixels. */
-static uint32_t mean_of(const qtri_format *format, const uint32_t stored[4])
-{
-    qtri_masks masks;
-    uint32_t color[4];
-    uint32_t mean = 0;
-    qtri_masks_of(&masks, format->colors);
-    for (int i = 0; i < 4; i++) {
-        color[i] = qtri_color_of(format, stored[i]);
-    }
-    for (int i = 0; i < 3; i++) {
-        uint32_t sum = 2;
-        for (int sample = 0; sample < 4; sample++) {
-            sum += color[sample] >> masks.shift[i] & masks.mask[i];
-        }
-        mean |= sum >> 2 << masks.shift[i];
-    }
-    return qtri_stored_of(format, mean);
-}
-
 static void halve_any(const qtri_surface *band, const qtri_surface *half)
 {
     const qtri_pixels *pixels = half->format->pixels;
@@ -58,18 +38,10 @@ static void halve_any(const qtri_surface *band, const qtri_surface *half)
             const uint32_t stored[4] = {pixels->load(at), pixels->load(at + bytes),
                                         pixels->load(at + band->pitch),
                                         pixels->load(at + band->pitch + bytes)};
-            const uint32_t mean = mean_of(half->format, stored);
+            const uint32_t mean = qtri_mean_of(half->format, stored);
             pixels->store(to + x * bytes, &mean, 1, 1);
         }
     }
-}
-
-/* In each lane four channels and 2: less than 2^8. */
-static inline uint32_t mean_565(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
-{
-    const uint32_t sum =
-        qtri_lanes_565(a) + qtri_lanes_565(b) + qtri_lanes_565(c) + qtri_lanes_565(d);
-    return qtri_packed_565((sum + 0x00401002u) >> 2);
 }
 
 /* Of two pixels above each other, as two words: low and high half are next to each other. */
@@ -78,23 +50,17 @@ static inline uint32_t mean_of_pairs(uint32_t upper, uint32_t lower)
     if (upper == lower && upper == (upper << 16 | upper >> 16)) {
         return qtri_low16(upper);
     }
-    return mean_565(qtri_low16(upper), upper >> 16, qtri_low16(lower), lower >> 16);
+    return qtri_mean_565(qtri_low16(upper), upper >> 16, qtri_low16(lower), lower >> 16);
 }
 
-/* Whether rows of pairs are aligned. */
-static bool are_pairs(const qtri_surface *band)
-{
-    return (((uintptr_t)band->pixels | (uintptr_t)band->pitch) & 3) == 0;
-}
-
-QTRI_NOINLINE static void halve_pairs(const qtri_pair *upper, const qtri_pair *lower, uint16_t *to,
+QTRI_NOINLINE static void halve_pairs(const qtri_word *upper, const qtri_word *lower, uint16_t *to,
                                       int32_t count)
 {
     for (; count >= 2 && ((uintptr_t)to & 3) == 0; count -= 2, upper += 2, lower += 2, to += 2) {
         const uint32_t first = upper[0];
         if (first == upper[1] && first == lower[0] && first == lower[1] &&
             first == (first << 16 | first >> 16)) {
-            *(qtri_pair *)(void *)to = first; /* of one colour, as most are */
+            *(qtri_word *)(void *)to = first; /* of one colour, as most are */
         } else {
             const uint32_t other = mean_of_pairs(upper[1], lower[1]);
             to[0] = (uint16_t)mean_of_pairs(first, lower[0]);
@@ -112,8 +78,8 @@ static void halve_565(const qtri_surface *band, const qtri_surface *half)
     for (int32_t y = scissor->y0; y < scissor->y1; y++) {
         const uint8_t *from = qtri_surface_at(band, 2 * scissor->x0, 2 * y);
         uint8_t *to = qtri_surface_at(half, scissor->x0, y);
-        halve_pairs((const qtri_pair *)(const void *)from,
-                    (const qtri_pair *)(const void *)(from + band->pitch), (uint16_t *)(void *)to,
+        halve_pairs((const qtri_word *)(const void *)from,
+                    (const qtri_word *)(const void *)(from + band->pitch), (uint16_t *)(void *)to,
                     scissor->x1 - scissor->x0);
     }
 }
@@ -128,7 +94,7 @@ enum qtri_error qtri_halve(const qtri_surface *band, qtri_surface *out)
     if (error != QTRI_OK) {
         return error;
     }
-    if (qtri_is_565(half.format) && are_pairs(band)) {
+    if (qtri_is_565(half.format) && qtri_begins_with_words(band)) {
         halve_565(band, &half);
     } else {
         halve_any(band, &half);

@@ -16,13 +16,6 @@
 #include "../bits/bits.h"
 #include "../frame/pixel.h"
 
-/* Two pixels of 16 bits as a word, which are read as single ones elsewhere. */
-#ifdef __GNUC__
-typedef uint32_t __attribute__((__may_alias__)) qtri_pair;
-#else
-typedef uint32_t qtri_pair;
-#endif
-
 /* A word with room for 5 bits above each channel of 565: green, red, blue, from the top. */
 #define QTRI_LANES_565 0x07E0F81Fu
 
@@ -50,6 +43,14 @@ static inline uint32_t qtri_lerp_565(uint32_t a, uint32_t b, uint32_t share)
     return qtri_packed_565(((p << 5) + (q - p) * share + 0x02008010u) >> 5);
 }
 
+/* The mean of four, to nearest. In each lane four channels and 2: less than 2^8. */
+static inline uint32_t qtri_mean_565(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
+{
+    const uint32_t sum =
+        qtri_lanes_565(a) + qtri_lanes_565(b) + qtri_lanes_565(c) + qtri_lanes_565(d);
+    return qtri_packed_565((sum + 0x00401002u) >> 2);
+}
+
 /* Whether stored pixels are colours of the kind 565 as they are. */
 static inline bool qtri_is_565(const qtri_format *format)
 {
@@ -64,12 +65,21 @@ uint32_t qtri_stored_of(const qtri_format *format, uint32_t color);
 /* The mix of two colours of a kind, as qtri_lerp_565(). */
 uint32_t qtri_mix_colors(const qtri_colors *kind, uint32_t a, uint32_t b, uint32_t share);
 
+/* The mean of four stored pixels. */
+uint32_t qtri_mean_of(const qtri_format *format, const uint32_t stored[4]);
+
+/* Whether rows of pixels of 16 bits begin with words. */
+static inline bool qtri_begins_with_words(const qtri_surface *surface)
+{
+    return (((uintptr_t)surface->pixels | (uintptr_t)surface->pitch) & 3) == 0;
+}
+
 /* Bits of the kind's channels red, green and blue, in place, of a colour. */
 typedef struct qtri_masks {
     uint32_t mask[3];
     uint8_t shift[3];
 } qtri_masks;
 
-void qtri_masks_of(qtri_masks *masks, const qtri_colors *kind);
+const qtri_masks *qtri_masks_of(const qtri_colors *kind);
 
 #endif

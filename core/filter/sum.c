@@ -7,7 +7,7 @@
 #include "qtri/antialias.h"
 #include "qtri/error.h"
 
-#include "../frame/barrier.h"
+#include "../frame/pixel.h"
 #include "mix.h"
 
 /* The rows and columns that count, and a sum's words; false: there is an error, or nothing to do.
@@ -37,35 +37,28 @@ static uint32_t place_of(const qtri_surface *surface, const qtri_rect *bounds, i
 
 /* ---- Rows ---- */
 
-#define ADD(i)                                                                                     \
-    {                                                                                              \
-        const uint32_t color = pixel[i];                                                           \
-        sum[i] += (color | color << 16) & lanes;                                                   \
-        QTRI_OPAQUE(sum)                                                                           \
-    }
-
 QTRI_NOINLINE static void add_row_565(uint32_t *sum, const uint16_t *pixel, int32_t count)
 {
     uint32_t lanes = QTRI_LANES_565;
-    QTRI_OPAQUE(lanes)
+    QTRI_BODY_BARRIER(lanes);
     for (; count >= 4; count -= 4, sum += 4, pixel += 4) {
-        ADD(0)
-        ADD(1)
-        ADD(2)
-        ADD(3)
+        QTRI_BODY_UNROLL
+        for (int i = 0; i < 4; i++) {
+            const uint32_t color = pixel[i];
+            sum[i] += (color | color << 16) & lanes;
+            QTRI_BODY_BARRIER(sum);
+        }
     }
-    for (; count > 0; count--, sum++, pixel++) {
-        ADD(0)
+    for (; count > 0; count--) {
+        *sum++ += qtri_lanes_565(*pixel++);
     }
 }
 
-#define STORE(i)                                                                                   \
-    {                                                                                              \
-        uint32_t mean = ((sum[i] + half) >> log2) & lanes;                                         \
-        mean |= mean >> 16;                                                                        \
-        pixel[i] = (uint16_t)mean;                                                                 \
-        QTRI_OPAQUE(pixel)                                                                         \
-    }
+static inline uint16_t mean_of(uint32_t sum, uint32_t half, uint32_t log2, uint32_t lanes)
+{
+    const uint32_t mean = ((sum + half) >> log2) & lanes;
+    return (uint16_t)(mean | mean >> 16);
+}
 
 QTRI_NOINLINE static void store_row_565(uint16_t *pixel, const uint32_t *sum, int32_t count,
                                         uint32_t log2)
@@ -73,28 +66,28 @@ QTRI_NOINLINE static void store_row_565(uint16_t *pixel, const uint32_t *sum, in
     uint32_t lanes = QTRI_LANES_565;
     /* Half of a step in each lane. */
     const uint32_t half = log2 == 0 ? 0 : (uint32_t)0x00200801 << (log2 - 1);
-    QTRI_OPAQUE(lanes)
+    QTRI_BODY_BARRIER(lanes);
     for (; count >= 4; count -= 4, sum += 4, pixel += 4) {
-        STORE(0)
-        STORE(1)
-        STORE(2)
-        STORE(3)
+        QTRI_BODY_UNROLL
+        for (int i = 0; i < 4; i++) {
+            pixel[i] = mean_of(sum[i], half, log2, lanes);
+            QTRI_BODY_BARRIER(pixel);
+        }
     }
-    for (; count > 0; count--, sum++, pixel++) {
-        STORE(0)
+    for (; count > 0; count--) {
+        *pixel++ = mean_of(*sum++, half, log2, lanes);
     }
 }
 
 static void add_row_any(uint32_t *sum, const uint8_t *pixel, int32_t count,
                         const qtri_format *format)
 {
-    qtri_masks masks;
-    qtri_masks_of(&masks, format->colors);
+    const qtri_masks *masks = qtri_masks_of(format->colors);
     for (; count > 0; count--, sum += 2, pixel += format->pixels->bytes) {
         const uint32_t color = qtri_color_of(format, format->pixels->load(pixel));
-        sum[0] += (color >> masks.shift[0] & masks.mask[0]) << 16 |
-                  (color >> masks.shift[2] & masks.mask[2]);
-        sum[1] += color >> masks.shift[1] & masks.mask[1];
+        sum[0] += (color >> masks->shift[0] & masks->mask[0]) << 16 |
+                  (color >> masks->shift[2] & masks->mask[2]);
+        sum[1] += color >> masks->shift[1] & masks->mask[1];
     }
 }
 
@@ -102,16 +95,15 @@ static void store_row_any(uint8_t *pixel, const uint32_t *sum, int32_t count, ui
                           const qtri_format *format)
 {
     const uint32_t half = (uint32_t)1 << log2 >> 1;
-    qtri_masks masks;
-    qtri_masks_of(&masks, format->colors);
+    const qtri_masks *masks = qtri_masks_of(format->colors);
     for (; count > 0; count--, sum += 2, pixel += format->pixels->bytes) {
         const uint32_t red = (sum[0] >> 16) + half;
         const uint32_t blue = (sum[0] & 0xFFFF) + half;
         const uint32_t green = sum[1] + half;
         const uint32_t stored =
-            qtri_stored_of(format, (red >> log2 & masks.mask[0]) << masks.shift[0] |
-                                       (green >> log2 & masks.mask[1]) << masks.shift[1] |
-                                       (blue >> log2 & masks.mask[2]));
+            qtri_stored_of(format, (red >> log2 & masks->mask[0]) << masks->shift[0] |
+                                       (green >> log2 & masks->mask[1]) << masks->shift[1] |
+                                       (blue >> log2 & masks->mask[2]));
         format->pixels->store(pixel, &stored, 1, 1);
     }
 }

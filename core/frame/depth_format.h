@@ -9,6 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "qtri/error.h"
 #include "qtri/surface.h"
 
 struct qtri_depth_ops {
@@ -46,5 +47,19 @@ static inline int32_t qtri_depth_bytes(const qtri_depth_format *format)
 {
     return format != NULL ? format->bytes : QTRI_DEPTH_LINEAR16_BYTES;
 }
+
+/* Descriptions, for checked builds. */
+#ifdef QTRI_CHECKED
+static inline void qtri_check_format(const qtri_format *format)
+{
+    QTRI_ASSERT(format == NULL || (format->pixels != NULL && format->colors != NULL));
+}
+
+static inline void qtri_check_depth_format(const qtri_depth_format *format)
+{
+    QTRI_ASSERT(format == NULL || format->ops == NULL ||
+                (format->encode != NULL && format->decode != NULL));
+}
+#endif
 
 #endif

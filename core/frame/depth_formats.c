@@ -30,7 +30,7 @@ static uint16_t *flatten(const qtri_surface *surface)
             const int32_t count = qtri_least32(AT_ONCE, surface->width - x);
             const ptrdiff_t at = row * pitch + x;
             for (int32_t i = 0; i < count; i++) {
-                depth[i] = qtri_stored_get(bytes, first + bytes * (at + i));
+                depth[i] = qtri_load(format->bytes, first + bytes * (at + i));
             }
             format->decode(depth, count);
             for (int32_t i = 0; i < count; i++) {

@@ -100,6 +100,19 @@ static const uint8_t bayer8[8][8] = {
     {15, 47, 7, 39, 13, 45, 5, 37}, {63, 31, 55, 23, 61, 29, 53, 21},
 };
 
+/* A pixel's threshold in 128ths of a step; the middle where a level is to be the nearest. */
+static uint32_t threshold_q7(qtri_dither dither, uint32_t x, uint32_t y)
+{
+    switch (dither) {
+    case QTRI_DITHER_BAYER4:
+        return bayer8[y & 3][x & 3] * 2u + 4;
+    case QTRI_DITHER_BAYER8:
+        return bayer8[y & 7][x & 7] * 2u + 1;
+    default:
+        return 64;
+    }
+}
+
 /* n / 255 for 0 <= n < 65535. */
 static uint32_t divide_by_255(uint32_t n)
 {
@@ -112,28 +125,12 @@ void qtri_dither_row(qtri_dither dither, uint8_t max_level, int32_t x, int32_t y
     QTRI_ASSERT((gray != NULL && level != NULL) || count <= 0);
     uint32_t offset[8];
     for (uint32_t i = 0; i < 8; i++) {
-        switch (dither) {
-        case QTRI_DITHER_BAYER4:
-            offset[i] = (bayer8[(uint32_t)y & 3][i & 3] / 4u * 2 + 1) * 255 / 32;
-            break;
-        case QTRI_DITHER_BAYER8:
-            offset[i] = (bayer8[(uint32_t)y & 7][i] * 2u + 1) * 255 / 128;
-            break;
-        default:
-            offset[i] = 127;
-            break;
-        }
+        offset[i] = threshold_q7(dither, i, (uint32_t)y) * 255 / 128;
     }
     for (int32_t i = 0; i < count; i++) { /* <= 255 * 255 + 254 */
         uint32_t n = (uint32_t)gray[i] * max_level + offset[((uint32_t)x + (uint32_t)i) & 7];
         level[i] = (uint8_t)divide_by_255(n);
     }
-}
-
-/* The rank 0..63 of a pixel's threshold; 4 x 4 fields have every fourth one. */
-static uint32_t rank_of(qtri_dither dither, uint32_t x, uint32_t y)
-{
-    return dither == QTRI_DITHER_BAYER4 ? bayer8[y & 3][x & 3] | 2u : bayer8[y & 7][x & 7];
 }
 
 /*
@@ -149,7 +146,7 @@ void qtri_dither_row_565(qtri_dither dither, int32_t x, int32_t y, const uint32_
     const bool is_ordered = dither == QTRI_DITHER_BAYER4 || dither == QTRI_DITHER_BAYER8;
     uint16_t narrow[8], wide[8]; /* thresholds of green, of red and blue */
     for (uint32_t i = 0; i < 8; i++) {
-        const uint32_t rank = rank_of(dither, i, (uint32_t)y);
+        const uint32_t rank = threshold_q7(dither, i, (uint32_t)y) / 2; /* 0..63 */
         narrow[i] = (uint16_t)(is_ordered ? 123 + 12 * rank : 505);
         wide[i] = (uint16_t)(is_ordered ? 137 + 28 * rank : 1014);
     }

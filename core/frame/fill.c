@@ -1,25 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "pixel.h"
 
-#include "barrier.h"
-
-/* Pixels that a mask has bits for. */
-#define MASK_PIXELS 32
-
-/* Stored to memory that is read as other types. */
-#ifdef __GNUC__
-typedef uint32_t __attribute__((__may_alias__)) word;
-#else
-typedef uint32_t word;
-#endif
-
 /* Four bytes of pixels or depths, as an aligned word and as its bytes lie in memory. */
 typedef union pattern {
     uint32_t word;
     uint8_t byte[4];
 } pattern;
 
-enum { BLOCK_BYTES = 64 };
+enum { BLOCK_BYTES = 64, MASK_PIXELS = 32 /* that a mask has bits for */ };
 
 /* end - at is a multiple of BLOCK_BYTES and not 0. */
 static void store_blocks(uint8_t *at, const uint8_t *end, uint32_t x)
@@ -40,7 +28,8 @@ static void store_blocks(uint8_t *at, const uint8_t *end, uint32_t x)
                      : "l"(a), "l"(b), "l"(c), "l"(d), "l"(end)
                      : "cc", "memory");
 #else
-    for (word *to = (word *)(void *)at; to != (const word *)(const void *)end; to += 4) {
+    for (qtri_word *to = (qtri_word *)(void *)at; to != (const qtri_word *)(const void *)end;
+         to += 4) {
         to[0] = x;
         to[1] = x;
         to[2] = x;
@@ -60,7 +49,7 @@ static void fill(uint8_t *at, size_t bytes, const pattern *stored)
         } else if (left < BLOCK_BYTES) {
             const uint8_t *stop = at + (left & ~(size_t)3);
             do {
-                *(word *)(void *)at = stored->word;
+                *(qtri_word *)(void *)at = stored->word;
                 at += 4;
             } while (at != stop);
         } else {
@@ -104,7 +93,7 @@ static size_t copy_words(uint8_t *to, const uint8_t *from, size_t bytes)
         from += sizeof(block);
     }
     for (; left >= 4; left -= 4) {
-        *(word *)(void *)to = *(const word *)(const void *)from;
+        *(qtri_word *)(void *)to = *(const qtri_word *)(const void *)from;
         to += 4;
         from += 4;
     }
@@ -118,16 +107,16 @@ static size_t copy_halves(uint8_t *to, const uint8_t *from, size_t bytes)
     size_t left = bytes;
     for (; left >= 8; left -= 8) {
         out[0] = in[0];
-        QTRI_OPAQUE(out) /* or two would become a word that is not aligned */
+        QTRI_BODY_BARRIER(out); /* or two would become a word that is not aligned */
         out[1] = in[1];
-        QTRI_OPAQUE(out)
+        QTRI_BODY_BARRIER(out);
         out[2] = in[2];
-        QTRI_OPAQUE(out)
+        QTRI_BODY_BARRIER(out);
         out[3] = in[3];
         out += 4;
         in += 4;
-        QTRI_OPAQUE(out)
-        QTRI_OPAQUE(in)
+        QTRI_BODY_BARRIER(out);
+        QTRI_BODY_BARRIER(in);
     }
     return bytes - left;
 }
@@ -151,16 +140,6 @@ void qtri_copy(uint8_t *to, const uint8_t *from, size_t bytes)
 
 /* ---- Rectangles ---- */
 
-/* Memory of pixels of another size than a word has room for. */
-static void fill_row_of_pixels(const qtri_pixels *pixels, uint8_t *at, int32_t count,
-                               uint32_t stored)
-{
-    for (; count > 0; count -= MASK_PIXELS) {
-        pixels->fill(at, stored, UINT32_MAX, count < MASK_PIXELS ? count : MASK_PIXELS);
-        at += (ptrdiff_t)pixels->bytes * MASK_PIXELS;
-    }
-}
-
 /* Four pixels of three bytes, as they lie in memory, are three words. */
 typedef union pattern24 {
     uint32_t word[3];
@@ -172,28 +151,23 @@ static void fill_row_24(uint8_t *at, int32_t count, uint32_t stored)
 {
     pattern24 four;
     for (int i = 0; i < 12; i += 3) {
-        qtri_stored_put(3, four.byte + i, stored);
+        qtri_save(3, four.byte + i, stored);
     }
-    for (; count > 0 && ((uintptr_t)at & 3) != 0; count--) { /* 3 n = 0 modulo 4 within 3 steps */
-        qtri_stored_put(3, at, stored);
-        at += 3;
+    const uint32_t a = four.word[0], b = four.word[1], c = four.word[2];
+    for (; count > 0 && ((uintptr_t)at & 3) != 0; count--, at += 3) { /* three at most */
+        qtri_save(3, at, stored);
     }
-    const uint32_t a = four.word[0];
-    const uint32_t b = four.word[1];
-    const uint32_t c = four.word[2];
-    for (; count >= 8; count -= 8) {
-        word *to = (word *)(void *)at;
+    for (; count >= 8; count -= 8, at += 24) {
+        qtri_word *to = (qtri_word *)(void *)at;
         to[0] = a;
         to[1] = b;
         to[2] = c;
         to[3] = a;
         to[4] = b;
         to[5] = c;
-        at += 24;
     }
-    for (; count > 0; count--) {
-        qtri_stored_put(3, at, stored);
-        at += 3;
+    for (; count > 0; count--, at += 3) {
+        qtri_save(3, at, stored);
     }
 }
 
@@ -214,12 +188,15 @@ void qtri_fill_rect(const qtri_surface *surface, const qtri_rect *rect, uint32_t
         qtri_fill_words(first, surface->pitch, pixel_bytes * (size_t)columns, rows, stored);
         return;
     }
-    for (int32_t row = 0; row < rows; row++) {
+    for (int32_t row = 0; row < rows; row++, first += surface->pitch) {
         if (pixel_bytes == 3) {
             fill_row_24(first, columns, stored);
-        } else {
-            fill_row_of_pixels(pixels, first, columns, stored);
+            continue;
         }
-        first += surface->pitch;
+        uint8_t *at = first; /* pixels of another size than a word has room for */
+        for (int32_t left = columns; left > 0; left -= MASK_PIXELS) {
+            pixels->fill(at, stored, UINT32_MAX, qtri_least32(left, MASK_PIXELS));
+            at += pixel_bytes * MASK_PIXELS;
+        }
     }
 }

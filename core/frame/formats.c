@@ -5,7 +5,6 @@
  */
 #include "qtri/format.h"
 
-#include "barrier.h"
 #include "pixel.h"
 
 /* ---- Memory of pixels ---- */
@@ -32,31 +31,19 @@ const qtri_pixels qtri_pixels_32 = {4, load_32, fill_32, store_32};
 
 /* ---- Stored pixels as 0x00RRGGBB ---- */
 
-/* Of 31 and of 63 in 0..255, rounded: (255 x + 15) / 31 and (255 x + 31) / 63 for all x. */
-static uint32_t scale5(uint32_t x)
-{
-    return (x * 527 + 23) >> 6;
-}
-
-static uint32_t scale6(uint32_t x)
-{
-    return (x * 259 + 33) >> 6;
-}
-
 uint32_t qtri_decode_rgb565(uint32_t stored)
 {
-    return scale5((stored >> 11) & 31) << 16 | scale6((stored >> 5) & 63) << 8 |
-           scale5(stored & 31);
+    return qtri_pixel_565_to_888(stored & 0xFFFF);
 }
 
 uint32_t qtri_decode_rgb565_swapped(uint32_t stored)
 {
-    return qtri_decode_rgb565((stored & 0xFF) << 8 | ((stored >> 8) & 0xFF));
+    return qtri_decode_rgb565(qtri_swap_16(stored));
 }
 
 uint32_t qtri_decode_rgb888(uint32_t stored)
 {
-    return (stored & 0xFF) << 16 | (stored & 0xFF00) | ((stored >> 16) & 0xFF);
+    return qtri_swap_red_blue(stored);
 }
 
 uint32_t qtri_decode_xrgb8888(uint32_t stored)
@@ -74,41 +61,43 @@ uint32_t qtri_decode_gray8(uint32_t stored)
 const qtri_format qtri_rgb565 = {&qtri_pixels_16, &qtri_colors_565, NULL, qtri_decode_rgb565, NULL,
                                  QTRI_RGB565};
 
-static void encode_rgb565_swapped(uint32_t *color, int32_t count)
+void qtri_encode_rgb565_swapped(uint32_t *color, int32_t count)
 {
-    QTRI_EACH_WORD(color, count, c, qtri_reversed(c) >> 16)
+    QTRI_EACH_WORD(color, count, c, qtri_swap_16(c))
 }
 
-const qtri_format qtri_rgb565_swapped = {
-    &qtri_pixels_16,    &qtri_colors_565, encode_rgb565_swapped, qtri_decode_rgb565_swapped, NULL,
-    QTRI_RGB565_SWAPPED};
-
-/*
- * Channels of 8 bits to nearest, c 31 / 255 as (249 c + 1014) / 2^11 and c 63 / 255 as
- * (253 c + 505) / 2^10, rounded down: right for all 256. Red and blue in one product, whose halves
- * stay below 2^16: 249 255 + 1014 = 64509.
- */
-#define ROUNDED(c) (((c)&0xFF00FF) * 249 + 1014 * 0x10001u)
-#define GREEN(c)   ((((c) >> 8 & 0xFF) * 253 + 505) >> 10)
+const qtri_format qtri_rgb565_swapped = {&qtri_pixels_16,
+                                         &qtri_colors_565,
+                                         qtri_encode_rgb565_swapped,
+                                         qtri_decode_rgb565_swapped,
+                                         NULL,
+                                         QTRI_RGB565_SWAPPED};
 
 static void encode_rgb565_exact(uint32_t *color, int32_t count)
 {
-    QTRI_EACH_WORD(color, count, c,
-                   (ROUNDED(c) >> 16 & 0xF800) | GREEN(c) << 5 | (ROUNDED(c) >> 11 & 31))
+    QTRI_EACH_WORD(color, count, c, qtri_pixel_888_to_565(c))
 }
 
 const qtri_format qtri_rgb565_exact = {
     &qtri_pixels_16,  &qtri_colors_888, encode_rgb565_exact, qtri_decode_rgb565, NULL,
     QTRI_RGB565_EXACT};
 
-/* Of three bytes the lowest is first: red. */
-static void encode_rgb888(uint32_t *color, int32_t count)
+/* Bytes in the other order: an instruction of Arm's, which the barrier keeps whole. */
+static inline uint32_t reversed(uint32_t x)
 {
-    QTRI_EACH_WORD(color, count, c, qtri_reversed(c) >> 8)
+    x = x << 24 | (x & 0xFF00) << 8 | (x >> 8 & 0xFF00) | x >> 24;
+    QTRI_BODY_BARRIER(x);
+    return x;
+}
+
+/* Of three bytes the lowest is first: red. */
+void qtri_encode_rgb888(uint32_t *color, int32_t count)
+{
+    QTRI_EACH_WORD(color, count, c, reversed(c) >> 8)
 }
 
 const qtri_format qtri_rgb888 = {
-    &qtri_pixels_24, &qtri_colors_888, encode_rgb888, qtri_decode_rgb888, NULL, QTRI_RGB888};
+    &qtri_pixels_24, &qtri_colors_888, qtri_encode_rgb888, qtri_decode_rgb888, NULL, QTRI_RGB888};
 
 /* 0x00RRGGBB as it is: of three bytes the lowest is first, blue. */
 const qtri_format qtri_bgr888 = {
@@ -122,38 +111,10 @@ const qtri_format qtri_gray8 = {&qtri_pixels_8, &qtri_colors_gray, NULL, qtri_de
 
 /* ---- Depth alone: pixels that are not there ---- */
 
-static uint32_t load_nothing(const uint8_t *pixel)
-{
-    (void)pixel;
-    return 0;
-}
+#define NAME(name) name##_0
+#define BYTES      0
+#include "pixels.inc"
+static const qtri_pixels no_pixels = {0, load_0, fill_0, store_0};
 
-/* The types of qtri_pixels: NOLINTBEGIN(readability-non-const-parameter) */
-static void fill_nothing(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t count)
-{
-    (void)pixel;
-    (void)stored;
-    (void)mask;
-    (void)count;
-}
-
-static void store_nothing(uint8_t *pixel, const uint32_t *stored, uint32_t mask, int32_t count)
-{
-    (void)pixel;
-    (void)stored;
-    (void)mask;
-    (void)count;
-}
-
-/* NOLINTEND(readability-non-const-parameter) */
-
-static uint32_t decode_nothing(uint32_t stored)
-{
-    (void)stored;
-    return 0;
-}
-
-static const qtri_pixels no_pixels = {0, load_nothing, fill_nothing, store_nothing};
-
-const qtri_format qtri_depth_only = {&no_pixels, &qtri_colors_gray, NULL, decode_nothing,
+const qtri_format qtri_depth_only = {&no_pixels, &qtri_colors_gray, NULL, qtri_decode_gray8,
                                      NULL,       QTRI_DEPTH_ONLY};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "qtri/frame.h"
 
-#include "checked.h"
+#include "depth_format.h"
 #include "pixel.h"
 
 static const qtri_rect nothing = {0, 0, 0, 0};

@@ -3,30 +3,26 @@
 
 #include "../bits/bits.h"
 
-static int32_t scaled(int32_t color_8p16, uint32_t ratio_q30)
+/*
+ * A channel of 8 bits in units of which there are ratio_q30 2^-30 to one, n.16, rounded down: of
+ * halves, so that no product is longer than 32 bits.
+ */
+static int32_t scaled(uint32_t channel, uint32_t ratio_q30)
 {
-    const uint32_t white = (uint32_t)255 << 16;
-    uint32_t c = (uint32_t)color_8p16;
-    if (c > white) {
-        QTRI_RARELY();
-        c = color_8p16 < 0 ? 0 : white;
-    }
-    return (int32_t)qtri_channel_scaled(c, ratio_q30);
+    return (int32_t)(channel * (ratio_q30 >> 14) + (channel * (ratio_q30 & 0x3FFF) >> 14));
 }
 
-qtri_channels qtri_channels_from_color(const qtri_colors *colors, const int32_t color_8p16[3])
+qtri_channels qtri_channels_from_color(const qtri_colors *colors, qtri_rgb color)
 {
     const uint32_t *ratio = colors->ratio_q30;
-    qtri_channels result = {{scaled(color_8p16[0], ratio[0]), scaled(color_8p16[1], ratio[1]),
-                             scaled(color_8p16[2], ratio[2])}};
+    const qtri_channels result = {
+        {scaled(color.r, ratio[0]), scaled(color.g, ratio[1]), scaled(color.b, ratio[2])}};
     return result;
 }
 
 uint32_t qtri_pixel_from_rgb(const qtri_format *format, qtri_rgb color)
 {
-    int32_t color_8p16[3] = {(int32_t)color.r << 16, (int32_t)color.g << 16,
-                             (int32_t)color.b << 16};
-    qtri_channels channels = qtri_channels_from_color(format->colors, color_8p16);
+    const qtri_channels channels = qtri_channels_from_color(format->colors, color);
     uint32_t pixel[4] = {format->colors->pack(channels.c)};
     if (format->encode != NULL) {
         format->encode(pixel, 1);
@@ -46,19 +42,24 @@ uint32_t qtri_pixel_from_rgb(const qtri_format *format, qtri_rgb color)
         RATIO_Q30(red), RATIO_Q30(green), RATIO_Q30(blue)                                          \
     }
 
-static uint32_t pack_565(const int32_t channel[3])
+static inline uint32_t rounded(int32_t channel)
 {
-    return qtri_pack_565(channel);
+    return (uint32_t)(channel + 0x8000) >> 16;
 }
 
-static uint32_t pack_888(const int32_t channel[3])
+static uint32_t pack_565(const int32_t c[3])
 {
-    return qtri_pack_888(channel);
+    return rounded(c[0]) << 11 | rounded(c[1]) << 5 | rounded(c[2]);
 }
 
-static uint32_t pack_gray(const int32_t channel[3])
+static uint32_t pack_888(const int32_t c[3])
 {
-    return qtri_pack_gray(channel);
+    return rounded(c[0]) << 16 | rounded(c[1]) << 8 | rounded(c[2]);
+}
+
+static uint32_t pack_gray(const int32_t c[3])
+{
+    return rounded(c[0] + c[1] + c[2]);
 }
 
 const qtri_colors qtri_colors_565 = {
@@ -67,5 +68,5 @@ const qtri_colors qtri_colors_565 = {
 const qtri_colors qtri_colors_888 = {
     RATIOS((int32_t)255 << 16, (int32_t)255 << 16, (int32_t)255 << 16), false, 16, 8, pack_888};
 
-const qtri_colors qtri_colors_gray = {RATIOS(QTRI_GRAY_RED, QTRI_GRAY_GREEN, QTRI_GRAY_BLUE), true,
-                                      0, 0, pack_gray};
+/* .299 .587 .114 of 255; the sum is 255 << 16 exactly. */
+const qtri_colors qtri_colors_gray = {RATIOS(4996792, 9809756, 1905132), true, 0, 0, pack_gray};

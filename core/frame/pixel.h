@@ -12,16 +12,12 @@
 
 #include <stdbool.h>
 
+#include "qtri/body/color.h"
 #include "qtri/surface.h"
 
 #include "../bits/bits.h"
 
 /* ---- Kinds of colour ---- */
-
-/* White in gray's units: .299 .587 .114 of 255, n.16; the sum is 255 << 16 exactly. */
-#define QTRI_GRAY_RED   4996792
-#define QTRI_GRAY_GREEN 9809756
-#define QTRI_GRAY_BLUE  1905132
 
 struct qtri_colors {
     uint32_t ratio_q30[3];                      /* units of 1/255, rounded */
@@ -30,98 +26,32 @@ struct qtri_colors {
     uint32_t (*pack)(const int32_t channel[3]); /* rounded, from n.16 */
 };
 
-static inline uint32_t qtri_channel_round(int32_t c)
-{
-    return (uint32_t)(c + 0x8000) >> 16;
-}
-
-static inline uint32_t qtri_pack_565(const int32_t c[3])
-{
-    return qtri_channel_round(c[0]) << 11 | qtri_channel_round(c[1]) << 5 |
-           qtri_channel_round(c[2]);
-}
-
-static inline uint32_t qtri_pack_888(const int32_t c[3])
-{
-    return qtri_channel_round(c[0]) << 16 | qtri_channel_round(c[1]) << 8 |
-           qtri_channel_round(c[2]);
-}
-
-static inline uint32_t qtri_pack_gray(const int32_t c[3])
-{
-    return qtri_channel_round(c[0] + c[1] + c[2]);
-}
-
 /* ---- Channels ---- */
 
 typedef struct qtri_channels {
     int32_t c[3]; /* red green blue, n.16 */
 } qtri_channels;
 
-/*
- * A channel of 0..255.0, n.16, in units of which there are ratio_q30 2^-30 to one, n.16, rounded
- * down: with 8 of its bits after the point, so that no product is longer than 32 bits. It is off by
- * 1/512 of a step of 255; of colours of 8 bits by nothing.
- */
-static inline uint32_t qtri_channel_scaled(uint32_t channel_8p16, uint32_t ratio_q30)
-{
-    const uint32_t q8 = (channel_8p16 + 128) >> 8; /* <= 65280 */
-#if QTRI_LONG_MULTIPLY
-    return (uint32_t)(((uint64_t)(q8 << 10) * ratio_q30) >> 32);
-#else
-    const uint32_t low = q8 * (ratio_q30 & (((uint32_t)1 << 14) - 1)); /* < 2^30 */
-    return (q8 * (ratio_q30 >> 14) + (low >> 14)) >> 8;                /* <= 65280 2^16 */
-#endif
-}
-
-/* color_8p16 (0..255.0) in units of these colours, n.16. */
-qtri_channels qtri_channels_from_color(const qtri_colors *colors, const int32_t color_8p16[3]);
+/* An 8-bit colour in units of these colours. */
+qtri_channels qtri_channels_from_color(const qtri_colors *colors, qtri_rgb color);
 
 /* An 8-bit colour as a stored pixel. */
 uint32_t qtri_pixel_from_rgb(const qtri_format *format, qtri_rgb color);
 
 /* ---- Stored pixels ---- */
 
+/* A word of memory that is read as other types elsewhere: two pixels of 16 bits, for one. */
+#ifdef __GNUC__
+typedef uint32_t __attribute__((__may_alias__)) qtri_word;
+#else
+typedef uint32_t qtri_word;
+#endif
+
 /* Where a pixel of a row that the surface holds is stored. */
 static inline uint8_t *qtri_surface_at(const qtri_surface *surface, int32_t x, int32_t row)
 {
     return surface->pixels + (ptrdiff_t)(row - surface->first_row) * surface->pitch +
            (ptrdiff_t)surface->format->pixels->bytes * x;
-}
-
-/* A pixel of 1 to 4 bytes. */
-QTRI_INLINE uint32_t qtri_stored_get(int32_t bytes, const uint8_t *at)
-{
-    switch (bytes) {
-    case 1:
-        return at[0];
-    case 2:
-        return *(const uint16_t *)(const void *)at;
-    case 3:
-        return at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16;
-    default:
-        return *(const uint32_t *)(const void *)at;
-    }
-}
-
-QTRI_INLINE void qtri_stored_put(int32_t bytes, uint8_t *at, uint32_t stored)
-{
-    switch (bytes) {
-    case 1:
-        at[0] = (uint8_t)stored;
-        break;
-    case 2:
-        *(uint16_t *)(void *)at = (uint16_t)stored;
-        break;
-    case 3:
-        at[0] = (uint8_t)stored;
-        at[1] = (uint8_t)(stored >> 8);
-        at[2] = (uint8_t)(stored >> 16);
-        break;
-    default:
-        *(uint32_t *)(void *)at = stored;
-        break;
-    }
 }
 
 /*
@@ -141,6 +71,28 @@ QTRI_INLINE void qtri_stored_put(int32_t bytes, uint8_t *at, uint32_t stored)
     default:                                                                                       \
         function(4, __VA_ARGS__);                                                                  \
         break
+
+/* ---- Words that formats encode and decode ---- */
+
+/* `encode` of qtri_rgb565_swapped and of qtri_rgb888. */
+void qtri_encode_rgb565_swapped(uint32_t *color, int32_t count);
+void qtri_encode_rgb888(uint32_t *color, int32_t count);
+
+/*
+ * Makes of each x of `count` words the `result`, in place, for descriptions of formats: `words` is
+ * a variable that moves on. Up to three words more are changed, so that groups of four need no
+ * remainder.
+ */
+#define QTRI_EACH_WORD(words, count, x, result)                                                    \
+    for (const uint32_t *end = (words) + (count); (words) < end; (words) += QTRI_WORDS_AT_ONCE) {  \
+        QTRI_BODY_UNROLL                                                                           \
+        for (int i = 0; i < QTRI_WORDS_AT_ONCE; i++) {                                             \
+            const uint32_t x = (words)[i];                                                         \
+            (words)[i] = (result);                                                                 \
+            QTRI_BODY_BARRIER(words);                                                              \
+        }                                                                                          \
+    }
+enum { QTRI_WORDS_AT_ONCE = QTRI_BODY_IS_SMALL ? 1 : 4 };
 
 /* ---- Memory filled with one value, and copied ---- */
 

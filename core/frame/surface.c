@@ -2,7 +2,6 @@
 #include "qtri/surface.h"
 
 #include "../bits/bits.h"
-#include "checked.h"
 #include "depth_format.h"
 #include "pixel.h"
 

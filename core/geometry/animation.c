@@ -138,15 +138,14 @@ void qtri_morph_targets(qtri_position16 *out, const qtri_position16 *base,
     QTRI_CHECK(check_targets(target, targets, count));
     for (uint32_t i = 0; i < count; i++) {
         const int16_t p[3] = {base[i].x, base[i].y, base[i].z};
-        int64_t
-            sum[3]; /* each target adds less than 2^47: held below 2^60, far beyond any result */
+        int64_t sum[3]; /* each target adds less than 2^47 */
         for (int k = 0; k < 3; k++) {
             sum[k] = (int64_t)p[k] * 65536;
         }
         for (int32_t n = 0; n < targets; n++) {
             const int16_t q[3] = {target[n][i].x, target[n][i].y, target[n][i].z};
             for (int k = 0; k < 3; k++) {
-                const int64_t most = (int64_t)1 << 60;
+                const int64_t most = (int64_t)1 << 60; /* held: far beyond any result */
                 sum[k] += qtri_mul_s32(weight[n], q[k] - p[k]);
                 sum[k] = sum[k] > most ? most : (sum[k] < -most ? -most : sum[k]);
             }

@@ -69,8 +69,7 @@ void qtri_transform_look_at(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, 
     qtri_transform_mul(t, t, &builder);
 }
 
-#define DEGREES(n)             ((uint32_t)(n)*65536u)
-#define RADIANS_PER_DEGREE_Q37 2398762259u /* pi / 180 * 2^37, rounded */
+#define DEGREES(n) ((uint32_t)(n)*65536u)
 
 /* above / below */
 static void quotient(qtri_wide *out, int64_t above, int64_t below)
@@ -84,8 +83,8 @@ static void quotient(qtri_wide *out, int64_t above, int64_t below)
    nowhere: within 2^-29 of itself. */
 static void narrow_cotangent(qtri_wide *out, uint32_t degrees, bool is_inverse)
 {
-    const uint64_t half_q54 = (uint64_t)degrees * RADIANS_PER_DEGREE_Q37; /* < 2^52 */
-    const uint32_t half_q31 = (uint32_t)((half_q54 + 0x400000u) >> 23);   /* < 2^29 */
+    const uint64_t half_q54 = (uint64_t)degrees * QTRI_RADIANS_PER_DEGREE_Q37; /* < 2^52 */
+    const uint32_t half_q31 = (uint32_t)((half_q54 + 0x400000u) >> 23);        /* < 2^29 */
     const uint32_t square_q31 = qtri_mul_q31(half_q31, half_q31);
     const qtri_wide ratio = qtri_wide_make(qtri_sine_ratio_q31(square_q31), 31);
     const qtri_wide cosine = qtri_wide_make(qtri_cosine_q31(square_q31), 31);

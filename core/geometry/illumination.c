@@ -55,17 +55,14 @@ static int32_t bits_of(const qtri_wide v[3])
     return bits;
 }
 
-static int32_t shifted(const qtri_wide *x, int32_t exponent)
-{
-    const int32_t down = x->e + exponent;
-    return (int32_t)(down > 62 ? 0 : qtri_shift_round(x->m, down));
-}
-
 static bool unit_q14(int32_t out[3], const qtri_wide v[3])
 {
     const int32_t exponent = bits_of(v) - PLACE_BITS;
-    const int64_t fixed[3] = {shifted(&v[0], exponent), shifted(&v[1], exponent),
-                              shifted(&v[2], exponent)};
+    int64_t fixed[3];
+    for (int i = 0; i < 3; i++) {
+        const int32_t down = v[i].e + exponent;
+        fixed[i] = down > 62 ? 0 : qtri_shift_round(v[i].m, down);
+    }
     return qtri_direction_q14(out, fixed);
 }
 
@@ -293,28 +290,20 @@ void qtri_normalize_q14(int32_t out[3], const int32_t v[3], uint32_t square)
     }
 }
 
-static uint32_t square_of(const int32_t v[3])
-{
-    return (uint32_t)(v[0] * v[0]) + (uint32_t)(v[1] * v[1]) + (uint32_t)(v[2] * v[2]);
-}
-
 bool qtri_direction_q14(int32_t out[3], const int64_t v[3])
 {
     int32_t scaled[3];
     (void)qtri_align32(scaled, v, 15);
-    const uint32_t square = square_of(scaled);
+    const uint32_t square = qtri_square_q28(scaled);
     if (square == 0) {
-        out[0] = 0;
-        out[1] = 0;
-        out[2] = 0;
+        out[0] = out[1] = out[2] = 0;
         return false;
     }
     qtri_normalize_q14(out, scaled, square);
     return true;
 }
 
-/* The direction of a normal in eye space. */
-static void normal_q14(int32_t out[3], const int32_t *m_q28, const int32_t v[3])
+void qtri_uneven_normal_q14(int32_t out[3], const int32_t *m_q28, const int32_t v[3])
 {
     int64_t turned[3]; /* < 3 2^15 2^29 */
     for (int row = 0; row < 3; row++) {
@@ -323,11 +312,6 @@ static void normal_q14(int32_t out[3], const int32_t *m_q28, const int32_t v[3])
             qtri_mul_s32(m[0], v[0]) + qtri_mul_s32(m[1], v[1]) + qtri_mul_s32(m[2], v[2]);
     }
     (void)qtri_direction_q14(out, turned);
-}
-
-void qtri_illuminated_uneven(qtri_lit_point *point, const qtri_illumination *by, const int32_t v[3])
-{
-    normal_q14(point->normal_q14, by->normal_q28[0], v);
 }
 
 /* Edges are held to 30 bits, their product to 61. */
@@ -454,7 +438,7 @@ void qtri_sphere_map(qtri_uv16 *uvs, const qtri_transform *camera, const qtri_tr
         if (mesh->normals8 != NULL || mesh->normals != NULL) {
             qtri_lit_vertex_normal(n, mesh, i);
         }
-        normal_q14(unit_q14, m_q28[0], n);
+        qtri_uneven_normal_q14(unit_q14, m_q28[0], n);
         uvs[i].x = half_q14(unit_q14[0]);
         uvs[i].y = half_q14(-unit_q14[1]);
     }

@@ -158,14 +158,19 @@ static inline void qtri_light_add(uint32_t sum_q24[3], const uint32_t color_q12[
     sum_q24[2] += color_q12[2] * share_q12;
 }
 
+static inline uint32_t qtri_square_q28(const int32_t v_q14[3])
+{
+    return (uint32_t)(v_q14[0] * v_q14[0]) + (uint32_t)(v_q14[1] * v_q14[1]) +
+           (uint32_t)(v_q14[2] * v_q14[2]);
+}
+
 /* ---- One point: in place, since vertices are many ---- */
 
 /* v / |v| for |v| < 2^15.5, not 0, of this square. */
 void qtri_normalize_q14(int32_t out[3], const int32_t v[3], uint32_t square);
 
-/* The normal v, |.| <= 2^15, and a place, where by->even is not set; the largest below 2^29. */
-void qtri_illuminated_uneven(qtri_lit_point *point, const qtri_illumination *by,
-                             const int32_t v[3]);
+/* Where by->even is not set: v, |.| <= 2^15, by normal_q28, and a place; the largest below 2^29. */
+void qtri_uneven_normal_q14(int32_t out[3], const int32_t *m_q28, const int32_t v[3]);
 void qtri_illuminated_place_uneven(qtri_lit_point *point, const qtri_row row[3],
                                    const qtri_vec3 *p);
 
@@ -185,7 +190,7 @@ QTRI_IN_PLACE void qtri_illuminated_normal(qtri_lit_point *point, const qtri_ill
     const uint32_t one_q28 = (uint32_t)1 << 28;
     if (!by->even) {
         const int32_t v[3] = {x, y, z};
-        qtri_illuminated_uneven(point, by, v);
+        qtri_uneven_normal_q14(point->normal_q14, by->normal_q28[0], v);
         return;
     }
     const uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z); /* 3 2^30 */
@@ -196,9 +201,7 @@ QTRI_IN_PLACE void qtri_illuminated_normal(qtri_lit_point *point, const qtri_ill
         point->normal_q14[2] = (z * factor_q15 + 0x4000) >> 15;
         return;
     }
-    point->normal_q14[0] = 0;
-    point->normal_q14[1] = 0;
-    point->normal_q14[2] = 0;
+    point->normal_q14[0] = point->normal_q14[1] = point->normal_q14[2] = 0;
     if (square != 0) {
         const int32_t v[3] = {x, y, z};
         qtri_normalize_q14(point->normal_q14, v, square);
@@ -260,9 +263,7 @@ QTRI_IN_PLACE void qtri_gather_light(const qtri_illumination *by, qtri_lit_point
     point->diffuse_q24[0] = by->ambient_q24[0];
     point->diffuse_q24[1] = by->ambient_q24[1];
     point->diffuse_q24[2] = by->ambient_q24[2];
-    point->specular_q24[0] = 0;
-    point->specular_q24[1] = 0;
-    point->specular_q24[2] = 0;
+    point->specular_q24[0] = point->specular_q24[1] = point->specular_q24[2] = 0;
     const qtri_shine *first = by->shine;
     const qtri_light_run *end = by->run + by->count;
     for (const qtri_light_run *run = by->run; run != end; run++) {

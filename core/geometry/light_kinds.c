@@ -114,7 +114,7 @@ QTRI_IN_PLACE bool find_way(light_way *way, const qtri_shine *source, const qtri
     d[0] = (int32_t)((uint32_t)d[0] << (zeros - 1)) >> 16;
     d[1] = (int32_t)((uint32_t)d[1] << (zeros - 1)) >> 16;
     d[2] = (int32_t)((uint32_t)d[2] << (zeros - 1)) >> 16;
-    uint32_t square = (uint32_t)(d[0] * d[0]) + (uint32_t)(d[1] * d[1]) + (uint32_t)(d[2] * d[2]);
+    uint32_t square = qtri_square_q28(d);
     if (square == 0) {
         return false;
     }
@@ -182,7 +182,7 @@ QTRI_IN_PLACE uint32_t highlight_q15(const qtri_lit_point *point, const int32_t 
     h[0] = direction_q14[0] + point->by->view_q14[0];
     h[1] = direction_q14[1] + point->by->view_q14[1];
     h[2] = direction_q14[2] + point->by->view_q14[2];
-    uint32_t square = (uint32_t)(h[0] * h[0]) + (uint32_t)(h[1] * h[1]) + (uint32_t)(h[2] * h[2]);
+    uint32_t square = qtri_square_q28(h);
     if (square >> 16 == 0) {
         return 0;
     }

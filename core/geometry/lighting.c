@@ -192,12 +192,15 @@ static uint32_t light_mantissas(const qtri_lighting *lighting, int32_t x, int32_
     return (uint32_t)sum_q15 > QTRI_INTENSITY_ONE ? QTRI_INTENSITY_ONE : (uint32_t)sum_q15;
 }
 
+/* |x|, or one less. */
+static inline uint32_t size_of(int32_t x)
+{
+    return (uint32_t)(x ^ (x >> 31));
+}
+
 static uint32_t light_face(const qtri_lighting *lighting, const int32_t n[3])
 {
-    uint32_t all = 0;
-    for (int i = 0; i < 3; i++) {
-        all |= (uint32_t)(n[i] < 0 ? ~n[i] : n[i]);
-    }
+    const uint32_t all = size_of(n[0]) | size_of(n[1]) | size_of(n[2]);
     if ((n[0] | n[1] | n[2]) == 0) {
         return lighting->least_q15;
     }
@@ -220,12 +223,6 @@ QTRI_NOINLINE static void get_far_edges(int32_t edge[6], const qtri_vec3 *a, con
     for (int i = 0; i < 6; i++) {
         edge[i] = (int32_t)(far[i] >> down);
     }
-}
-
-/* |x|, or one less. */
-static inline uint32_t size_of(int32_t x)
-{
-    return (uint32_t)(x ^ (x >> 31));
 }
 
 uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, const qtri_vec3 *b,

@@ -26,17 +26,19 @@ typedef struct shape_ring {
     q16 v;
 } shape_ring;
 
-static inline bool is_count(int32_t n, int32_t least)
+/* A number of slices or rows; of one beyond its limits there are more vertices than there may be.
+ */
+static uint32_t count_of(int32_t n, int32_t least)
 {
-    return n >= least && n <= SHAPE_MOST;
+    return n >= least && n <= SHAPE_MOST ? (uint32_t)n : 40000; /* 40001^2 < 2^32 */
 }
 
 static const qtri_mesh nothing;
 
 /* An empty mesh with room for so many, or an error. */
 static enum qtri_error builder_begin(shape_builder *builder, qtri_mesh *mesh,
-                                     const qtri_shape_memory *memory, int32_t vertices,
-                                     int32_t triangles)
+                                     const qtri_shape_memory *memory, uint32_t vertices,
+                                     uint32_t triangles)
 {
     QTRI_ASSERT(mesh != NULL && memory != NULL);
     QTRI_ASSERT(memory->positions != NULL || memory->vertices == 0);
@@ -47,7 +49,7 @@ static enum qtri_error builder_begin(shape_builder *builder, qtri_mesh *mesh,
     if (vertices > 65536) {
         return QTRI_ERROR_SIZE;
     }
-    if ((uint32_t)vertices > memory->vertices || (uint32_t)triangles > memory->triangle_count) {
+    if (vertices > memory->vertices || triangles > memory->triangle_count) {
         return QTRI_ERROR_MEMORY;
     }
     mesh->positions = memory->positions;
@@ -202,10 +204,9 @@ enum qtri_error qtri_shape_grid(qtri_mesh *mesh, const qtri_shape_memory *memory
     QTRI_ASSERT(qtri_is_length(half_x) && qtri_is_length(half_z));
     static const qtri_vec3 up = {0, Q16_ONE, 0};
     shape_builder builder;
-    const bool is_valid = is_count(columns, 1) && is_count(rows, 1);
-    enum qtri_error error = builder_begin(&builder, mesh, memory,
-                                          is_valid ? QTRI_GRID_VERTICES(columns, rows) : INT32_MAX,
-                                          is_valid ? QTRI_GRID_TRIANGLES(columns, rows) : 0);
+    const uint32_t across = count_of(columns, 1), down = count_of(rows, 1);
+    enum qtri_error error = builder_begin(&builder, mesh, memory, QTRI_GRID_VERTICES(across, down),
+                                          QTRI_GRID_TRIANGLES(across, down));
     if (error != QTRI_OK) {
         return error;
     }
@@ -229,45 +230,43 @@ enum qtri_error qtri_shape_grid(qtri_mesh *mesh, const qtri_shape_memory *memory
  * Rings of a tube around the y axis, from the top outwards and down: all around its middle, or half
  * of that, from point to point, for a sphere.
  */
-static enum qtri_error add_rings(shape_builder *builder, q16 radius, q16 tube, int32_t slices,
-                                 int32_t rings, bool is_half)
+static enum qtri_error make_rings(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
+                                  q16 tube, int32_t slices, int32_t rings, bool is_half)
 {
+    shape_builder builder;
+    const uint32_t around = count_of(slices, 3), across = count_of(rings, is_half ? 2 : 3);
+    enum qtri_error error = builder_begin(
+        &builder, mesh, memory, QTRI_TORUS_VERTICES(around, across),
+        is_half ? QTRI_SPHERE_TRIANGLES(around, across) : QTRI_TORUS_TRIANGLES(around, across));
+    if (error != QTRI_OK) {
+        return error;
+    }
     for (int32_t i = 0; i <= rings; i++) {
         shape_ring ring;
         q16_sincos_deg(angle_of(i, is_half ? 2 * rings : rings), &ring.out, &ring.up);
         ring.radius = q16_add(radius, q16_mul(tube, ring.out));
         ring.y = q16_mul(tube, ring.up);
         ring.v = part_of(i, rings);
-        builder_ring(builder, slices, &ring);
+        builder_ring(&builder, slices, &ring);
         if (i > 0) {
-            builder_join(builder, slices, is_half && i == 1, is_half && i == rings);
+            builder_join(&builder, slices, is_half && i == 1, is_half && i == rings);
         }
     }
-    return builder_end(builder);
+    return builder_end(&builder);
 }
 
 enum qtri_error qtri_shape_sphere(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
                                   int32_t slices, int32_t rows)
 {
     QTRI_ASSERT(qtri_is_length(radius));
-    shape_builder builder;
-    const bool is_valid = is_count(slices, 3) && is_count(rows, 2);
-    enum qtri_error error = builder_begin(&builder, mesh, memory,
-                                          is_valid ? QTRI_SPHERE_VERTICES(slices, rows) : INT32_MAX,
-                                          is_valid ? QTRI_SPHERE_TRIANGLES(slices, rows) : 0);
-    return error == QTRI_OK ? add_rings(&builder, 0, radius, slices, rows, true) : error;
+    return make_rings(mesh, memory, 0, radius, slices, rows, true);
 }
 
 enum qtri_error qtri_shape_torus(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
                                  q16 tube, int32_t slices, int32_t rings)
 {
     QTRI_ASSERT(qtri_is_length(radius) && qtri_is_length(tube));
-    shape_builder builder;
-    const bool is_valid = is_count(slices, 3) && is_count(rings, 3);
-    enum qtri_error error = builder_begin(&builder, mesh, memory,
-                                          is_valid ? QTRI_TORUS_VERTICES(slices, rings) : INT32_MAX,
-                                          is_valid ? QTRI_TORUS_TRIANGLES(slices, rings) : 0);
-    return error == QTRI_OK ? add_rings(&builder, radius, tube, slices, rings, false) : error;
+    return make_rings(mesh, memory, radius, tube, slices, rings, false);
 }
 
 /* A radius of 0 has the triangles of any other, though none has an area. */
@@ -280,27 +279,38 @@ static void add_disc(shape_builder *builder, int32_t slices, q16 radius, q16 y, 
     builder_join(builder, slices, up > 0, up < 0);
 }
 
-enum qtri_error qtri_shape_cylinder(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
-                                    q16 half_height, int32_t slices)
+/* A side of this normal, away from the axis and up, between discs, the upper one a cone's point. */
+static enum qtri_error make_side(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
+                                 q16 half_height, int32_t slices, qtri_vec2 normal, bool is_cone)
 {
-    QTRI_ASSERT(qtri_is_length(radius) && qtri_is_length(half_height));
     shape_builder builder;
-    const bool is_valid = is_count(slices, 3);
+    const uint32_t around = count_of(slices, 3);
     enum qtri_error error =
-        builder_begin(&builder, mesh, memory, is_valid ? QTRI_CYLINDER_VERTICES(slices) : INT32_MAX,
-                      is_valid ? QTRI_CYLINDER_TRIANGLES(slices) : 0);
+        builder_begin(&builder, mesh, memory,
+                      is_cone ? QTRI_CONE_VERTICES(around) : QTRI_CYLINDER_VERTICES(around),
+                      is_cone ? QTRI_CONE_TRIANGLES(around) : QTRI_CYLINDER_TRIANGLES(around));
     if (error != QTRI_OK) {
         return error;
     }
     const q16 low = q16_neg(half_height);
-    const shape_ring above = {radius, half_height, Q16_ONE, 0, 0};
-    const shape_ring below = {radius, low, Q16_ONE, 0, Q16_ONE};
-    add_disc(&builder, slices, radius, half_height, Q16_ONE);
+    const shape_ring above = {is_cone ? 0 : radius, half_height, normal.x, normal.y, 0};
+    const shape_ring below = {radius, low, normal.x, normal.y, Q16_ONE};
+    if (!is_cone) {
+        add_disc(&builder, slices, radius, half_height, Q16_ONE);
+    }
     builder_ring(&builder, slices, &above);
     builder_ring(&builder, slices, &below);
-    builder_join(&builder, slices, false, false);
+    builder_join(&builder, slices, is_cone, false);
     add_disc(&builder, slices, radius, low, -Q16_ONE);
     return builder_end(&builder);
+}
+
+enum qtri_error qtri_shape_cylinder(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
+                                    q16 half_height, int32_t slices)
+{
+    QTRI_ASSERT(qtri_is_length(radius) && qtri_is_length(half_height));
+    const qtri_vec2 normal = {Q16_ONE, 0};
+    return make_side(mesh, memory, radius, half_height, slices, normal, false);
 }
 
 /* The side's normal is (2 half_height, radius), made 1 long: perpendicular to (radius, -2 h). */
@@ -308,22 +318,6 @@ enum qtri_error qtri_shape_cone(qtri_mesh *mesh, const qtri_shape_memory *memory
                                 q16 half_height, int32_t slices)
 {
     QTRI_ASSERT(qtri_is_length(radius) && qtri_is_length(half_height));
-    shape_builder builder;
-    const bool is_valid = is_count(slices, 3);
-    enum qtri_error error =
-        builder_begin(&builder, mesh, memory, is_valid ? QTRI_CONE_VERTICES(slices) : INT32_MAX,
-                      is_valid ? QTRI_CONE_TRIANGLES(slices) : 0);
-    if (error != QTRI_OK) {
-        return error;
-    }
-    const q16 low = q16_neg(half_height);
     const qtri_vec2 side = {half_height, radius / 2};
-    const qtri_vec2 normal = qtri_vec2_normalize(side);
-    const shape_ring above = {0, half_height, normal.x, normal.y, 0};
-    const shape_ring below = {radius, low, normal.x, normal.y, Q16_ONE};
-    builder_ring(&builder, slices, &above);
-    builder_ring(&builder, slices, &below);
-    builder_join(&builder, slices, true, false);
-    add_disc(&builder, slices, radius, low, -Q16_ONE);
-    return builder_end(&builder);
+    return make_side(mesh, memory, radius, half_height, slices, qtri_vec2_normalize(side), true);
 }

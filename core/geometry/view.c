@@ -19,13 +19,9 @@ qtri_viewport qtri_viewport_top(int32_t x, int32_t y, int32_t width, int32_t hei
 qtri_viewport qtri_viewport_bottom(int32_t x, int32_t y, int32_t width, int32_t height,
                                    int32_t frame_height)
 {
-    int64_t top = (int64_t)frame_height - height - y;
-    if (top > QTRI_VIEWPORT_MAX) {
-        top = QTRI_VIEWPORT_MAX;
-    } else if (top < -QTRI_VIEWPORT_MAX) {
-        top = -QTRI_VIEWPORT_MAX;
-    }
-    return qtri_viewport_top(x, (int32_t)top, width, height);
+    const int32_t top = qtri_saturate32((int64_t)frame_height - height - y);
+    return qtri_viewport_top(x, qtri_hold32(top, -QTRI_VIEWPORT_MAX, QTRI_VIEWPORT_MAX), width,
+                             height);
 }
 
 void qtri_view_init_pipelines(qtri_view *view, int32_t frame_width, int32_t frame_height,

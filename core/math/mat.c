@@ -459,7 +459,8 @@ qtri_mat4 qtri_mat4_reflect(qtri_vec4 plane)
     return m;
 }
 
-qtri_mat4 qtri_rotation_plane(q16 degrees, int i, int j)
+/* Turns axis i towards axis j. */
+static qtri_mat4 rotation_plane(q16 degrees, int i, int j)
 {
     qtri_mat4 m = qtri_mat4_identity();
     q16_sincos_deg(degrees, &m.m[j][i], &m.m[i][i]);
@@ -499,15 +500,15 @@ qtri_mat4 qtri_mat4_rotate_euler_deg(qtri_vec3 degrees, qtri_euler order)
 
 qtri_mat4 qtri_mat4_rotate_x_deg(q16 degrees)
 {
-    return qtri_rotation_plane(degrees, 1, 2);
+    return rotation_plane(degrees, 1, 2);
 }
 
 qtri_mat4 qtri_mat4_rotate_y_deg(q16 degrees)
 {
-    return qtri_rotation_plane(degrees, 2, 0);
+    return rotation_plane(degrees, 2, 0);
 }
 
 qtri_mat4 qtri_mat4_rotate_z_deg(q16 degrees)
 {
-    return qtri_rotation_plane(degrees, 0, 1);
+    return rotation_plane(degrees, 0, 1);
 }

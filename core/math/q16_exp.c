@@ -49,11 +49,12 @@ q16 q16_exp2(q16 x)
 }
 
 /*
+ * 2^(factor log) for a log in [-16, 16) in Q43; errors as q16_exp.
+ *
  * 2^(v + w) = 2^v (1 + w ln 2 + ...) for w < 2^-16: the next term is below 2^-34. With the largest
  * w what is added grows with v; to 0xFFFE9D1C, of the largest v, it is 0x162E3: the sum is 2^32 - 1
  * at most, and less of any other v (all were tried).
  */
-/* 2^(factor log) for a log in [-16, 16) in Q43; errors as q16_exp. */
 static q16 exp2_product(q16 factor, int64_t log_q43)
 {
     int64_t x_q43 = qtri_mul_s32(factor, (int32_t)(log_q43 >> 16)) +

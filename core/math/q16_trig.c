@@ -36,8 +36,7 @@ uint32_t qtri_series_q31(bool cosine, uint32_t square_q31)
     return sum;
 }
 
-#define DEGREES(n)             ((int32_t)(n)*65536)
-#define RADIANS_PER_DEGREE_Q37 2398762259u /* pi / 180 * 2^37, rounded */
+#define DEGREES(n) ((int32_t)(n)*65536)
 
 void qtri_sincos_deg_q30(int32_t degrees, int32_t *sine_q30, int32_t *cosine_q30)
 {
@@ -50,7 +49,7 @@ void qtri_sincos_deg_q30(int32_t degrees, int32_t *sine_q30, int32_t *cosine_q30
     int32_t rest = turn - quarter * DEGREES(90);                 /* [-45, 45) degrees */
     uint32_t size = rest < 0 ? (uint32_t)-rest : (uint32_t)rest; /* < 2^22 */
     uint32_t x_q31 =
-        (uint32_t)(((uint64_t)size * RADIANS_PER_DEGREE_Q37 + ((uint32_t)1 << 21)) >> 22);
+        (uint32_t)(((uint64_t)size * QTRI_RADIANS_PER_DEGREE_Q37 + ((uint32_t)1 << 21)) >> 22);
 
     uint32_t square_q31 = qtri_mul_q31(x_q31, x_q31);
     uint32_t cube_q31 = qtri_mul_q31(square_q31, x_q31);

@@ -11,6 +11,8 @@
 
 #include "qtri/q16.h"
 
+#define QTRI_RADIANS_PER_DEGREE_Q37 2398762259u /* pi / 180 * 2^37, rounded */
+
 /* Q2.30 sine and cosine of Q16.16 degrees, within 2^-29.5; multiples of 90 are exact. */
 void qtri_sincos_deg_q30(int32_t degrees, int32_t *sine_q30, int32_t *cosine_q30);
 

@@ -22,9 +22,6 @@ void qtri_rotation_mul(int32_t out_q30[4], const int32_t a_q30[4], const int32_t
 void qtri_rotation_matrix(int32_t out_q30[3][3], const int32_t q_q30[4]);
 qtri_mat3 qtri_rotation_mat3(const int32_t q_q30[4]);
 
-/* Turns axis i towards axis j. */
-qtri_mat4 qtri_rotation_plane(q16 degrees, int i, int j);
-
 /* ---- Public quaternions ---- */
 
 /* The unit quaternion along a, the identity for zero. */

@@ -3,6 +3,92 @@
 
 #include "../bits/bits.h"
 
+/* ---- Edges ---- */
+
+/*
+ * x0 + (x1 - x0) (y - y0) / (y1 - y0) for y0 < y < y1. The quotient t in Q29 is too small by 2^-29
+ * at most, and |x1 - x0| <= 2^23: x is off by 2^-6 of a step before it is rounded.
+ */
+static int32_t line_x(const qtri_ink_edge *edge, int32_t y)
+{
+    const qtri_ink_line *line = &edge->as.line;
+    if (line->reciprocal == 0) {
+        return edge->x0;
+    }
+    const int32_t dx = edge->x1 - edge->x0;
+    const uint32_t t_q29 =
+        qtri_mul_high31((uint32_t)(y - edge->y0) << (line->zeros - 1), line->reciprocal);
+    return edge->x0 + ((qtri_mul_high_s31(dx * 128, t_q29) + 8) >> 4);
+}
+
+/* Makes a straight edge of its ends, y0 < y1. */
+static void set_line(qtri_ink_edge *edge, const qtri_point *from, const qtri_point *to,
+                     int32_t winding)
+{
+    edge->x0 = from->x_24p8;
+    edge->y0 = from->y_24p8;
+    edge->x1 = to->x_24p8;
+    edge->y1 = to->y_24p8;
+    edge->radius = 0;
+    edge->winding = winding;
+    edge->as.line.reciprocal = 0;
+    if (edge->x0 != edge->x1) {
+        const uint32_t dy = (uint32_t)(edge->y1 - edge->y0); /* <= 2^23 */
+        const int32_t zeros = qtri_clz32(dy);
+        // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): y0 < y1, so not 0
+        edge->as.line.reciprocal = (uint32_t)qtri_reciprocal_below(dy << zeros);
+        edge->as.line.zeros = zeros;
+    }
+}
+
+/* Of most circles the square fits 32 bits, and so does each product of two parts of it. */
+int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
+{
+    const uint32_t away = qtri_magnitude32(y_24p8 - arc->as.arc.center_y); /* <= radius */
+    const uint32_t radius = (uint32_t)arc->radius;
+    if (away == 0) {
+        return arc->radius;
+    }
+    if (radius < (uint32_t)1 << 16) {
+        return (int32_t)qtri_sqrt32_round((radius - away) * (radius + away));
+    }
+    return (int32_t)qtri_sqrt64_round(qtri_mul_u32(radius - away, radius + away));
+}
+
+/* x of an edge at y0 <= y <= y1, rounded to 1/256. */
+static int32_t edge_x(const qtri_ink_edge *edge, int32_t y_24p8)
+{
+    if (edge->radius == 0) {
+        return line_x(edge, y_24p8);
+    }
+    const int32_t half = qtri_ink_half_chord(edge, y_24p8);
+    return edge->as.arc.center_x + (edge->as.arc.side < 0 ? -half : half);
+}
+
+/* Edge i of a contour; false: a side of the polygon is horizontal. */
+static bool contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *edge)
+{
+    if (contour->points == NULL) {
+        *edge = contour->edges[i];
+        return true;
+    }
+    const qtri_point *a = &contour->points[i];
+    const qtri_point *b = &contour->points[i + 1 < contour->count ? i + 1 : 0];
+    const qtri_point from = qtri_hold_point(a);
+    const qtri_point to = qtri_hold_point(b);
+    if (from.y_24p8 == to.y_24p8) {
+        return false;
+    }
+    if (from.y_24p8 < to.y_24p8) {
+        set_line(edge, &from, &to, 1);
+    } else {
+        set_line(edge, &to, &from, -1);
+    }
+    return true;
+}
+
+/* ---- Rows without smooth edges ---- */
+
 /*
  * Columns of a row from which on the contour has turned around differently, in their order. Edges
  * that meet in a column are one. Of more than there is room for these are the first.
@@ -47,7 +133,7 @@ QTRI_NOINLINE static const qtri_ink_edge *side_of(const qtri_contour *contour, i
     const int32_t a = contour->points[i].y_24p8;
     const int32_t b = contour->points[i + 1 < contour->count ? i + 1 : 0].y_24p8;
     const bool is_beside = (a <= top && b <= top) || (a >= end && b >= end);
-    return !is_beside && qtri_contour_edge(contour, i, room) ? room : NULL;
+    return !is_beside && contour_edge(contour, i, room) ? room : NULL;
 }
 
 /*
@@ -79,7 +165,7 @@ static void find_stops(stops *s, const qtri_contour *contour, int32_t row, int32
         }
         int32_t x;
         if (edge->radius == 0) {
-            x = qtri_ink_edge_x(edge, y);
+            x = edge_x(edge, y);
         } else {
             if (!qtri_ink_is_mirrored(last, edge)) {
                 last = edge;
@@ -120,7 +206,7 @@ static void rows_of(const qtri_contour *contour, const qtri_rect *bounds, int32_
     int32_t y1 = INT32_MIN;
     for (int32_t i = 0; i < contour->count; i++) {
         qtri_ink_edge edge;
-        if (qtri_contour_edge(contour, i, &edge)) {
+        if (contour_edge(contour, i, &edge)) {
             y0 = edge.y0 < y0 ? edge.y0 : y0;
             y1 = edge.y1 > y1 ? edge.y1 : y1;
         }
@@ -152,85 +238,6 @@ const qtri_ink qtri_ink_blend = {qtri_blend_span, qtri_blend_cover, qtri_blend_b
                                  qtri_hard_rect};
 
 /* ---- Edges that cross a row ---- */
-
-/*
- * x0 + (x1 - x0) (y - y0) / (y1 - y0) for y0 < y < y1. The quotient t in Q29 is too small by 2^-29
- * at most, and |x1 - x0| <= 2^23: x is off by 2^-6 of a step before it is rounded.
- */
-static int32_t line_x(const qtri_ink_edge *edge, int32_t y)
-{
-    const qtri_ink_line *line = &edge->as.line;
-    if (line->reciprocal == 0) {
-        return edge->x0;
-    }
-    const int32_t dx = edge->x1 - edge->x0;
-    const uint32_t t_q29 =
-        qtri_mul_high31((uint32_t)(y - edge->y0) << (line->zeros - 1), line->reciprocal);
-    return edge->x0 + ((qtri_mul_high_s31(dx * 128, t_q29) + 8) >> 4);
-}
-
-void qtri_ink_edge_set_line(qtri_ink_edge *edge, const qtri_point *from, const qtri_point *to,
-                            int32_t winding)
-{
-    edge->x0 = from->x_24p8;
-    edge->y0 = from->y_24p8;
-    edge->x1 = to->x_24p8;
-    edge->y1 = to->y_24p8;
-    edge->radius = 0;
-    edge->winding = winding;
-    edge->as.line.reciprocal = 0;
-    if (edge->x0 != edge->x1) {
-        const uint32_t dy = (uint32_t)(edge->y1 - edge->y0); /* <= 2^23 */
-        const int32_t zeros = qtri_clz32(dy);
-        // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): y0 < y1, so not 0
-        edge->as.line.reciprocal = (uint32_t)qtri_reciprocal_below(dy << zeros);
-        edge->as.line.zeros = zeros;
-    }
-}
-
-/* Of most circles the square fits 32 bits, and so does each product of two parts of it. */
-int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8)
-{
-    const uint32_t away = qtri_magnitude32(y_24p8 - arc->as.arc.center_y); /* <= radius */
-    const uint32_t radius = (uint32_t)arc->radius;
-    if (away == 0) {
-        return arc->radius;
-    }
-    if (radius < (uint32_t)1 << 16) {
-        return (int32_t)qtri_sqrt32_round((radius - away) * (radius + away));
-    }
-    return (int32_t)qtri_sqrt64_round(qtri_mul_u32(radius - away, radius + away));
-}
-
-int32_t qtri_ink_edge_x(const qtri_ink_edge *edge, int32_t y_24p8)
-{
-    if (edge->radius == 0) {
-        return line_x(edge, y_24p8);
-    }
-    const int32_t half = qtri_ink_half_chord(edge, y_24p8);
-    return edge->as.arc.center_x + (edge->as.arc.side < 0 ? -half : half);
-}
-
-bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *edge)
-{
-    if (contour->points == NULL) {
-        *edge = contour->edges[i];
-        return true;
-    }
-    const qtri_point *a = &contour->points[i];
-    const qtri_point *b = &contour->points[i + 1 < contour->count ? i + 1 : 0];
-    const qtri_point from = qtri_hold_point(a);
-    const qtri_point to = qtri_hold_point(b);
-    if (from.y_24p8 == to.y_24p8) {
-        return false;
-    }
-    if (from.y_24p8 < to.y_24p8) {
-        qtri_ink_edge_set_line(edge, &from, &to, 1);
-    } else {
-        qtri_ink_edge_set_line(edge, &to, &from, -1);
-    }
-    return true;
-}
 
 /* x of another arc at the level where `arc` is at x. */
 static int32_t mirrored(const qtri_ink_edge *arc, const qtri_ink_edge *other, int32_t x)
@@ -264,8 +271,8 @@ static bool cross(const qtri_crossings *crossings, int32_t i, qtri_crossing *cro
             return true;
         }
     }
-    crossing->x0 = y0 == edge->y0 ? edge->x0 : qtri_ink_edge_x(edge, y0);
-    crossing->x1 = y1 == edge->y1 ? edge->x1 : qtri_ink_edge_x(edge, y1);
+    crossing->x0 = y0 == edge->y0 ? edge->x0 : edge_x(edge, y0);
+    crossing->x1 = y1 == edge->y1 ? edge->x1 : edge_x(edge, y1);
     return true;
 }
 
@@ -315,7 +322,7 @@ void qtri_path_line(qtri_path *path, const qtri_point *from, const qtri_point *t
         winding = -winding;
     }
     if (from->y_24p8 < to->y_24p8) {
-        qtri_ink_edge_set_line(&path->edge[path->count++], from, to, winding);
+        set_line(&path->edge[path->count++], from, to, winding);
     }
 }
 
@@ -334,8 +341,8 @@ void qtri_path_quarter(qtri_path *path, const qtri_point *center, int32_t radius
     edge->as.arc.center_x = center->x_24p8;
     edge->as.arc.center_y = center->y_24p8;
     edge->as.arc.side = is_right ? 1 : -1;
-    edge->x0 = qtri_ink_edge_x(edge, y0_24p8);
-    edge->x1 = qtri_ink_edge_x(edge, y1_24p8);
+    edge->x0 = edge_x(edge, y0_24p8);
+    edge->x1 = edge_x(edge, y1_24p8);
 }
 
 void qtri_path_circle(qtri_path *path, const qtri_point *center, int32_t radius_24p8)

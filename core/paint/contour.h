@@ -40,9 +40,6 @@ typedef struct qtri_contour {
     int32_t count;            /* of one or the other */
 } qtri_contour;
 
-/* x of an edge at y0 <= y <= y1, rounded to 1/256. */
-int32_t qtri_ink_edge_x(const qtri_ink_edge *edge, int32_t y_24p8);
-
 /* Half of the chord of an arc's circle there. */
 int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8);
 
@@ -55,13 +52,6 @@ static inline bool qtri_ink_is_mirrored(const qtri_ink_edge *arc, const qtri_ink
 {
     return arc != NULL && arc->radius == edge->radius;
 }
-
-/* Makes a straight edge of its ends, y0 < y1. */
-void qtri_ink_edge_set_line(qtri_ink_edge *edge, const qtri_point *from, const qtri_point *to,
-                            int32_t winding);
-
-/* Edge i of a contour; false: a side of the polygon is horizontal. */
-bool qtri_contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *edge);
 
 /* Pixels of a row whose centres lie inside: what it becomes without smooth edges. */
 void qtri_hard_row(const qtri_painter *painter, const qtri_contour *contour, int32_t row);

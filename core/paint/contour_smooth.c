@@ -132,8 +132,8 @@ static void smooth_row(const qtri_painter *painter, const qtri_contour *contour,
                 sum += w.coverage.sum[i];
                 coverage[i] = (uint8_t)coverage_of(sum);
             }
-            painter->ink->cover(painter, qtri_painter_at(painter, w.coverage.x, row), count,
-                                coverage);
+            painter->ink->cover(painter, qtri_surface_at(painter->surface, w.coverage.x, row),
+                                count, coverage);
         }
         w.coverage.x += count;
         if (busy > w.coverage.x) {

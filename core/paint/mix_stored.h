@@ -40,11 +40,6 @@ static inline uint32_t qtri_mix_red_blue(uint32_t x)
     return (x & 0x1F) | (x & 0xF800) << 5;
 }
 
-static inline uint32_t qtri_swapped16(uint32_t x)
-{
-    return (x & 0xFF) << 8 | (x >> 8 & 0xFF);
-}
-
 /*
  * `count` pixels, 1..32, of a format whose pixels are nothing that is known here:
  * those with a bit in the mask, the lowest for the last, mixed with colours a - 1 << 24 | 0xRRGGBB,
@@ -53,32 +48,17 @@ static inline uint32_t qtri_swapped16(uint32_t x)
 void qtri_mix_others(const qtri_format *format, uint8_t *at, uint32_t *color, uint32_t mask,
                      int32_t count);
 
-/* 31 / 255 and 63 / 255 of a channel, to nearest for all 256. */
-static inline uint32_t qtri_mix_to_565(uint32_t c)
-{
-    const uint32_t red = ((c >> 16 & 255) * 249 + 1014) >> 11;
-    const uint32_t green = ((c >> 8 & 255) * 253 + 505) >> 10;
-    const uint32_t blue = ((c & 255) * 249 + 1014) >> 11;
-    return red << 11 | green << 5 | blue;
-}
-
-/* .299 .587 .114 of 2^16, whose sum they are. */
-static inline uint32_t qtri_mix_to_gray(uint32_t c)
-{
-    return ((c >> 16 & 255) * 19595u + (c >> 8 & 255) * 38470u + (c & 255) * 7471u + 0x8000u) >> 16;
-}
-
 /* From 0x00RRGGBB, in place, to what the format stores; room for a multiple of four. */
 static inline void qtri_mix_encode(const qtri_format *format, uint32_t *color, int32_t count)
 {
     const uint32_t *end = color + count;
     if (format->colors == &qtri_colors_565) {
         for (uint32_t *c = color; c != end; c++) {
-            *c = qtri_mix_to_565(*c);
+            *c = qtri_pixel_888_to_565(*c);
         }
     } else if (format->colors == &qtri_colors_gray) {
         for (uint32_t *c = color; c != end; c++) {
-            *c = qtri_mix_to_gray(*c);
+            *c = qtri_pixel_888_to_luma(*c);
         }
     }
     if (format->encode != NULL) {
@@ -112,7 +92,7 @@ QTRI_INLINE qtri_mix_part qtri_mix_part_of_stored(qtri_mix mix, uint32_t stored,
         share.low = (stored & mask) * a + 0x00800080u;
         share.high = (stored >> 8 & mask) * a + 0x00800080u;
     } else {
-        stored = mix == QTRI_MIX_565_SWAPPED ? qtri_swapped16(stored) : stored;
+        stored = mix == QTRI_MIX_565_SWAPPED ? qtri_swap_16(stored) : stored;
         share.low = qtri_mix_red_blue(stored) * a + 0x00800080u;
         share.high = (stored >> 5 & 63) * a + 128;
     }
@@ -150,26 +130,11 @@ QTRI_INLINE uint32_t qtri_mix_add(qtri_mix mix, uint32_t d, uint32_t keep, qtri_
         const uint32_t high = (d >> 8 & mask) * keep + share.high;
         return (low >> 8 & mask) | (high & ~mask);
     }
-    d = mix == QTRI_MIX_565_SWAPPED ? qtri_swapped16(d) : d;
+    d = mix == QTRI_MIX_565_SWAPPED ? qtri_swap_16(d) : d;
     const uint32_t rb = (qtri_mix_red_blue(d) * keep + share.low) >> 8;
     const uint32_t g = ((d >> 5 & 63) * keep + share.high) >> 8;
     d = (rb & 0x1F) | g << 5 | (rb >> 5 & 0xF800);
-    return mix == QTRI_MIX_565_SWAPPED ? qtri_swapped16(d) : d;
-}
-
-QTRI_INLINE int32_t qtri_mix_size(qtri_mix mix)
-{
-    return mix == QTRI_MIX_GRAY8 ? 1 : mix == QTRI_MIX_24 ? 3 : mix == QTRI_MIX_32 ? 4 : 2;
-}
-
-QTRI_INLINE uint32_t qtri_mix_get(qtri_mix mix, const uint8_t *at)
-{
-    return qtri_stored_get(qtri_mix_size(mix), at);
-}
-
-QTRI_INLINE void qtri_mix_put(qtri_mix mix, uint8_t *at, uint32_t stored)
-{
-    qtri_stored_put(qtri_mix_size(mix), at, stored);
+    return mix == QTRI_MIX_565_SWAPPED ? qtri_swap_16(d) : d;
 }
 
 /* The cases of a switch over qtri_mix_of(): calls `function` with the kind and its bytes, constants

@@ -4,22 +4,96 @@
 
 #include "qtri/q16.h"
 
-#include "paint_checked.h"
-
 #include "../bits/bits.h"
+
+/* ---- Checked builds: plain pixels, QTRI_PX() forgotten ---- */
+
+#ifdef QTRI_CHECKED
+
+/* Below 1/16 pixel a width is hardly seen. */
+enum { PLAIN_WIDTH_MAX_24P8 = 15 };
+
+/*
+ * What is painted with plain pixels is thinner than one, and lies in the frame's first corner, as
+ * far from it in 1/256 pixel as the frame has pixels. What is meant so has its ends on whole or
+ * half pixels, or is cut off by the frame's side.
+ */
+static bool is_plain_area(const qtri_surface *surface, const qtri_area *box, int32_t finest)
+{
+    const int64_t width = (int64_t)box->x1_24p8 - box->x0_24p8;
+    const int64_t height = (int64_t)box->y1_24p8 - box->y0_24p8;
+    const bool is_thin = width < 256 || height < 256;
+    const bool is_first = box->x0_24p8 >= 0 && box->x1_24p8 <= surface->width &&
+                          box->y0_24p8 >= 0 && box->y1_24p8 <= surface->height;
+    return is_thin && is_first && (finest & 127) != 0;
+}
+
+/* An area without an inside is none. */
+static void check_area(const qtri_surface *surface, const qtri_area *box)
+{
+    QTRI_ASSERT(surface != NULL);
+    QTRI_ASSERT(box != NULL);
+    const bool is_empty = box->x0_24p8 >= box->x1_24p8 || box->y0_24p8 >= box->y1_24p8;
+    const int32_t finest = box->x0_24p8 | box->y0_24p8 | box->x1_24p8 | box->y1_24p8;
+    QTRI_ASSERT(is_empty || !is_plain_area(surface, box, finest));
+}
+
+static void check_circle(const qtri_surface *surface, const qtri_point *center, int32_t radius)
+{
+    QTRI_ASSERT(surface != NULL);
+    QTRI_ASSERT(center != NULL);
+    if (radius <= 0 || radius > QTRI_SURFACE_MAX || center->x_24p8 < radius ||
+        center->y_24p8 < radius || center->x_24p8 > QTRI_SURFACE_MAX ||
+        center->y_24p8 > QTRI_SURFACE_MAX) {
+        return;
+    }
+    const qtri_area box = {center->x_24p8 - radius, center->y_24p8 - radius,
+                           center->x_24p8 + radius, center->y_24p8 + radius};
+    QTRI_ASSERT(!is_plain_area(surface, &box, center->x_24p8 | center->y_24p8 | radius));
+}
+
+static void check_points(const qtri_surface *surface, const qtri_point *point, int32_t count)
+{
+    QTRI_ASSERT(surface != NULL);
+    QTRI_ASSERT(point != NULL || count <= 0);
+    qtri_area box = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+    int32_t finest = 0;
+    for (int32_t i = 0; i < count; i++) {
+        const qtri_point p = point[i];
+        box.x0_24p8 = p.x_24p8 < box.x0_24p8 ? p.x_24p8 : box.x0_24p8;
+        box.y0_24p8 = p.y_24p8 < box.y0_24p8 ? p.y_24p8 : box.y0_24p8;
+        box.x1_24p8 = p.x_24p8 > box.x1_24p8 ? p.x_24p8 : box.x1_24p8;
+        box.y1_24p8 = p.y_24p8 > box.y1_24p8 ? p.y_24p8 : box.y1_24p8;
+        finest |= p.x_24p8 | p.y_24p8;
+    }
+    const bool is_point = box.x0_24p8 == box.x1_24p8 && box.y0_24p8 == box.y1_24p8;
+    QTRI_ASSERT(count <= 0 || is_point || !is_plain_area(surface, &box, finest));
+}
+
+/* None paints nothing. */
+static void check_width(int32_t width_24p8)
+{
+    QTRI_ASSERT(width_24p8 <= 0 || width_24p8 > PLAIN_WIDTH_MAX_24P8);
+}
+
+/* As wide as the radius it is a circle, or a slice of one. */
+static void check_ring_width(int32_t radius_24p8, int32_t width_24p8)
+{
+    check_width(width_24p8 < radius_24p8 ? width_24p8 : 0);
+}
+
+static void check_stroke(const qtri_surface *surface, qtri_point from, qtri_point to, int32_t width)
+{
+    const qtri_point end[2] = {from, to};
+    check_points(surface, end, 2);
+    check_width(width);
+}
+
+#endif
 
 /* ---- Rectangles ---- */
 
-#ifdef QTRI_CHECKED
-void qtri_paint_rect(const qtri_surface *surface, const qtri_area *box, const qtri_brush *brush)
-{
-    qtri_check_area(surface, box);
-    qtri_paint_rect_part(surface, box, brush);
-}
-#endif
-
-void qtri_paint_rect_part(const qtri_surface *surface, const qtri_area *box,
-                          const qtri_brush *brush)
+static void paint_rect(const qtri_surface *surface, const qtri_area *box, const qtri_brush *brush)
 {
     const qtri_area held = qtri_hold_area(box);
     qtri_painter painter;
@@ -32,6 +106,12 @@ void qtri_paint_rect_part(const qtri_surface *surface, const qtri_area *box,
     } else {
         brush->ink->rect(&painter, &held);
     }
+}
+
+void qtri_paint_rect(const qtri_surface *surface, const qtri_area *box, const qtri_brush *brush)
+{
+    QTRI_CHECK(check_area(surface, box));
+    paint_rect(surface, box, brush);
 }
 
 /*
@@ -52,8 +132,8 @@ static bool is_apart(const qtri_ink *ink, const qtri_area *inner)
 void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, int32_t width_24p8,
                              const qtri_brush *brush)
 {
-    QTRI_CHECK(qtri_check_area(surface, box));
-    QTRI_CHECK(qtri_check_width(width_24p8));
+    QTRI_CHECK(check_area(surface, box));
+    QTRI_CHECK(check_width(width_24p8));
     const qtri_area b = qtri_hold_area(box);
     const int32_t width = b.x1_24p8 - b.x0_24p8; /* |.| <= 2^23 */
     const int32_t height = b.y1_24p8 - b.y0_24p8;
@@ -61,7 +141,7 @@ void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, 
         return;
     }
     if (width_24p8 >= width - width_24p8 || width_24p8 >= height - width_24p8) {
-        qtri_paint_rect_part(surface, &b, brush);
+        paint_rect(surface, &b, brush);
         return;
     }
     const qtri_area inner = {b.x0_24p8 + width_24p8, b.y0_24p8 + width_24p8, b.x1_24p8 - width_24p8,
@@ -75,7 +155,7 @@ void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, 
                                {b.x0_24p8, inner.y0_24p8, inner.x0_24p8, inner.y1_24p8},
                                {inner.x1_24p8, inner.y0_24p8, b.x1_24p8, inner.y1_24p8}};
     for (int i = 0; i < 4; i++) {
-        qtri_paint_rect_part(surface, &side[i], brush);
+        paint_rect(surface, &side[i], brush);
     }
 }
 
@@ -114,7 +194,7 @@ static bool begin(const qtri_area *box, int32_t *radius, qtri_area *held)
 void qtri_paint_round_rect(const qtri_surface *surface, const qtri_area *box, int32_t radius_24p8,
                            const qtri_brush *brush)
 {
-    QTRI_CHECK(qtri_check_area(surface, box));
+    QTRI_CHECK(check_area(surface, box));
     qtri_area held;
     qtri_path path;
     qtri_path_init(&path);
@@ -127,8 +207,8 @@ void qtri_paint_round_rect(const qtri_surface *surface, const qtri_area *box, in
 void qtri_paint_round_rect_outline(const qtri_surface *surface, const qtri_area *box,
                                    int32_t radius_24p8, int32_t width_24p8, const qtri_brush *brush)
 {
-    QTRI_CHECK(qtri_check_area(surface, box));
-    QTRI_CHECK(qtri_check_width(width_24p8));
+    QTRI_CHECK(check_area(surface, box));
+    QTRI_CHECK(check_width(width_24p8));
     qtri_area b;
     qtri_path path;
     qtri_path_init(&path);
@@ -147,25 +227,8 @@ void qtri_paint_round_rect_outline(const qtri_surface *surface, const qtri_area 
 
 /* ---- Circles ---- */
 
-void qtri_paint_circle(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
-                       const qtri_brush *brush)
-{
-    QTRI_CHECK(qtri_check_circle(surface, center, radius_24p8));
-    qtri_paint_ring_part(surface, center, radius_24p8, radius_24p8, brush);
-}
-
-#ifdef QTRI_CHECKED
-void qtri_paint_ring(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
-                     int32_t width_24p8, const qtri_brush *brush)
-{
-    qtri_check_circle(surface, center, radius_24p8);
-    qtri_check_ring_width(radius_24p8, width_24p8);
-    qtri_paint_ring_part(surface, center, radius_24p8, width_24p8, brush);
-}
-#endif
-
-void qtri_paint_ring_part(const qtri_surface *surface, const qtri_point *center,
-                          int32_t radius_24p8, int32_t width_24p8, const qtri_brush *brush)
+static void paint_ring(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
+                       int32_t width_24p8, const qtri_brush *brush)
 {
     if (radius_24p8 <= 0 || width_24p8 <= 0) {
         return;
@@ -180,6 +243,21 @@ void qtri_paint_ring_part(const qtri_surface *surface, const qtri_point *center,
         qtri_path_circle(&path, &held, radius - width_24p8);
     }
     qtri_path_paint(&path, surface, brush);
+}
+
+void qtri_paint_ring(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
+                     int32_t width_24p8, const qtri_brush *brush)
+{
+    QTRI_CHECK(check_circle(surface, center, radius_24p8));
+    QTRI_CHECK(check_ring_width(radius_24p8, width_24p8));
+    paint_ring(surface, center, radius_24p8, width_24p8, brush);
+}
+
+void qtri_paint_circle(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
+                       const qtri_brush *brush)
+{
+    QTRI_CHECK(check_circle(surface, center, radius_24p8));
+    paint_ring(surface, center, radius_24p8, radius_24p8, brush);
 }
 
 #define DEGREES(n) ((int32_t)(n)*65536)
@@ -223,10 +301,10 @@ static void add_line(qtri_path *path, const qtri_point *center, int32_t inner, i
 void qtri_paint_arc(const qtri_surface *surface, const qtri_point *center, int32_t radius_24p8,
                     int32_t width_24p8, q16 from, q16 sweep, const qtri_brush *brush)
 {
-    QTRI_CHECK(qtri_check_circle(surface, center, radius_24p8));
-    QTRI_CHECK(qtri_check_ring_width(radius_24p8, width_24p8));
+    QTRI_CHECK(check_circle(surface, center, radius_24p8));
+    QTRI_CHECK(check_ring_width(radius_24p8, width_24p8));
     if (sweep >= DEGREES(360) || sweep <= -DEGREES(360)) {
-        qtri_paint_ring_part(surface, center, radius_24p8, width_24p8, brush);
+        paint_ring(surface, center, radius_24p8, width_24p8, brush);
         return;
     }
     if (radius_24p8 <= 0 || width_24p8 <= 0 || sweep == 0) {
@@ -271,17 +349,8 @@ static void paint_few(const qtri_surface *surface, const qtri_point *point, int3
     qtri_path_paint(&path, surface, brush);
 }
 
-#ifdef QTRI_CHECKED
-void qtri_paint_polygon(const qtri_surface *surface, const qtri_point *point, int32_t count,
-                        const qtri_brush *brush)
-{
-    qtri_check_points(surface, point, count);
-    qtri_paint_polygon_part(surface, point, count, brush);
-}
-#endif
-
-void qtri_paint_polygon_part(const qtri_surface *surface, const qtri_point *point, int32_t count,
-                             const qtri_brush *brush)
+static void paint_polygon(const qtri_surface *surface, const qtri_point *point, int32_t count,
+                          const qtri_brush *brush)
 {
     if (count >= 3 && count <= QTRI_PATH_EDGES) {
         paint_few(surface, point, count, brush);
@@ -289,6 +358,13 @@ void qtri_paint_polygon_part(const qtri_surface *surface, const qtri_point *poin
         const qtri_contour contour = {NULL, point, count};
         qtri_paint_contour(surface, &contour, brush);
     }
+}
+
+void qtri_paint_polygon(const qtri_surface *surface, const qtri_point *point, int32_t count,
+                        const qtri_brush *brush)
+{
+    QTRI_CHECK(check_points(surface, point, count));
+    paint_polygon(surface, point, count, brush);
 }
 
 /* side width / 2 length, to nearest; |side| <= 2^23, width < 2^23. */
@@ -299,15 +375,6 @@ static int32_t offset_of(int32_t side, int32_t width, uint64_t length)
     const int32_t offset = (int32_t)(qtri_divide64(n, 2 * length, 0, &half) + half);
     return side < 0 ? -offset : offset;
 }
-
-#ifdef QTRI_CHECKED
-static void check_stroke(const qtri_surface *surface, qtri_point from, qtri_point to, int32_t width)
-{
-    const qtri_point end[2] = {from, to};
-    qtri_check_points(surface, end, 2);
-    qtri_check_width(width);
-}
-#endif
 
 void qtri_paint_stroke(const qtri_surface *surface, const qtri_point *from, const qtri_point *to,
                        int32_t width_24p8, const qtri_brush *brush)
@@ -331,5 +398,5 @@ void qtri_paint_stroke(const qtri_surface *surface, const qtri_point *from, cons
                                  {b.x_24p8 + x, b.y_24p8 + y},
                                  {b.x_24p8 - x, b.y_24p8 - y},
                                  {a.x_24p8 - x, a.y_24p8 - y}};
-    qtri_paint_polygon_part(surface, point, 4, brush);
+    paint_polygon(surface, point, 4, brush);
 }

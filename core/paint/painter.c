@@ -20,16 +20,9 @@ bool qtri_painter_begin(qtri_painter *painter, const qtri_surface *surface, cons
     painter->stored = qtri_pixel_from_rgb(surface->format, brush->color);
     if (brush->ink != NULL) {
         painter->color_888 = qtri_pixel_rgb_to_888(&brush->color);
-        const int32_t color_8p16[3] = {(int32_t)brush->color.r << 16, (int32_t)brush->color.g << 16,
-                                       (int32_t)brush->color.b << 16};
-        painter->channels = qtri_channels_from_color(surface->format->colors, color_8p16);
+        painter->channels = qtri_channels_from_color(surface->format->colors, brush->color);
     }
     return true;
-}
-
-uint8_t *qtri_painter_at(const qtri_painter *painter, int32_t x, int32_t row)
-{
-    return qtri_surface_at(painter->surface, x, row);
 }
 
 static bool is_opaque(const qtri_painter *painter, uint32_t coverage)
@@ -40,8 +33,8 @@ static bool is_opaque(const qtri_painter *painter, uint32_t coverage)
 void qtri_painter_span(const qtri_painter *painter, int32_t row, int32_t x0, int32_t x1,
                        uint32_t coverage)
 {
-    x0 = x0 > painter->bounds.x0 ? x0 : painter->bounds.x0;
-    x1 = x1 < painter->bounds.x1 ? x1 : painter->bounds.x1;
+    x0 = qtri_greatest32(x0, painter->bounds.x0);
+    x1 = qtri_least32(x1, painter->bounds.x1);
     if (x0 >= x1) {
         return;
     }
@@ -49,17 +42,16 @@ void qtri_painter_span(const qtri_painter *painter, int32_t row, int32_t x0, int
         const qtri_rect rect = {x0, row, x1, row + 1};
         qtri_fill_rect(painter->surface, &rect, painter->stored);
     } else {
-        painter->ink->span(painter, qtri_painter_at(painter, x0, row), x1 - x0, coverage);
+        painter->ink->span(painter, qtri_surface_at(painter->surface, x0, row), x1 - x0, coverage);
     }
 }
 
 void qtri_painter_rect(const qtri_painter *painter, const qtri_rect *rect)
 {
     const qtri_rect *bounds = &painter->bounds;
-    const qtri_rect r = {rect->x0 > bounds->x0 ? rect->x0 : bounds->x0,
-                         rect->y0 > bounds->y0 ? rect->y0 : bounds->y0,
-                         rect->x1 < bounds->x1 ? rect->x1 : bounds->x1,
-                         rect->y1 < bounds->y1 ? rect->y1 : bounds->y1};
+    const qtri_rect r = {qtri_greatest32(rect->x0, bounds->x0),
+                         qtri_greatest32(rect->y0, bounds->y0), qtri_least32(rect->x1, bounds->x1),
+                         qtri_least32(rect->y1, bounds->y1)};
     if (r.x0 >= r.x1 || r.y0 >= r.y1) {
         return;
     }
@@ -68,7 +60,7 @@ void qtri_painter_rect(const qtri_painter *painter, const qtri_rect *rect)
         return;
     }
     for (int32_t row = r.y0; row < r.y1; row++) {
-        painter->ink->span(painter, qtri_painter_at(painter, r.x0, row), r.x1 - r.x0, 255);
+        painter->ink->span(painter, qtri_surface_at(painter->surface, r.x0, row), r.x1 - r.x0, 255);
     }
 }
 
@@ -81,12 +73,12 @@ void qtri_hard_rect(const qtri_painter *painter, const qtri_area *box)
 
 /* ---- Blended pixels ---- */
 
-QTRI_INLINE void span_of(qtri_mix mix, int32_t bytes, uint8_t *at, int32_t count, uint32_t keep,
+QTRI_INLINE void span_of(qtri_mix mix, uint32_t bytes, uint8_t *at, int32_t count, uint32_t keep,
                          qtri_mix_part share)
 {
     for (; count > 0; count--) {
-        const uint32_t mixed = qtri_mix_add(mix, qtri_mix_get(mix, at), keep, share);
-        qtri_mix_put(mix, at, mixed);
+        const uint32_t mixed = qtri_mix_add(mix, qtri_load(bytes, at), keep, share);
+        qtri_save(bytes, at, mixed);
         at += bytes;
     }
 }
@@ -140,7 +132,7 @@ void qtri_blend_span(const qtri_painter *painter, uint8_t *at, int32_t count, ui
 }
 
 /* Most pixels of a row of coverage are all or nothing. */
-QTRI_INLINE void cover_of(qtri_mix mix, int32_t bytes, const qtri_painter *painter, uint8_t *at,
+QTRI_INLINE void cover_of(qtri_mix mix, uint32_t bytes, const qtri_painter *painter, uint8_t *at,
                           int32_t count, const uint8_t *coverage)
 {
     const uint32_t alpha = painter->alpha;
@@ -149,10 +141,10 @@ QTRI_INLINE void cover_of(qtri_mix mix, int32_t bytes, const qtri_painter *paint
     for (; count > 0; count--) {
         const uint32_t a = qtri_mix_weight(*coverage++, alpha);
         if (a == 256) {
-            qtri_mix_put(mix, at, stored);
+            qtri_save(bytes, at, stored);
         } else if (a != 0) {
             const qtri_mix_part share = qtri_mix_part_of(mix, &channels, stored, a);
-            qtri_mix_put(mix, at, qtri_mix_add(mix, qtri_mix_get(mix, at), 256 - a, share));
+            qtri_save(bytes, at, qtri_mix_add(mix, qtri_load(bytes, at), 256 - a, share));
         }
         at += bytes;
     }
@@ -170,7 +162,7 @@ void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
 }
 
 /* All pixels have one weight: what is added to each is made once for a glyph. */
-QTRI_INLINE void bits_of(qtri_mix mix, int32_t bytes, const qtri_painter *painter, uint8_t *to,
+QTRI_INLINE void bits_of(qtri_mix mix, uint32_t bytes, const qtri_painter *painter, uint8_t *to,
                          const qtri_ink_bits *bits)
 {
     const uint32_t a = qtri_mix_weight(255, painter->alpha); /* < 256, or it would not be mixed */
@@ -181,10 +173,18 @@ QTRI_INLINE void bits_of(qtri_mix mix, int32_t bytes, const qtri_painter *painte
         for (int32_t done = 0; done < bits->width; done += 8) {
             const int32_t count = qtri_least32(bits->width - done, 8);
             uint32_t value = qtri_ink_bits_at(row, bits->skip + done, count) << 24;
+            if (mix == QTRI_MIX_OTHER && value != 0) {
+                uint8_t coverage[8];
+                for (int32_t i = 0; i < 8; i++) {
+                    coverage[i] = (uint8_t)(0 - (value << i >> 31));
+                }
+                cover_others(painter, next, count, coverage);
+                value = 0;
+            }
             for (uint8_t *at = next; value != 0; value <<= 1) {
                 if ((int32_t)value < 0) {
-                    const uint32_t d = qtri_mix_get(mix, at);
-                    qtri_mix_put(mix, at, qtri_mix_add(mix, d, 256 - a, share));
+                    const uint32_t d = qtri_load(bytes, at);
+                    qtri_save(bytes, at, qtri_mix_add(mix, d, 256 - a, share));
                 }
                 at += bytes;
             }
@@ -195,35 +195,13 @@ QTRI_INLINE void bits_of(qtri_mix mix, int32_t bytes, const qtri_painter *painte
     }
 }
 
-/* Bits in a format that is not known here. */
-QTRI_NOINLINE static void bits_of_others(const qtri_painter *painter, uint8_t *to,
-                                         const qtri_ink_bits *bits)
-{
-    const ptrdiff_t bytes = painter->surface->format->pixels->bytes;
-    const uint8_t *row = bits->row;
-    for (int32_t rows = bits->height; rows > 0; rows--) {
-        for (int32_t done = 0; done < bits->width; done += 8) {
-            const int32_t count = qtri_least32(bits->width - done, 8);
-            const uint32_t value = qtri_ink_bits_at(row, bits->skip + done, count);
-            uint8_t coverage[8];
-            for (int32_t i = 0; i < 8; i++) {
-                coverage[i] = (uint8_t)(0 - (value >> (7 - i) & 1));
-            }
-            if (value != 0) {
-                cover_others(painter, to + bytes * done, count, coverage);
-            }
-        }
-        to += painter->surface->pitch;
-        row += bits->stride;
-    }
-}
-
 void qtri_blend_bits(const qtri_painter *painter, uint8_t *to, const qtri_ink_bits *bits)
 {
+    const uint32_t bytes = painter->surface->format->pixels->bytes;
     switch (qtri_mix_of(painter->surface->format)) {
         QTRI_MIX_CASES(bits_of, painter, to, bits);
     default:
-        bits_of_others(painter, to, bits);
+        bits_of(QTRI_MIX_OTHER, bytes, painter, to, bits);
         break;
     }
 }

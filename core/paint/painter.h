@@ -61,9 +61,6 @@ struct qtri_ink {
 bool qtri_painter_begin(qtri_painter *painter, const qtri_surface *surface,
                         const qtri_brush *brush);
 
-/* Where a pixel of a row that is held is stored. */
-uint8_t *qtri_painter_at(const qtri_painter *painter, int32_t x, int32_t row);
-
 /* Columns x0..x1-1 of a row within bounds, clipped, covered by one share, 1..255. */
 void qtri_painter_span(const qtri_painter *painter, int32_t row, int32_t x0, int32_t x1,
                        uint32_t coverage);

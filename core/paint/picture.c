@@ -4,8 +4,7 @@
 
 #include "qtri/error.h"
 
-#include "../frame/barrier.h"
-#include "qtri/body/barrier.h"
+#include "../frame/pixel.h"
 
 bool qtri_picture_is_usable(const qtri_image *image)
 {
@@ -22,8 +21,10 @@ bool qtri_picture_is_alike(const qtri_image *image, const qtri_surface *surface)
     return a == b || (a->decode == b->decode && a->encode == b->encode && a->pixels == b->pixels);
 }
 
-bool qtri_picture_clip(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y,
-                       qtri_rect *rect, const uint8_t **first)
+/* The part of the surface that the picture at (x, y) covers, and its first pixel there; false:
+   none. */
+static bool clip_picture(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y,
+                         qtri_rect *rect, const uint8_t **first)
 {
     const qtri_rect bounds = qtri_surface_bounds(surface);
     if (!qtri_picture_is_usable(image) || bounds.x0 == bounds.x1) {
@@ -79,13 +80,6 @@ static uint32_t mask_of(const qtri_image *image, const uint32_t *stored, int32_t
     return mask;
 }
 
-/* As qtri_decode_rgb565. */
-static inline uint32_t color_of_565(uint32_t c)
-{
-    return ((c >> 11) * 527 + 23) >> 6 << 16 | ((c >> 5 & 63) * 259 + 33) >> 6 << 8 |
-           ((c & 31) * 527 + 23) >> 6;
-}
-
 /*
  * From stored pixels to 0x00RRGGBB; of those known to be RGB565 without their bytes' order if that
  * is all that is wanted. Frequent formats do not pay for a call a pixel.
@@ -97,12 +91,12 @@ static void decode(const qtri_image *image, bool keep_565, uint32_t *color, int3
     uint32_t *end = color + count;
     if (kind == QTRI_MIX_565_SWAPPED) {
         for (uint32_t *c = color; c != end; c++) {
-            *c = qtri_swapped16(*c);
+            *c = qtri_swap_16(*c);
         }
     }
     if (is_565 && !keep_565) {
         for (uint32_t *c = color; c != end; c++) {
-            *c = color_of_565(*c);
+            *c = qtri_pixel_565_to_888(*c);
         }
     } else if (kind == QTRI_MIX_32) {
         for (uint32_t *c = color; c != end; c++) {
@@ -131,27 +125,15 @@ static void convert(const qtri_image *image, const qtri_surface *surface, uint32
     }
 }
 
-/* ---- Copies ---- */
-
-void qtri_picture_copy(uint8_t *to, ptrdiff_t to_pitch, const uint8_t *from, ptrdiff_t from_pitch,
-                       size_t bytes, int32_t rows)
-{
-    for (; rows > 0; rows--) {
-        qtri_copy(to, from, bytes);
-        to += to_pitch;
-        from += from_pitch;
-    }
-}
-
 /* ---- Mixed pixels ---- */
 
-QTRI_INLINE void mix_of(qtri_mix mix, int32_t bytes, uint8_t *at, const uint32_t *stored,
+QTRI_INLINE void mix_of(qtri_mix mix, uint32_t bytes, uint8_t *at, const uint32_t *stored,
                         uint32_t mask, uint32_t a)
 {
     for (; mask != 0; mask <<= 1) {
         if ((int32_t)mask < 0) {
             const qtri_mix_part share = qtri_mix_part_of_stored(mix, *stored, a);
-            qtri_mix_put(mix, at, qtri_mix_add(mix, qtri_mix_get(mix, at), 256 - a, share));
+            qtri_save(bytes, at, qtri_mix_add(mix, qtri_load(bytes, at), 256 - a, share));
         }
         stored++;
         at += bytes;
@@ -209,26 +191,6 @@ static void paint_row(const qtri_surface *surface, const qtri_image *image, uint
     }
 }
 
-void qtri_image_blend(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y,
-                      uint8_t alpha)
-{
-    qtri_rect rect;
-    const uint8_t *from;
-    if (alpha == 255) {
-        qtri_image_paint(surface, image, x, y);
-        return;
-    }
-    if (alpha == 0 || !qtri_picture_clip(surface, image, x, y, &rect, &from)) {
-        return;
-    }
-    uint8_t *to = qtri_surface_at(surface, rect.x0, rect.y0);
-    for (int32_t row = rect.y0; row < rect.y1; row++) {
-        paint_row(surface, image, to, from, rect.x1 - rect.x0, qtri_mix_weight(255, alpha));
-        to += surface->pitch;
-        from += image->pitch;
-    }
-}
-
 /* ---- Draw calls ---- */
 
 qtri_image qtri_image_of(const qtri_surface *surface)
@@ -239,69 +201,84 @@ qtri_image qtri_image_of(const qtri_surface *surface)
     return image;
 }
 
+QTRI_INLINE void keyed_pixel(uint32_t bytes, uint8_t *to, const uint8_t *from, uint32_t key,
+                             uint32_t mask)
+{
+    const uint32_t stored = qtri_load(bytes, from);
+    if ((stored & mask) != key) {
+        QTRI_BODY_BRANCH();
+        qtri_save(bytes, to, stored);
+    }
+}
+
 /* Pixels that are not the key, four at a time. */
-QTRI_INLINE void keyed_row(int32_t bytes, uint8_t *to, const uint8_t *from, int32_t count,
+QTRI_INLINE void keyed_row(uint32_t bytes, uint8_t *to, const uint8_t *from, int32_t count,
                            uint32_t key, uint32_t key_mask)
 {
     const uint32_t mask = bytes == 4 ? key_mask : UINT32_MAX;
-#define ONE(i)                                                                                     \
-    {                                                                                              \
-        const uint32_t stored = qtri_stored_get(bytes, from + (i)*bytes);                          \
-        if ((stored & mask) != key) {                                                              \
-            QTRI_BRANCH                                                                            \
-            qtri_stored_put(bytes, to + (i)*bytes, stored);                                        \
-        }                                                                                          \
-    }
     for (; !QTRI_BODY_IS_SMALL && count >= 4; count -= 4) {
-        ONE(0)
-        ONE(1)
-        ONE(2)
-        ONE(3)
+        QTRI_BODY_UNROLL
+        for (uint32_t i = 0; i < 4 * bytes; i += bytes) {
+            keyed_pixel(bytes, to + i, from + i, key, mask);
+        }
         to += 4 * bytes;
         from += 4 * bytes;
-        QTRI_OPAQUE(to)
-        QTRI_OPAQUE(from)
+        QTRI_BODY_BARRIER(to);
+        QTRI_BODY_BARRIER(from);
     }
-    for (; count > 0; count--) {
-        ONE(0)
-        to += bytes;
-        from += bytes;
+    for (; count > 0; count--, to += bytes, from += bytes) {
+        keyed_pixel(bytes, to, from, key, mask);
     }
-#undef ONE
 }
 
-static void paint_keyed(const qtri_image *image, uint8_t *to, const uint8_t *from, int32_t count)
+static void paint_keyed(const qtri_surface *surface, const qtri_image *image, uint8_t *to,
+                        const uint8_t *from, int32_t count, int32_t rows)
 {
     const uint32_t mask = qtri_picture_key_mask(image);
     const uint32_t key = image->key & mask;
-    switch (image->format->pixels->bytes) {
-        QTRI_BYTES_CASES(keyed_row, to, from, count, key, mask);
+    for (; rows > 0; rows--, to += surface->pitch, from += image->pitch) {
+        switch (image->format->pixels->bytes) {
+            QTRI_BYTES_CASES(keyed_row, to, from, count, key, mask);
+        }
+    }
+}
+
+/* Rows of `bytes` each; pitches are bytes from a row to the next. */
+static void copy_rows(uint8_t *to, ptrdiff_t to_pitch, const uint8_t *from, ptrdiff_t from_pitch,
+                      size_t bytes, int32_t rows)
+{
+    for (; rows > 0; rows--) {
+        qtri_copy(to, from, bytes);
+        to += to_pitch;
+        from += from_pitch;
     }
 }
 
 void qtri_image_paint(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y)
 {
+    qtri_image_blend(surface, image, x, y, 255);
+}
+
+void qtri_image_blend(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y,
+                      uint8_t alpha)
+{
     qtri_rect rect;
     const uint8_t *from;
-    if (!qtri_picture_clip(surface, image, x, y, &rect, &from)) {
+    if (alpha == 0 || !clip_picture(surface, image, x, y, &rect, &from)) {
         return;
     }
-    const int32_t bytes = surface->format->pixels->bytes;
-    const bool is_alike = qtri_picture_is_alike(image, surface);
+    const bool is_alike = alpha == 255 && qtri_picture_is_alike(image, surface);
     const int32_t count = rect.x1 - rect.x0;
+    const int32_t rows = rect.y1 - rect.y0;
     uint8_t *to = qtri_surface_at(surface, rect.x0, rect.y0);
-    if (is_alike && !image->has_key) {
-        qtri_picture_copy(to, surface->pitch, from, image->pitch, (size_t)bytes * (size_t)count,
-                          rect.y1 - rect.y0);
-        return;
-    }
-    for (int32_t row = rect.y0; row < rect.y1; row++) {
-        if (is_alike) {
-            paint_keyed(image, to, from, count);
-        } else {
-            paint_row(surface, image, to, from, count, 256);
+    if (is_alike && image->has_key) {
+        paint_keyed(surface, image, to, from, count, rows);
+    } else if (is_alike) {
+        copy_rows(to, surface->pitch, from, image->pitch,
+                  image->format->pixels->bytes * (size_t)count, rows);
+    } else {
+        for (int32_t row = 0; row < rows; row++, to += surface->pitch, from += image->pitch) {
+            paint_row(surface, image, to, from, count, qtri_mix_weight(255, alpha));
         }
-        to += surface->pitch;
-        from += image->pitch;
     }
 }

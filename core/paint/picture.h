@@ -22,11 +22,6 @@ bool qtri_picture_is_usable(const qtri_image *image);
 /* Whether a pixel means the same as a pixel of the surface. */
 bool qtri_picture_is_alike(const qtri_image *image, const qtri_surface *surface);
 
-/* The part of the surface that the picture at (x, y) covers, which becomes its first pixel there;
-   false: none. */
-bool qtri_picture_clip(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y,
-                       qtri_rect *rect, const uint8_t **first);
-
 /* The bits of a stored pixel that are compared with the key. */
 uint32_t qtri_picture_key_mask(const qtri_image *image);
 
@@ -34,9 +29,5 @@ uint32_t qtri_picture_key_mask(const qtri_image *image);
  */
 void qtri_picture_put(const qtri_surface *surface, const qtri_image *image, uint8_t *to,
                       uint32_t *stored, int32_t count, uint32_t a);
-
-/* Stored pixels of rows, `bytes` of each; pitches are bytes from a row to the next. */
-void qtri_picture_copy(uint8_t *to, ptrdiff_t to_pitch, const uint8_t *from, ptrdiff_t from_pitch,
-                       size_t bytes, int32_t rows);
 
 #endif

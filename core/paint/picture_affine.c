@@ -5,8 +5,7 @@
 #include "qtri/error.h"
 #include "qtri/q16.h"
 
-#include "../frame/barrier.h"
-#include "qtri/body/barrier.h"
+#include "../frame/pixel.h"
 
 #ifdef QTRI_CHECKED
 /* Not so near to 0 in both that they are taken for plain numbers; 0, too. */
@@ -76,11 +75,7 @@ static int64_t divide_up(int64_t t, uint32_t step)
 {
     bool half;
     const uint64_t n = t > 0 ? (uint64_t)t + step - 1 : 0 - (uint64_t)t;
-#if QTRI_DIVIDE
-    const uint64_t q = n >> 32 == 0 ? (uint32_t)n / step : qtri_divide64(n, step, 0, &half);
-#else
     const uint64_t q = qtri_divide64(n, step, 0, &half);
-#endif
     return t > 0 ? (int64_t)q : -(int64_t)q;
 }
 
@@ -211,7 +206,7 @@ static void fetch(const run *r, int32_t u, int32_t v, uint32_t *stored, int32_t 
 
 /* What a loop knows of its pixels: how many bytes, whether there is a key, whether v changes. */
 typedef struct kind {
-    int32_t bytes;
+    uint32_t bytes;
     bool is_keyed, is_turned;
 } kind;
 
@@ -232,18 +227,18 @@ QTRI_INLINE void walk_row(kind is, const run *r, uint8_t *to, int32_t count)
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint8_t *row = is.is_turned ? pixels + (ptrdiff_t)(v >> 16) * pitch : pixels;        \
-        const uint32_t stored = qtri_stored_get(is.bytes, row + (ptrdiff_t)(u >> 16) * is.bytes);  \
+        const uint32_t stored = qtri_load(is.bytes, row + (ptrdiff_t)(u >> 16) * is.bytes);        \
         u += du;                                                                                   \
-        QTRI_OPAQUE(u)                                                                             \
+        QTRI_BODY_BARRIER(u);                                                                      \
         if (is.is_turned) {                                                                        \
             v += dv;                                                                               \
-            QTRI_OPAQUE(v)                                                                         \
+            QTRI_BODY_BARRIER(v);                                                                  \
         }                                                                                          \
         if (!is.is_keyed) {                                                                        \
-            qtri_stored_put(is.bytes, to + (i)*is.bytes, stored);                                  \
+            qtri_save(is.bytes, to + (i)*is.bytes, stored);                                        \
         } else if ((stored & mask) != key) {                                                       \
-            QTRI_BRANCH                                                                            \
-            qtri_stored_put(is.bytes, to + (i)*is.bytes, stored);                                  \
+            QTRI_BODY_BRANCH();                                                                    \
+            qtri_save(is.bytes, to + (i)*is.bytes, stored);                                        \
         }                                                                                          \
     }
     for (; count >= 4; count -= 4) {
@@ -260,7 +255,7 @@ QTRI_INLINE void walk_row(kind is, const run *r, uint8_t *to, int32_t count)
 #undef ONE
 }
 
-QTRI_INLINE void walk_sized(int32_t bytes, const run *r, uint8_t *to, int32_t count)
+QTRI_INLINE void walk_sized(uint32_t bytes, const run *r, uint8_t *to, int32_t count)
 {
     const kind plain = {bytes, false, false};
     const kind turned = {bytes, false, true};
@@ -293,8 +288,7 @@ QTRI_NOINLINE static bool walk_pixels(const run *r, uint8_t *to, int32_t count)
     if (r->inverse.vx == 0 && r->inverse.ux == 65536 && !image->has_key) {
         const uint8_t *row =
             (const uint8_t *)image->pixels + (ptrdiff_t)(r->v >> 16) * image->pitch;
-        qtri_picture_copy(to, 0, row + (ptrdiff_t)(r->u >> 16) * bytes, 0,
-                          (size_t)bytes * (size_t)count, 1);
+        qtri_copy(to, row + (ptrdiff_t)(r->u >> 16) * bytes, (size_t)bytes * (size_t)count);
         return true;
     }
     if (bytes < 1 || bytes > 4) {
@@ -334,7 +328,7 @@ static void paint_run(run *r, uint8_t *to, int32_t count)
     const bool is_upright = r->inverse.vx == 0 && r->inverse.uy == 0;
     if (is_upright && r->a == 256 && !image->has_key) {
         if (r->kept != NULL && r->kept_v == r->v >> 16) {
-            qtri_picture_copy(to, 0, r->kept, 0, (size_t)bytes * (size_t)count, 1);
+            qtri_copy(to, r->kept, (size_t)bytes * (size_t)count);
             return;
         }
         r->kept_v = r->v >> 16;

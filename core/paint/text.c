@@ -6,9 +6,7 @@
 #include "qtri/paint.h"
 
 #include "../bits/bits.h"
-#include "../frame/barrier.h"
 #include "../frame/pixel.h"
-#include "qtri/body/barrier.h"
 
 /* A first byte 110xxxxx, 1110xxxx or 11110xxx tells how many bytes 10xxxxxx follow. */
 static int32_t following(uint32_t first)
@@ -49,12 +47,12 @@ uint32_t qtri_text_next(const char **text)
 
 #define BIT(i)                                                                                     \
     if ((int32_t)(value << (i)) < 0) {                                                             \
-        QTRI_BRANCH                                                                                \
-        qtri_stored_put(bytes, at + (i)*bytes, stored);                                            \
+        QTRI_BODY_BRANCH();                                                                        \
+        qtri_save(bytes, at + (i)*bytes, stored);                                                  \
     }
 
 /* Eight pixels of 1 to 4 bytes. */
-QTRI_INLINE void paint_eight(int32_t bytes, uint8_t *at, uint32_t value, uint32_t stored)
+QTRI_INLINE void paint_eight(uint32_t bytes, uint8_t *at, uint32_t value, uint32_t stored)
 {
     value <<= 24;
     if (QTRI_BODY_IS_SMALL) {
@@ -77,7 +75,7 @@ QTRI_INLINE void paint_eight(int32_t bytes, uint8_t *at, uint32_t value, uint32_
  * The `count` pixels behind the first `skip` of a byte of each row. Those in front leave the word
  * where it is shifted up.
  */
-QTRI_INLINE void paint_column(int32_t bytes, const qtri_painter *painter, uint8_t *to,
+QTRI_INLINE void paint_column(uint32_t bytes, const qtri_painter *painter, uint8_t *to,
                               const uint8_t *row, int32_t stride, int32_t rows, int32_t skip,
                               int32_t count)
 {
@@ -95,52 +93,27 @@ QTRI_INLINE void paint_column(int32_t bytes, const qtri_painter *painter, uint8_
 }
 
 /* Whole rows of up to eight pixels, which nothing clips: most characters. */
-QTRI_INLINE void paint_narrow(int32_t bytes, const qtri_painter *painter, uint8_t *to,
+QTRI_INLINE void paint_narrow(uint32_t bytes, const qtri_painter *painter, uint8_t *to,
                               const qtri_ink_bits *b)
 {
     paint_column(bytes, painter, to, b->row, 1, b->height, 0, b->width);
 }
 
-static void paint_narrow_bits(const qtri_painter *painter, uint8_t *to, const qtri_ink_bits *b)
-{
-    switch (painter->surface->format->pixels->bytes) {
-        QTRI_BYTES_CASES(paint_narrow, painter, to, b);
-    }
-}
-
 /* Of wide characters, and of those that are clipped: byte by byte of their rows. */
-QTRI_INLINE void paint_columns(int32_t bytes, const qtri_painter *painter, uint8_t *to,
+QTRI_INLINE void paint_columns(uint32_t bytes, const qtri_painter *painter, uint8_t *to,
                                const qtri_ink_bits *b)
 {
-    const int32_t end = b->skip + b->width;
-    for (int32_t at = b->skip; at < end;) {
-        const int32_t skip = at & 7;
-        const int32_t count = qtri_least32(8 - skip, end - at);
-        paint_column(bytes, painter, to, b->row + (at >> 3), b->stride, b->height, skip, count);
-        to += (ptrdiff_t)count * bytes;
-        at += count;
+    const uint8_t *row = b->row + (b->skip >> 3);
+    int32_t skip = b->skip & 7;
+    for (int32_t left = b->width; left > 0; skip = 0) {
+        const int32_t count = qtri_least32(8 - skip, left);
+        paint_column(bytes, painter, to, row++, b->stride, b->height, skip, count);
+        to += (uint32_t)count * bytes;
+        left -= count;
     }
 }
 
-/* False: pixels of another size, or a library that is to be small. */
-static bool paint_wide_bits(const qtri_painter *painter, uint8_t *to, const qtri_ink_bits *b)
-{
-    const uint32_t bytes = painter->surface->format->pixels->bytes;
-    if (QTRI_BODY_IS_SMALL || bytes - 1 > 3) {
-        return false;
-    }
-    switch (bytes) {
-        QTRI_BYTES_CASES(paint_columns, painter, to, b);
-    }
-    return true;
-}
-
-static bool is_mixed(const qtri_painter *painter)
-{
-    return painter->ink != NULL && painter->alpha != 255;
-}
-
-/* Of another size. */
+/* Pixels of another size, and where code is to be small any that paint_narrow() leaves. */
 QTRI_NOINLINE static void paint_others(const qtri_painter *painter, uint8_t *to,
                                        const qtri_ink_bits *b)
 {
@@ -161,54 +134,40 @@ QTRI_NOINLINE static void paint_others(const qtri_painter *painter, uint8_t *to,
     }
 }
 
-/* What of a glyph at (x, y) lies in the bounds; false: nothing. */
-QTRI_INLINE bool clip_glyph(qtri_ink_bits *b, qtri_rect *rect, const qtri_painter *painter,
-                            const qtri_font *font, const qtri_glyph *glyph, int32_t x, int32_t y)
-{
-    const qtri_rect *bounds = &painter->bounds;
-    rect->x0 = qtri_greatest32(x, bounds->x0);
-    rect->x1 = qtri_least32(x + glyph->width, bounds->x1);
-    rect->y0 = qtri_greatest32(y, bounds->y0);
-    rect->y1 = qtri_least32(y + glyph->height, bounds->y1);
-    b->stride = (glyph->width + 7) >> 3;
-    b->row = font->rows + glyph->first + (rect->y0 - y) * b->stride;
-    b->skip = rect->x0 - x;
-    b->width = rect->x1 - rect->x0;
-    b->height = rect->y1 - rect->y0;
-    return b->width > 0 && b->height > 0;
-}
-
-/* Any glyph, some of which is to be seen. */
-QTRI_NOINLINE static void paint_any(const qtri_painter *painter, const qtri_font *font,
-                                    const qtri_glyph *glyph, int32_t x, int32_t y)
-{
-    qtri_ink_bits b;
-    qtri_rect rect;
-    (void)clip_glyph(&b, &rect, painter, font, glyph, x, y); /* again: something is left of it */
-    uint8_t *to = qtri_painter_at(painter, rect.x0, rect.y0);
-    if (is_mixed(painter)) {
-        painter->ink->bits(painter, to, &b);
-    } else if (!paint_wide_bits(painter, to, &b)) {
-        paint_others(painter, to, &b);
-    }
-}
-
 /* x, y: the left upper corner; beyond the largest frame on either side nothing is to be seen. */
 static void paint_glyph(const qtri_painter *painter, const qtri_font *font, const qtri_glyph *glyph,
                         int32_t x, int32_t y)
 {
+    const qtri_rect *bounds = &painter->bounds;
     const int32_t limit = 2 * QTRI_SURFACE_MAX;
-    qtri_ink_bits b;
-    qtri_rect rect;
-    if (x < -limit || x > limit || y < -limit || y > limit ||
-        !clip_glyph(&b, &rect, painter, font, glyph, x, y)) {
+    if (x < -limit || x > limit || y < -limit || y > limit) {
         return;
     }
-    if (is_mixed(painter) || b.stride != 1 || b.width != glyph->width ||
-        painter->surface->format->pixels->bytes - 1u > 3u) {
-        paint_any(painter, font, glyph, x, y);
+    const int32_t x0 = qtri_greatest32(x, bounds->x0);
+    const int32_t x1 = qtri_least32(x + glyph->width, bounds->x1);
+    const int32_t y0 = qtri_greatest32(y, bounds->y0);
+    const int32_t y1 = qtri_least32(y + glyph->height, bounds->y1);
+    if (x0 >= x1 || y0 >= y1) {
+        return;
+    }
+    const int32_t stride = (glyph->width + 7) >> 3;
+    const qtri_ink_bits b = {font->rows + glyph->first + (y0 - y) * stride, stride, x0 - x, x1 - x0,
+                             y1 - y0};
+    uint8_t *to = qtri_surface_at(painter->surface, x0, y0);
+    const uint32_t bytes = painter->surface->format->pixels->bytes;
+    const bool is_narrow = stride == 1 && b.width == glyph->width;
+    if (painter->ink != NULL && painter->alpha != 255) {
+        painter->ink->bits(painter, to, &b);
+    } else if (bytes - 1 > 3 || (QTRI_BODY_IS_SMALL && !is_narrow)) {
+        paint_others(painter, to, &b);
+    } else if (is_narrow) {
+        switch (bytes) {
+            QTRI_BYTES_CASES(paint_narrow, painter, to, &b);
+        }
     } else {
-        paint_narrow_bits(painter, qtri_painter_at(painter, rect.x0, rect.y0), &b);
+        switch (bytes) {
+            QTRI_BYTES_CASES(paint_columns, painter, to, &b);
+        }
     }
 }
 

@@ -9,7 +9,7 @@
 #include "qtri/stroke.h"
 #include "qtri/surface.h"
 
-#include "../frame/checked.h"
+#include "../frame/depth_format.h"
 
 #ifdef QTRI_CHECKED
 /* One that qtri_surface_init has made, or refused to. */

@@ -53,12 +53,12 @@ static inline int32_t qtri_sample_bytes(int32_t size)
 /* Colour `k` of a record. */
 static inline uint32_t qtri_sample_color(const uint8_t *record, int32_t bytes, int32_t k)
 {
-    return qtri_stored_get(bytes, record + (ptrdiff_t)k * bytes);
+    return qtri_load((uint32_t)bytes, record + (ptrdiff_t)k * bytes);
 }
 
 static inline void qtri_sample_set_color(uint8_t *record, int32_t bytes, int32_t k, uint32_t stored)
 {
-    qtri_stored_put(bytes, record + (ptrdiff_t)k * bytes, stored);
+    qtri_save((uint32_t)bytes, record + (ptrdiff_t)k * bytes, stored);
 }
 
 /* Depth `k`, 1 to 3, of a record whose colours have so many bytes. */

@@ -7,7 +7,6 @@
 #include "samples.h"
 
 #include "../filter/mix.h"
-#include "../frame/barrier.h"
 #include "../frame/pixel.h"
 
 static inline uint8_t *pixels_at(const qtri_surface *surface, int32_t row)
@@ -42,14 +41,6 @@ void qtri_samples_store(uint8_t *pixel, const uint32_t *stored, uint32_t mask, i
     }
 }
 
-/* In each lane four channels and 2: less than 2^8. */
-static inline uint32_t mean_565(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
-{
-    const uint32_t sum =
-        qtri_lanes_565(a) + qtri_lanes_565(b) + qtri_lanes_565(c) + qtri_lanes_565(d);
-    return qtri_packed_565((sum + 0x00401002u) >> 2);
-}
-
 uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record)
 {
     const int32_t bytes = format->pixels->bytes;
@@ -61,19 +52,9 @@ uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record)
         return stored[0];
     }
     if (qtri_is_565(format)) {
-        return mean_565(stored[0], stored[1], stored[2], stored[3]);
+        return qtri_mean_565(stored[0], stored[1], stored[2], stored[3]);
     }
-    qtri_masks masks;
-    uint32_t mean = 0;
-    qtri_masks_of(&masks, format->colors);
-    for (int i = 0; i < 3; i++) {
-        uint32_t sum = 2;
-        for (int k = 0; k < QTRI_SAMPLES; k++) {
-            sum += qtri_color_of(format, stored[k]) >> masks.shift[i] & masks.mask[i];
-        }
-        mean |= sum >> 2 << masks.shift[i];
-    }
-    return qtri_stored_of(format, mean);
+    return qtri_mean_of(format, stored);
 }
 
 /* Records from `record` on. */
@@ -119,7 +100,7 @@ static void clear_565(uint8_t *record, int32_t count, uint32_t stored)
     const uint32_t depth_color = two[3];
     const uint32_t color_depth = two[5];
     for (; count >= 2; count -= 2, record += PAIR) {
-        qtri_pair *to = (qtri_pair *)(void *)record;
+        qtri_word *to = (qtri_word *)(void *)record;
         to[0] = colors;
         to[1] = colors;
         to[2] = depths;
@@ -194,7 +175,7 @@ QTRI_INLINE uint32_t resolved_565(const uint8_t *record)
     const uint32_t fourth = color[3];
     return first == second && first == third && first == fourth
                ? first
-               : mean_565(first, second, third, fourth);
+               : qtri_mean_565(first, second, third, fourth);
 }
 
 /* Most pixels have one colour, which is that of the one before: two are seen to by their words. */
@@ -207,7 +188,7 @@ static void resolve_565(const uint8_t *record, uint16_t *to, int32_t count)
         count--;
     }
     for (; count >= 2; count -= 2, record += PAIR, to += 2) {
-        const qtri_pair *two = (const qtri_pair *)(const void *)record;
+        const qtri_word *two = (const qtri_word *)(const void *)record;
         const uint16_t *half = (const uint16_t *)(const void *)record;
         const uint32_t both = color | color << 16;
         if (two[0] == both && two[1] == both && two[4] == both && half[7] == color &&

@@ -5,7 +5,7 @@
 #include "qtri/body/color.h"
 #include "qtri/texture.h"
 
-#include "../frame/barrier.h"
+#include "../frame/pixel.h"
 #include "descriptions.h"
 
 static bool has_texels(const qtri_texture *texture)

@@ -108,7 +108,6 @@
 #define qtri_quat_unit_q30          checked_qtri_quat_unit_q30
 #define qtri_mat3_identity          checked_qtri_mat3_identity
 #define qtri_mat4_identity          checked_qtri_mat4_identity
-#define qtri_rotation_plane         checked_qtri_rotation_plane
 #define qtri_mat4_rotate_axis_deg   checked_qtri_mat4_rotate_axis_deg
 #define qtri_mat4_rotate_about_deg  checked_qtri_mat4_rotate_about_deg
 #define qtri_mat4_rotate_euler_deg  checked_qtri_mat4_rotate_euler_deg

@@ -60,7 +60,6 @@
 #define qtri_mat4_inverse_affine    narrow_mat4_inverse_affine
 #define qtri_mat4_normal_matrix     narrow_mat4_normal_matrix
 #define qtri_mat4_reflect           narrow_mat4_reflect
-#define qtri_rotation_plane         narrow_rotation_plane
 #define qtri_mat4_rotate_axis_deg   narrow_mat4_rotate_axis_deg
 #define qtri_mat4_rotate_about_deg  narrow_mat4_rotate_about_deg
 #define qtri_mat4_rotate_euler_deg  narrow_mat4_rotate_euler_deg

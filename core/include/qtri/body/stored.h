@@ -35,56 +35,6 @@ QTRI_BODY uint32_t qtri_pixel_bytes(const qtri_options *o)
 #endif
 }
 
-/* Of pixels that a row has: NOLINTBEGIN(clang-analyzer-core.NullDereference) */
-QTRI_BODY uint32_t qtri_load(uint32_t bytes, const uint8_t *at)
-{
-    switch (bytes) {
-    case 2:
-        return *(const uint16_t *)(const void *)at;
-    case 4:
-        return *(const uint32_t *)(const void *)at;
-    case 3:
-        return (uint32_t)at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16;
-    case 1:
-        return *at;
-    default:
-        return 0;
-    }
-}
-
-QTRI_BODY void qtri_save(uint32_t bytes, uint8_t *at, uint32_t word)
-{
-    switch (bytes) {
-    case 2:
-        *(uint16_t *)(void *)at = (uint16_t)word;
-        break;
-    case 4:
-        *(uint32_t *)(void *)at = word;
-        break;
-    case 3:
-        at[1] = (uint8_t)(word >> 8);
-        at[2] = (uint8_t)(word >> 16);
-        at[0] = (uint8_t)word;
-        break;
-    case 1:
-        *at = (uint8_t)word;
-        break;
-    default:
-        break;
-    }
-}
-/* NOLINTEND(clang-analyzer-core.NullDereference) */
-
-QTRI_BODY uint32_t qtri_swap_16(uint32_t c)
-{
-    return (c >> 8 & 0xFFu) | (c & 0xFFu) << 8;
-}
-
-QTRI_BODY uint32_t qtri_swap_red_blue(uint32_t c)
-{
-    return (c >> 16 & 0xFFu) | (c & 0xFF00u) | (c & 0xFFu) << 16;
-}
-
 /* A colour of the pipeline's kind as it is stored. */
 QTRI_BODY uint32_t qtri_encode(const qtri_options *o, const qtri_surface *surface, uint32_t c)
 {
