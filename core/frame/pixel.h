@@ -58,24 +58,20 @@ typedef struct qtri_channels {
     int32_t c[3]; /* red green blue, n.16 */
 } qtri_channels;
 
-/*
- * A channel of 0..255.0, n.16, in units of which there are ratio_q30 2^-30 to one, n.16, rounded
- * down: with 8 of its bits after the point, so that no product is longer than 32 bits. It is off by
- * 1/512 of a step of 255; of colours of 8 bits by nothing.
- */
-static inline uint32_t qtri_channel_scaled(uint32_t channel_8p16, uint32_t ratio_q30)
+/* A channel of 0..255 in units of which there are ratio_q30 2^-30 to one, n.16, rounded down. */
+static inline uint32_t qtri_channel_scaled(uint32_t channel, uint32_t ratio_q30)
 {
-    const uint32_t q8 = (channel_8p16 + 128) >> 8; /* <= 65280 */
 #if QTRI_LONG_MULTIPLY
-    return (uint32_t)(((uint64_t)(q8 << 10) * ratio_q30) >> 32);
+    return (uint32_t)(((uint64_t)(channel << 18) * ratio_q30) >> 32);
 #else
+    const uint32_t q8 = channel << 8;
     const uint32_t low = q8 * (ratio_q30 & (((uint32_t)1 << 14) - 1)); /* < 2^30 */
     return (q8 * (ratio_q30 >> 14) + (low >> 14)) >> 8;                /* <= 65280 2^16 */
 #endif
 }
 
-/* color_8p16 (0..255.0) in units of these colours, n.16. */
-qtri_channels qtri_channels_from_color(const qtri_colors *colors, const int32_t color_8p16[3]);
+/* A colour in units of these colours, n.16. */
+qtri_channels qtri_channels_from_rgb(const qtri_colors *colors, qtri_rgb color);
 
 /* An 8-bit colour as a stored pixel. */
 uint32_t qtri_pixel_from_rgb(const qtri_format *format, qtri_rgb color);

@@ -20,9 +20,7 @@ bool qtri_painter_begin(qtri_painter *painter, const qtri_surface *surface, cons
     painter->stored = qtri_pixel_from_rgb(surface->format, brush->color);
     if (brush->ink != NULL) {
         painter->color_888 = qtri_pixel_rgb_to_888(&brush->color);
-        const int32_t color_8p16[3] = {(int32_t)brush->color.r << 16, (int32_t)brush->color.g << 16,
-                                       (int32_t)brush->color.b << 16};
-        painter->channels = qtri_channels_from_color(surface->format->colors, color_8p16);
+        painter->channels = qtri_channels_from_rgb(surface->format->colors, brush->color);
     }
     return true;
 }

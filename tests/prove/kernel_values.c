@@ -63,17 +63,17 @@ void prove_outcode(void)
     /*@ assert outcode <= 63; */
 }
 
-/* Colours of any kind and value, as channels and packed. */
+/* Colours of any kind, as channels and packed. */
 // specified: qtri_divide_long
 void prove_colors(void)
 {
     static const qtri_colors *const kinds[3] = {&qtri_colors_565, &qtri_colors_888,
                                                 &qtri_colors_gray};
-    const int32_t color[3] = {between(INT32_MIN, INT32_MAX), between(INT32_MIN, INT32_MAX),
-                              between(INT32_MIN, INT32_MAX)};
+    const qtri_rgb color = {(uint8_t)between(0, 255), (uint8_t)between(0, 255),
+                            (uint8_t)between(0, 255)};
     //@ loop unroll 3;
     for (int i = 0; i < 3; i++) {
-        qtri_channels channels = qtri_channels_from_color(kinds[i], color);
+        qtri_channels channels = qtri_channels_from_rgb(kinds[i], color);
         /*@ assert 0 <= channels.c[0] <= 0xFF0000; */
         /*@ assert 0 <= channels.c[1] <= 0xFF0000; */
         /*@ assert 0 <= channels.c[2] <= 0xFF0000; */
