@@ -320,6 +320,7 @@ static void any_memory_draws_the_same(void **state)
         qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
         const bool fits = qtri_prepared_fits(&prepared);
         assert_true(!fits || !prepared.is_seen || bytes >= VERTICES * (int32_t)sizeof(qtri_vertex));
+        assert_true(!fits || !prepared.is_seen || prepared.group_log2 == 0);
         assert_true(fits || bytes < MOST);
         fitting += fits;
         while (qtri_frame_next_band(&frame, &band)) {

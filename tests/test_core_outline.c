@@ -222,7 +222,7 @@ static void drawn_outlines_that_cannot_be(void **state)
 static void wrong_indices_have_no_edges(void **state)
 {
     (void)state;
-    enum { MORE = TRIANGLES + 3 };
+    enum { WRONG = 48, MORE = TRIANGLES + WRONG };
     static uint16_t all[MORE][3], around[MORE][3];
     static qtri_face8 planes[MORE]; /* the last ones are none */
     qtri_mesh with_planes = cube(false);
@@ -235,9 +235,9 @@ static void wrong_indices_have_no_edges(void **state)
             around[i][k] = neighbours[i][k] == TRIANGLES ? MORE : neighbours[i][k];
         }
     }
-    for (int i = 0; i < 3; i++) { /* one index each; none has a neighbour */
-        all[TRIANGLES + i][i] = VERTICES;
+    for (int i = 0; i < WRONG; i++) { /* one index each; none has a neighbour */
         for (int k = 0; k < 3; k++) {
+            all[TRIANGLES + i][k] = (uint16_t)(i % 3 == k ? VERTICES : (3 * i + k) % VERTICES);
             around[TRIANGLES + i][k] = MORE;
         }
     }

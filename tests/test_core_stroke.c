@@ -692,8 +692,12 @@ static void parts_apart_have_their_own_looks(void **state)
             }
             corner[i].position.z = i >= 2 && n == 3 ? Q16(.5) : 0;
         }
+        canvas_clear(&c);
+        canvas_clear(&d);
         qtri_draw_polyline(&c.surface, &view, &pose, corner, 4, &stroke, &material);
         qtri_draw_wide_lines(&d.surface, &view, &pose, corner, 4, &stroke, &material);
+        assert_int_not_equal(stored_pixel(&c.surface, 5, 11), 0);
+        assert_int_not_equal(stored_pixel(&c.surface, 5, 35), 0);
         assert_memory_equal(c.surface.pixels, d.surface.pixels, 4 * WIDTH * HEIGHT);
         assert_memory_equal(c.surface.depth, d.surface.depth, 2 * WIDTH * HEIGHT);
         canvas_free(&c);
