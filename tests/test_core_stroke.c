@@ -680,24 +680,29 @@ static void parts_apart_have_their_own_looks(void **state)
     qtri_transform pose;
     qtri_transform_identity(&pose);
     stroke.width = Q16(3);
-    for (int n = 0; n < 5; n++) { /* one channel is another, or depth, or nothing */
+    for (int n = 0; n < 10; n++) { /* one channel is another, or depth, or nothing */
+        const int differs = n % 5;
         canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
         canvas d = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
-        qtri_corner corner[4] = {corner_at(4000, 3000), corner_at(-9000, 3000),
-                                 corner_at(-9000, 9000), corner_at(4000, 9000)};
+        const int32_t beyond = -20000 * 256; /* the guard band */
+        qtri_corner corner[4] = {corner_at(4000, 3000), corner_at(beyond, 3000),
+                                 corner_at(beyond, 9000), corner_at(4000, 9000)};
         for (int i = 0; i < 4; i++) {
             uint8_t *channel[3] = {&corner[i].color.r, &corner[i].color.g, &corner[i].color.b};
             for (int k = 0; k < 3; k++) {
-                *channel[k] = i >= 2 && k == n ? 20 : 200;
+                *channel[k] = i >= 2 && k == differs ? 20 : 200;
             }
-            corner[i].position.z = i >= 2 && n == 3 ? Q16(.5) : 0;
+            corner[i].position.z = i >= 2 && differs == 3 ? Q16(.5) : 0;
         }
+        stroke.edges = n < 5 ? NULL : &qtri_stroke_smooth;
         canvas_clear(&c);
         canvas_clear(&d);
         qtri_draw_polyline(&c.surface, &view, &pose, corner, 4, &stroke, &material);
         qtri_draw_wide_lines(&d.surface, &view, &pose, corner, 4, &stroke, &material);
         assert_int_not_equal(stored_pixel(&c.surface, 5, 11), 0);
         assert_int_not_equal(stored_pixel(&c.surface, 5, 35), 0);
+        assert_int_equal(stored_depth(&c.surface, 5, 11) != stored_depth(&c.surface, 5, 35),
+                         differs == 3);
         assert_memory_equal(c.surface.pixels, d.surface.pixels, 4 * WIDTH * HEIGHT);
         assert_memory_equal(c.surface.depth, d.surface.depth, 2 * WIDTH * HEIGHT);
         canvas_free(&c);
