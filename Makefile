@@ -191,7 +191,7 @@ fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 
 $(BUILD)/tests/fuzz_%: LDFLAGS += -fsanitize=fuzzer
 $(BUILD)/tests/%_threads: LDFLAGS += -pthread
-# Random pipelines, a file of few, as the compiler takes long for each.
+# Random pipelines, a file of few, as the compiler takes long for each; those of one are to be small.
 RANDOM_PIPELINES ?= 60
 RANDOM_PARTS     := 0 1 2 3 4 5
 random_pipelines  = $(RANDOM_PARTS:%=$(BUILD)/random_pipelines/part_%.o) $(BUILD)/random_pipelines/list.o
@@ -199,7 +199,7 @@ $(BUILD)/random_pipelines/%.o: tests/tools/random_pipelines.awk $(BUILD)/flags $
 	@mkdir -p $(@D)
 	@awk -v seed=223 -v count=$(RANDOM_PIPELINES) -v parts=$(words $(RANDOM_PARTS)) \
 	    $(if $(filter list,$*),-v list=1,-v part=$(*:part_%=%)) -f $< >$(@:.o=.c)
-	$(call run,compile $@)$(CC) -std=c99 $(CFLAGS) -O1 -Icore/include -c -o $@ $(@:.o=.c)
+	$(call run,compile $@)$(CC) -std=c99 $(CFLAGS) $(if $(filter part_5,$*),-Os,-O1) -Icore/include -c -o $@ $(@:.o=.c)
 $(BUILD)/tests/test_pipeline_random: $(random_pipelines)
 
 # What `qtri pipelines` prints of scenes, compiled as it is.

@@ -288,17 +288,29 @@ static void any_memory_draws_the_same(void **state)
 {
     (void)state;
     uint64_t seed = 77;
-    static uint8_t memory[QTRI_PREPARED_BYTES(QTRI_LIT_VERTICES(VERTICES), TRIANGLES, HEIGHT, 1)];
+    enum { MOST = QTRI_PREPARED_BYTES(QTRI_LIT_VERTICES(VERTICES), TRIANGLES, HEIGHT, 1) };
+    static uint8_t memory[MOST + 2 * 65536]; /* for more entries than lists can have */
+    static const qtri_light_source source = {.kind = &qtri_directional_light,
+                                             .direction = {0, 0, -Q16(1)},
+                                             .color = {Q16(1), Q16(.5), Q16(.2)}};
+    const qtri_light_color ambient = {Q16(.1), Q16(.2), Q16(.3)};
+    qtri_light lights;
+    int fitting = 0;
+    assert_int_equal(qtri_light_init(&lights, &source, 1, ambient), QTRI_OK);
     for (int n = 0; n < 200; n++) {
         static scene s;
         random_scene(&s, &seed);
+        s.view.light = n % 4 == 0 ? &lights : s.view.light;
         canvas whole = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
         draw_whole(&whole.surface, &s);
         qtri_frame frame;
         qtri_surface band;
         qtri_prepared prepared;
         const int32_t first = random_in(&seed, 0, 3);
-        const int32_t bytes = random_in(&seed, 0, (int32_t)sizeof memory - first - 1);
+        const int32_t few = random_in(&seed, 0, MOST - first - 1);
+        const int32_t bytes = n % 50 == 1   ? random_in(&seed, 0, 2) /* not even to align it */
+                              : n % 50 == 2 ? (int32_t)sizeof memory - first - 1
+                                            : few;
         memset(memory, 0x5A, sizeof memory);
         assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT,
                                          random_in(&seed, 1, HEIGHT), band_memory,
@@ -306,6 +318,11 @@ static void any_memory_draws_the_same(void **state)
                          QTRI_OK);
         qtri_prepared_init(&prepared, memory + first, (size_t)bytes);
         qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
+        const bool fits = qtri_prepared_fits(&prepared);
+        assert_true(!fits || !prepared.is_seen || bytes >= VERTICES * (int32_t)sizeof(qtri_vertex));
+        assert_true(!fits || !prepared.is_seen || prepared.group_log2 == 0);
+        assert_true(fits || bytes < MOST);
+        fitting += fits;
         while (qtri_frame_next_band(&frame, &band)) {
             qtri_surface_clear(&band, sky);
             qtri_draw_prepared(&band, &prepared);
@@ -315,6 +332,7 @@ static void any_memory_draws_the_same(void **state)
         assert_int_equal(memory[first + bytes], 0x5A);
         canvas_free(&whole);
     }
+    assert_in_range(fitting, 10, 190);
 }
 
 /* Rows that are not the frame's bands, in any order, inside any scissor. */

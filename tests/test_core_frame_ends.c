@@ -49,6 +49,76 @@ static void overlap_that_does_not_fit(void **state)
     }
 }
 
+/* What a frame cannot have leaves it without bands, and so does what is asked of such a frame. */
+static void refused_frames_have_no_bands(void **state)
+{
+    (void)state;
+    static uint8_t memory[QTRI_FRAME_BYTES(1, QTRI_SURFACE_MAX, QTRI_RGB565_BYTES)];
+    for (int32_t spare = 3; spare <= 4; spare++) {
+        qtri_frame frame;
+        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, 1, HEIGHT, QTRI_SURFACE_MAX - spare,
+                                         memory, sizeof memory),
+                         QTRI_OK);
+        assert_int_equal(qtri_frame_set_overlap(&frame, 2, NULL, 0),
+                         spare == 4 ? QTRI_OK : QTRI_ERROR_SIZE);
+        assert_int_equal(frame.height, spare == 4 ? HEIGHT : 0);
+    }
+    for (int asks = 0; asks < 3; asks++) {
+        qtri_frame frame;
+        qtri_surface band;
+        const enum qtri_error begun = qtri_frame_init(&frame, &qtri_xrgb8888_x4, 2, HEIGHT,
+                                                      asks == 0 ? 0 : 4, memory, sizeof memory);
+        assert_int_equal(begun, asks == 0 ? QTRI_ERROR_SIZE : QTRI_OK);
+        if (asks == 0) {
+            assert_int_equal(qtri_frame_set_overlap(&frame, 0, NULL, 0), QTRI_ERROR_SIZE);
+        }
+        if (asks == 1) { /* records of samples have linear16 alone */
+            assert_int_equal(qtri_frame_set_depth(&frame, &qtri_depth_float16), QTRI_ERROR_FORMAT);
+        }
+        assert_int_equal(qtri_frame_next_band(&frame, &band), asks == 2);
+    }
+}
+
+/* Rows that are kept are needed by the next band: all come, and whole. */
+static void nothing_is_left_out_where_rows_are_kept(void **state)
+{
+    (void)state;
+    static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, 4 + 2, QTRI_RGB565_BYTES)];
+    static uint8_t kept[QTRI_FRAME_KEPT_BYTES(WIDTH, 1, QTRI_RGB565_BYTES)];
+    const qtri_rect change = {3, 9, 5, 10};
+    qtri_frame frame;
+    qtri_surface band, shown;
+    assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 4, memory, sizeof memory),
+                     QTRI_OK);
+    assert_int_equal(qtri_frame_set_overlap(&frame, 1, kept, sizeof kept), QTRI_OK);
+    memset(&band, 0x5A, sizeof band);
+    qtri_frame_shown(&frame, &band, &shown); /* no band was taken: it is what is given */
+    assert_memory_equal(&shown, &band, sizeof band);
+    for (int pass = 0; pass < 2; pass++) {
+        int32_t rows = 0;
+        if (pass == 1) {
+            qtri_frame_mark(&frame, &change);
+            qtri_frame_only_changes(&frame);
+        }
+        while (qtri_frame_next_band(&frame, &band)) {
+            static uint8_t before[sizeof memory];
+            qtri_surface_clear(&band, rows % 8 == 0 ? sky : red);
+            qtri_frame_join(&frame, &band);
+            const qtri_surface joined = band;
+            memcpy(before, memory, sizeof memory);
+            qtri_frame_join(&frame, &band); /* once more: that changes nothing */
+            assert_memory_equal(&joined, &band, sizeof band);
+            assert_memory_equal(memory, before, sizeof memory);
+            qtri_frame_shown(&frame, &band, &shown);
+            assert_int_equal(shown.first_row, rows);
+            assert_int_equal(shown.scissor.y1 - shown.scissor.y0, HEIGHT);
+            assert_int_equal(shown.scissor.x1 - shown.scissor.x0, WIDTH);
+            rows += shown.rows;
+        }
+        assert_int_equal(rows, HEIGHT);
+    }
+}
+
 /* Marks without an inside change nothing; without a change there is no band. */
 static void changes_of_nothing(void **state)
 {
@@ -317,6 +387,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(overlap_that_does_not_fit),
+        cmocka_unit_test(refused_frames_have_no_bands),
+        cmocka_unit_test(nothing_is_left_out_where_rows_are_kept),
         cmocka_unit_test(pixels_of_any_size_are_filled),
         cmocka_unit_test(changes_of_nothing),
         cmocka_unit_test(diffusion_at_the_last_row),

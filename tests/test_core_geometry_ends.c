@@ -109,6 +109,25 @@ static void rows_of_zeros_have_any_exponent(void **state)
     }
 }
 
+/* Translations of nearly 2^61, the most that a row holds, whose sum is more: in other units. */
+static void translations_at_their_limit(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 4; n++) {
+        qtri_transform a, b, product;
+        qtri_transform_identity(&a);
+        qtri_transform_identity(&b);
+        a.row[1].t = (((int64_t)1 << 60) - 1) * (n & 1 ? -1 : 1);
+        b.row[1].t = (((int64_t)1 << 61) - 1) * (n & 2 ? -1 : 1);
+        qtri_transform_mul(&product, &a, &b);
+        check_form(&product);
+        for (int j = 0; j < 4; j++) {
+            const double sum = j < 3 ? element(&b, 1, j) : element(&a, 1, j) + element(&b, 1, j);
+            assert_near(element(&product, 1, j), sum, fabs(sum) * 1e-8);
+        }
+    }
+}
+
 /* w = 8 everywhere: affine but for its scale, which the product keeps. */
 static void constant_weights_are_kept(void **state)
 {
@@ -507,6 +526,7 @@ int main(void)
         cmocka_unit_test(billboards_need_all_axes),
         cmocka_unit_test(zigzags_stay_in_their_room),
         cmocka_unit_test(rows_of_zeros_have_any_exponent),
+        cmocka_unit_test(translations_at_their_limit),
         cmocka_unit_test(constant_weights_are_kept),
         cmocka_unit_test(rests_without_w),
         cmocka_unit_test(boxes_of_all_numbers),

@@ -434,12 +434,35 @@ static void of_samples(void **state)
     canvas_free(&four);
 }
 
+/* A picture of no bytes a pixel, turned or not, changes no surface of its own format. */
+static void without_pixels(void **state)
+{
+    (void)state;
+    static const uint8_t nothing[4];
+    const qtri_image image = {
+        .pixels = nothing, .pitch = 0, .format = &qtri_depth_only, .width = 9, .height = 5};
+    canvas c = canvas_new(&qtri_depth_only, SIDE, SIDE);
+    canvas same = canvas_new(&qtri_depth_only, SIDE, SIDE);
+    clear_to(&c.surface, (qtri_rgb){1, 2, 3}, 1234);
+    clear_to(&same.surface, (qtri_rgb){1, 2, 3}, 1234);
+    for (int n = 0; n < 8; n++) {
+        qtri_affine m;
+        qtri_affine_place(&m, 0, 0, Q16(5), Q16(6), Q16(2), Q16(1.5), n % 2 == 0 ? 0 : Q16(30));
+        qtri_image_paint_affine(&c.surface, &image, &m, n < 4 ? 255 : 100);
+        assert_memory_equal(c.memory, same.memory, c.bytes);
+    }
+    canvas_free(&c);
+    canvas_free(&same);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(placed),        cmocka_unit_test(turned),      cmocka_unit_test(bands),
-        cmocka_unit_test(any_arguments), cmocka_unit_test(of_surfaces), cmocka_unit_test(narrow),
-        cmocka_unit_test(steep),         cmocka_unit_test(of_samples),
+        cmocka_unit_test(placed),         cmocka_unit_test(turned),
+        cmocka_unit_test(bands),          cmocka_unit_test(any_arguments),
+        cmocka_unit_test(of_surfaces),    cmocka_unit_test(narrow),
+        cmocka_unit_test(steep),          cmocka_unit_test(of_samples),
+        cmocka_unit_test(without_pixels),
     };
     return cmocka_run_group_tests_name("core image", tests, NULL, NULL);
 }

@@ -6,6 +6,7 @@
 #include "support/core.h"
 #include "support/layouts.h"
 
+#include "tools/mesh_faces.h"
 #include "tools/mesh_neighbours.h"
 
 #include <qtri/antialias.h>
@@ -221,8 +222,12 @@ static void drawn_outlines_that_cannot_be(void **state)
 static void wrong_indices_have_no_edges(void **state)
 {
     (void)state;
-    enum { MORE = TRIANGLES + 3 };
+    enum { WRONG = 48, MORE = TRIANGLES + WRONG };
     static uint16_t all[MORE][3], around[MORE][3];
+    static qtri_face8 planes[MORE]; /* the last ones are none */
+    qtri_mesh with_planes = cube(false);
+    with_planes.extent = Q16(1);
+    assert_true(mesh_faces_fill(&with_planes, planes) > 0);
     memcpy(all, triangles, sizeof triangles);
     memcpy(around, neighbours, sizeof neighbours);
     for (int i = 0; i < TRIANGLES; i++) {
@@ -230,18 +235,22 @@ static void wrong_indices_have_no_edges(void **state)
             around[i][k] = neighbours[i][k] == TRIANGLES ? MORE : neighbours[i][k];
         }
     }
-    for (int i = 0; i < 3; i++) { /* one index each; none has a neighbour */
-        all[TRIANGLES + i][i] = VERTICES;
+    for (int i = 0; i < WRONG; i++) { /* one index each; none has a neighbour */
         for (int k = 0; k < 3; k++) {
+            all[TRIANGLES + i][k] = (uint16_t)(i % 3 == k ? VERTICES : (3 * i + k) % VERTICES);
             around[TRIANGLES + i][k] = MORE;
         }
     }
-    for (int n = 0; n < 4; n++) {
+    for (int n = 0; n < 8; n++) {
         qtri_transform pose;
         const qtri_view view = view_of(0, 5, &pose);
         qtri_mesh mesh[2] = {cube(n & 1), cube(n & 1)};
         qtri_material material = qtri_material_default();
         canvas c[2];
+        if (n & 4) {
+            mesh[1].faces = with_planes.faces;
+            mesh[1].extent = with_planes.extent;
+        }
         material.cull = n & 2 ? QTRI_CULL_NONE : QTRI_CULL_BACK;
         mesh[1].triangles = (const uint16_t(*)[3])all;
         mesh[1].triangle_count = MORE;
@@ -331,6 +340,7 @@ static void parts_that_have_no_list(void **state)
         assert_int_equal(
             qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, plain.memory, plain.bytes),
             QTRI_OK);
+        assert_int_equal(qtri_frame_set_overlap(&frame, n % 3, NULL, 0), QTRI_OK);
         prepared_init_with(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
         qtri_prepared_set_outline(&prepared, &outline);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
@@ -390,6 +400,44 @@ static void edges_beside_the_frame_are_not_listed(void **state)
         assert_int_equal(qtri_prepared_find_edges(&prepared, &outline), QTRI_OK);
         assert_int_equal(outline.rows, 9);
     }
+}
+
+/* Lists of a mesh that has been prepared behind the eye since: none of their edges is noted. */
+static void lists_of_an_earlier_pose_are_left(void **state)
+{
+    (void)state;
+    const qtri_material material = qtri_material_default();
+    qtri_transform pose;
+    const qtri_view view = view_of(0, 4, &pose);
+    const qtri_mesh mesh = cube(true);
+    canvas c = new_canvas(QTRI_LESS), plain = new_canvas(QTRI_LESS);
+    qtri_outline outline;
+    qtri_prepared prepared;
+    qtri_frame frame;
+    assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_OK);
+    assert_int_equal(
+        qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, HEIGHT, c.memory, c.bytes), QTRI_OK);
+    prepared_init_with(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
+    qtri_prepared_set_outline(&prepared, &outline);
+    qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
+    assert_int_equal(qtri_prepared_find_edges(&prepared, &outline), QTRI_OK);
+    for (int is_behind = 0; is_behind < 2; is_behind++) {
+        if (is_behind) {
+            qtri_transform_identity(&pose);
+            qtri_transform_translate(&pose, vec3_of(0, 0, 4));
+            qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
+        }
+        clear_to(&c.surface, sky, 65535);
+        clear_to(&plain.surface, sky, 65535);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i += 3) {
+            memset(c.surface.pixels + 2 * (ptrdiff_t)i, 0xF0, 2);
+            memset(plain.surface.pixels + 2 * (ptrdiff_t)i, 0xF0, 2);
+        }
+        blend_edges(&c.surface, &outline);
+        assert_int_equal(differences(&c, &plain) == 0, is_behind);
+    }
+    canvas_free(&c);
+    canvas_free(&plain);
 }
 
 /* The mesh with its outline in a whole frame, and in bands. */
@@ -538,6 +586,7 @@ int main(void)
         cmocka_unit_test(surfaces_of_other_sizes),
         cmocka_unit_test(parts_that_have_no_list),
         cmocka_unit_test(edges_beside_the_frame_are_not_listed),
+        cmocka_unit_test(lists_of_an_earlier_pose_are_left),
         cmocka_unit_test(numbers_that_are_no_cull),
         cmocka_unit_test(neighbours_that_are_none),
         cmocka_unit_test(creases_without_light),

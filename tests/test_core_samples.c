@@ -418,6 +418,92 @@ static void both_ways(void **state)
 }
 
 /* Of a scissor's pixels and no others, in each format. */
+/* In the middle of a large surface nothing is cut: as in tiles, where all is. */
+static void far_from_the_bounds(void **state)
+{
+    (void)state;
+    enum { SIDE = 200, TILE = 50 };
+    uint64_t seed = 31;
+    for (int n = 0; n < 20; n++) {
+        canvas c[2];
+        qtri_screen_vertex v[40][3];
+        qtri_material material = plain_material();
+        material.depth_compare = QTRI_LESS;
+        for (int i = 0; i < 40; i++) {
+            random_triangle(v[i], &seed, 0, 255);
+            for (int k = 0; k < 3; k++) {
+                v[i][k].x_24p8 += (SIDE - WIDTH) * 128;
+                v[i][k].y_24p8 += (SIDE - HEIGHT) * 128;
+            }
+        }
+        for (int i = 0; i < 2; i++) {
+            c[i] = canvas_new(four[n % FORMATS], SIDE, SIDE);
+            qtri_samples_clear(&c[i].surface, (qtri_rgb){10, 20, 30});
+            for (int tile = 0; tile < (i == 0 ? 1 : 16); tile++) {
+                const int32_t x = tile % 4 * TILE, y = tile / 4 * TILE;
+                const qtri_rect part = {x, y, x + TILE, y + TILE};
+                c[i].surface.scissor = i == 0 ? c[i].surface.scissor : part;
+                for (int k = 0; k < 40; k++) {
+                    (void)draw_triangle(&c[i].surface, &material, v[k], true);
+                }
+            }
+        }
+        assert_memory_equal(c[0].surface.pixels, c[1].surface.pixels,
+                            (size_t)c[0].surface.pitch * SIDE);
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+}
+
+/* Needles to the end of the guard band, which samples' offsets cut off there: the same in rows, and
+   nothing but what lies on them. */
+static void needles_to_the_last_place(void **state)
+{
+    (void)state;
+    static const int32_t apart[4] = {3, 20, 60, 200};
+    for (int n = 0; n < 16; n++) {
+        const int32_t most = QTRI_SCREEN_MAX_24P8, sign = n & 1 ? -1 : 1;
+        canvas c[2];
+        qtri_material material = plain_material();
+        qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(most, most),
+                                   screen_at(most - apart[n / 4], most)};
+        for (int k = 0; k < 3; k++) {
+            if (n & 2) { /* from the right, at the other end */
+                v[k].x_24p8 = WIDTH * 256 - v[k].x_24p8;
+            }
+            v[k].depth_16p16 = (uint32_t)(k * 30000) << 16;
+            v[k].color_8p16[0] = v[k].color_8p16[1] = v[k].color_8p16[2] = 255 << 16;
+        }
+        if (sign < 0) {
+            const qtri_screen_vertex first = v[1];
+            v[1] = v[2];
+            v[2] = first;
+        }
+        material.depth_compare = QTRI_LESS;
+        for (int i = 0; i < 2; i++) {
+            c[i] = canvas_new(&qtri_rgb565_x4, WIDTH, HEIGHT);
+            qtri_samples_clear(&c[i].surface, (qtri_rgb){0, 0, 0});
+            for (int32_t y = 0; y < (i == 0 ? 1 : HEIGHT); y++) {
+                if (i == 1) {
+                    c[i].surface.scissor.y0 = y;
+                    c[i].surface.scissor.y1 = y + 1;
+                }
+                (void)draw_triangle(&c[i].surface, &material, v, false);
+            }
+        }
+        assert_memory_equal(c[0].surface.pixels, c[1].surface.pixels,
+                            (size_t)c[0].surface.pitch * HEIGHT);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const int32_t x = i % WIDTH, y = i / WIDTH, along = n & 2 ? WIDTH - 1 - x : x;
+            for (int k = 0; k < 4; k++) {
+                assert_true(sample_at(&c[0].surface, x, y, k) == 0 || abs(along - y) <= 1);
+            }
+        }
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+}
+
 static void clears_in_a_scissor(void **state)
 {
     (void)state;
@@ -440,11 +526,17 @@ static void clears_in_a_scissor(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage),  cmocka_unit_test(clears_in_a_scissor),
-        cmocka_unit_test(depths),    cmocka_unit_test(range),
-        cmocka_unit_test(texels),    cmocka_unit_test(seams),
-        cmocka_unit_test(resolve),   cmocka_unit_test(bands),
+        cmocka_unit_test(coverage),
+        cmocka_unit_test(clears_in_a_scissor),
+        cmocka_unit_test(depths),
+        cmocka_unit_test(range),
+        cmocka_unit_test(texels),
+        cmocka_unit_test(seams),
+        cmocka_unit_test(resolve),
+        cmocka_unit_test(bands),
         cmocka_unit_test(both_ways),
+        cmocka_unit_test(far_from_the_bounds),
+        cmocka_unit_test(needles_to_the_last_place),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -415,6 +415,54 @@ static void wireframes(void **state)
     }
 }
 
+/* Channels that a material keeps are as they were, and others whatever else is kept. */
+static void kept_channels(void **state)
+{
+    (void)state;
+    static const uint32_t mask[3] = {0xF800, 0x07E0, 0x001F}; /* of RGB565 */
+    static const uint8_t kept[3] = {QTRI_KEEP_RED, QTRI_KEEP_GREEN, QTRI_KEEP_BLUE};
+    const qtri_mesh mesh = torus();
+    qtri_view view;
+    qtri_transform pose;
+    canvas c[8]; /* of what is kept; the first is without lines */
+    int drawn = 0;
+    set_view(&view, 3);
+    qtri_transform_identity(&pose);
+    qtri_transform_rotate_y(&pose, Q16(40));
+    for (int keep = 0; keep < 8; keep++) {
+        qtri_material material = qtri_material_default();
+        c[keep] = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+        clear_to(&c[keep].surface, (qtri_rgb){90, 30, 170}, 65535);
+        material.fill = &qtri_smooth_wireframe;
+        material.color = (qtri_rgb){250, 220, 120};
+        material.blend = &qtri_blend_replace;
+        for (int k = 0; k < 3; k++) {
+            material.keep |= (uint8_t)((keep >> k & 1) != 0 ? kept[k] : 0);
+        }
+        if (keep != 0) {
+            qtri_draw_mesh(&c[keep].surface, &view, &pose, &mesh, &material);
+        }
+    }
+    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        uint32_t is[8];
+        for (int keep = 0; keep < 8; keep++) {
+            is[keep] = stored_pixel(&c[keep].surface, i % WIDTH, i / WIDTH);
+        }
+        for (int k = 0; k < 3; k++) {
+            const uint32_t alone = is[1 << (k + 1) % 3]; /* another is kept */
+            for (int keep = 1; keep < 8; keep++) {
+                const uint32_t want = (keep >> k & 1) != 0 ? is[0] : alone;
+                assert_int_equal(is[keep] & mask[k], want & mask[k]);
+            }
+            drawn += ((alone ^ is[0]) & mask[k]) != 0;
+        }
+    }
+    assert_true(drawn > 500);
+    for (int keep = 0; keep < 8; keep++) {
+        canvas_free(&c[keep]);
+    }
+}
+
 /* An edge that two triangles share is blended once: as of thin strokes, and as of either alone. */
 static void shared_edges(void **state)
 {
@@ -465,10 +513,11 @@ static void shared_edges(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage),     cmocka_unit_test(short_lines_share_colors),
-        cmocka_unit_test(pieces),       cmocka_unit_test(doors),
-        cmocka_unit_test(extremes),     cmocka_unit_test(wireframes),
-        cmocka_unit_test(shared_edges), cmocka_unit_test(rows_may_lie_far_apart),
+        cmocka_unit_test(coverage),      cmocka_unit_test(short_lines_share_colors),
+        cmocka_unit_test(pieces),        cmocka_unit_test(doors),
+        cmocka_unit_test(extremes),      cmocka_unit_test(wireframes),
+        cmocka_unit_test(shared_edges),  cmocka_unit_test(rows_may_lie_far_apart),
+        cmocka_unit_test(kept_channels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -102,6 +102,11 @@ static void formats_that_do_not_fit(void **state)
             bytes < 2 || bytes > 4 ? QTRI_ERROR_FORMAT : QTRI_OK);
         assert_true((s.pixels != NULL) == (bytes >= 2 && bytes <= 4));
     }
+    qtri_surface none;
+    assert_int_equal(qtri_surface_init(&none, NULL, WIDTH, 8, 0, 8, memory, sizeof memory),
+                     QTRI_ERROR_FORMAT);
+    assert_int_equal(qtri_surface_set_depth(&none, &qtri_depth_linear32, sizeof memory),
+                     QTRI_ERROR_FORMAT);
     static const struct {
         int32_t rows;
         size_t bytes;

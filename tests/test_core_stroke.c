@@ -670,6 +670,103 @@ static void corners_in_space(void **state)
     canvas_free(&d);
 }
 
+/* Parts on both sides of one that cannot be seen have their own colours, and depths. */
+static void parts_apart_have_their_own_looks(void **state)
+{
+    (void)state;
+    const qtri_view view = flat_view();
+    const qtri_material material = qtri_material_default();
+    qtri_stroke stroke = qtri_stroke_default();
+    qtri_transform pose;
+    qtri_transform_identity(&pose);
+    stroke.width = Q16(3);
+    for (int n = 0; n < 10; n++) { /* one channel is another, or depth, or nothing */
+        const int differs = n % 5;
+        canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        canvas d = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        const int32_t beyond = -20000 * 256; /* the guard band */
+        qtri_corner corner[4] = {corner_at(4000, 3000), corner_at(beyond, 3000),
+                                 corner_at(beyond, 9000), corner_at(4000, 9000)};
+        for (int i = 0; i < 4; i++) {
+            uint8_t *channel[3] = {&corner[i].color.r, &corner[i].color.g, &corner[i].color.b};
+            for (int k = 0; k < 3; k++) {
+                *channel[k] = i >= 2 && k == differs ? 20 : 200;
+            }
+            corner[i].position.z = i >= 2 && differs == 3 ? Q16(.5) : 0;
+        }
+        stroke.edges = n < 5 ? NULL : &qtri_stroke_smooth;
+        canvas_clear(&c);
+        canvas_clear(&d);
+        qtri_draw_polyline(&c.surface, &view, &pose, corner, 4, &stroke, &material);
+        qtri_draw_wide_lines(&d.surface, &view, &pose, corner, 4, &stroke, &material);
+        assert_int_not_equal(stored_pixel(&c.surface, 5, 11), 0);
+        assert_int_not_equal(stored_pixel(&c.surface, 5, 35), 0);
+        assert_int_equal(stored_depth(&c.surface, 5, 11) != stored_depth(&c.surface, 5, 35),
+                         differs == 3);
+        assert_memory_equal(c.surface.pixels, d.surface.pixels, 4 * WIDTH * HEIGHT);
+        assert_memory_equal(c.surface.depth, d.surface.depth, 2 * WIDTH * HEIGHT);
+        canvas_free(&c);
+        canvas_free(&d);
+    }
+}
+
+/* On samples without depth a stroke is that which asks for none. */
+static void samples_without_depth(void **state)
+{
+    (void)state;
+    uint64_t seed = 21;
+    for (int n = 0; n < random_cases(40); n++) {
+        scene s = random_scene(&seed, POINTS);
+        canvas c[2];
+        qtri_material material = plain_material();
+        s.stroke.edges = n % 2 == 0 ? NULL : s.stroke.edges;
+        for (int i = 0; i < 2; i++) {
+            c[i] = canvas_new(&qtri_rgb565_x4, WIDTH, HEIGHT);
+            qtri_samples_clear(&c[i].surface, (qtri_rgb){10, 90, 40});
+            c[i].surface.depth = i == 0 ? c[i].surface.depth : NULL;
+            material.depth_compare = i == 0 ? QTRI_DEPTH_OFF : QTRI_LESS;
+            paint(&c[i].surface, &s, &material);
+        }
+        assert_memory_equal(c[0].surface.pixels, c[1].surface.pixels,
+                            (size_t)c[0].surface.pitch * HEIGHT);
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+}
+
+/*
+ * More thin parts in a few columns than are kept apart: nothing is drawn outside of them, nor is
+ * anything missed; what lies between two is covered at most.
+ */
+static void many_parts_in_a_few_columns(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 6; n++) {
+        enum { PARTS = 23, LEFT = 20 * 256 };
+        canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+        scene s = {.count = PARTS + 1, .stroke = qtri_stroke_default()};
+        const int32_t apart = 60 + 20 * n;
+        s.stroke.width = Q16(.05);
+        for (int32_t i = 0; i <= PARTS; i++) { /* up and down, from beyond the rows to beyond */
+            s.v[i] = screen_at(LEFT + i * apart, i % 2 == 0 ? -20000 : 33000);
+        }
+        canvas_clear(&c);
+        draw(&c.surface, &s);
+        const int32_t end = (LEFT + PARTS * apart + 255) >> 8;
+        for (int32_t y = 0; y < HEIGHT; y++) {
+            uint32_t sum = 0;
+            for (int32_t x = 0; x < WIDTH; x++) {
+                const uint32_t is = stored_pixel(&c.surface, x, y);
+                assert_true(is == 0 || (x >= LEFT / 256 - 1 && x <= end));
+                sum += is;
+            }
+            /* Parts of 13/256 pixel each, and a pixel of 255 where they are taken together. */
+            assert_in_range(sum, PARTS * 255 * 12 / 256 * 3 / 4, 255 * (end - LEFT / 256 + 1));
+        }
+        canvas_free(&c);
+    }
+}
+
 static const qtri_vec3 cube_positions[8] = {
     {-Q16_ONE, -Q16_ONE, -Q16_ONE}, {Q16_ONE, -Q16_ONE, -Q16_ONE}, {Q16_ONE, Q16_ONE, -Q16_ONE},
     {-Q16_ONE, Q16_ONE, -Q16_ONE},  {-Q16_ONE, -Q16_ONE, Q16_ONE}, {Q16_ONE, -Q16_ONE, Q16_ONE},
@@ -900,6 +997,9 @@ int main(void)
         cmocka_unit_test(extremes),
         cmocka_unit_test(nothing),
         cmocka_unit_test(depth),
+        cmocka_unit_test(parts_apart_have_their_own_looks),
+        cmocka_unit_test(samples_without_depth),
+        cmocka_unit_test(many_parts_in_a_few_columns),
         cmocka_unit_test(corners_in_space),
         cmocka_unit_test(polylines_of_many_points),
         cmocka_unit_test(wireframes),

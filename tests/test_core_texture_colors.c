@@ -368,6 +368,49 @@ static void formats_agree(void **state)
     }
 }
 
+/* What a format's own functions read of a texture is what is drawn of it. */
+static void formats_read_what_is_drawn(void **state)
+{
+    (void)state;
+    static const struct {
+        const qtri_texel_format *format;
+        const void *texels;
+    } all[] = {{&qtri_texel_rgb565, texels565},   {&qtri_texel_xrgb8888, colors8888},
+               {&qtri_texel_gray8, levels},       {&qtri_texel_palette8, numbers},
+               {&qtri_texel_checker, NULL},       {&qtri_texel_argb4444, texels565},
+               {&qtri_texel_argb1555, texels565}, {&qtri_texel_argb8888, colors8888},
+               {&qtri_texel_alpha8, numbers}};
+    static uint32_t read[NOISE * NOISE];
+    for (size_t n = 0; n < LENGTH_OF(all); n++) {
+        const qtri_texel_format *format = all[n].format;
+        qtri_texture texture = noise_texture(all[n].texels, format);
+        texture.palette = palette;
+        texture.fields = 5;
+        texture.color[0] = palette[1];
+        texture.color[1] = palette[2];
+        for (uint32_t i = 0; i < NOISE * NOISE; i += 4) {
+            uint32_t texel[4] = {i, i + 1, i + 2, i + 3};
+            format->fetch(texel, &texture, 4);
+            if (format->decode != NULL) {
+                format->decode(texel, &texture, 4);
+            }
+            for (int k = 0; k < 4; k++) {
+                read[i + (uint32_t)k] = format->colors == &qtri_colors_565
+                                            ? qtri_decode_rgb565(texel[k])
+                                            : texel[k] & 0xFFFFFF;
+            }
+        }
+        const qtri_texture as_read = noise_texture(read, &qtri_texel_xrgb8888);
+        canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        canvas d = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        draw_full(&c, &texture, QTRI_REPLACE);
+        draw_full(&d, &as_read, QTRI_REPLACE);
+        assert_same_picture(&c.surface, &d.surface);
+        canvas_free(&c);
+        canvas_free(&d);
+    }
+}
+
 /* ---- Colour key ---- */
 
 /* Where the key lies, neither colour nor depth changes; elsewhere both do. Any filter. */
@@ -571,6 +614,7 @@ int main(void)
         cmocka_unit_test(bilinear_at_centres),
         cmocka_unit_test(bilinear_rounds_at_the_half),
         cmocka_unit_test(formats_agree),
+        cmocka_unit_test(formats_read_what_is_drawn),
         cmocka_unit_test(keys_leave_holes),
         cmocka_unit_test(keys_that_match_nothing),
         cmocka_unit_test(keys_do_not_bleed),

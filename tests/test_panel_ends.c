@@ -118,17 +118,20 @@ static void failures_in_the_middle(void **state)
     }
 }
 
-/* RGB565 in its display's order, in rows that do not touch: each is a transfer that may fail. */
+/* RGB565 in its display's order, in rows that do not touch: each is a transfer that may fail, and
+   so is each pixel of RGB666 where the memory has room for two. */
 static void failures_between_rows(void **state)
 {
     (void)state;
+    enum { ILI9488 = 26 };
     static setup s;
-    for (int n = 0; n < 2; n++) {
+    for (int n = 0; n < 3; n++) {
         const qtri_format *const format = n == 0 ? &qtri_rgb565_swapped : &qtri_xrgb8888;
         for (int fail = 1, reached = 1; reached; fail++) {
-            setup_init(&s, 15);
+            setup_init(&s, n < 2 ? 15 : ILI9488);
             assert_int_equal(setup_start(&s, QTRI_ROTATE_0, false), QTRI_OK);
-            canvas band = canvas_band(format, 80, 160, 0, 4);
+            canvas band =
+                canvas_band(format, qtri_panel_width(&s.panel), qtri_panel_height(&s.panel), 0, 4);
             const qtri_rect rect = {3, 0, 7, 4};
             const int before = s.wire.calls;
             s.wire.fail_at = before + fail;
@@ -243,6 +246,45 @@ static void descriptions_without_a_sequence(void **state)
         assert_int_equal(r.commands, n == 3);
         assert_int_equal(r.count, 2 * 10 * 6);
     }
+}
+
+/* What cannot write is no panel. */
+static void descriptions_that_do_not_write(void **state)
+{
+    (void)state;
+    static recorder r;
+    static uint8_t memory[200];
+    const qtri_bus bus = recording(&r);
+    qtri_panel_description d = plain(10, 6, QTRI_PANEL_RGB565, QTRI_ORDER_BIG);
+    qtri_panel panel;
+    d.write = NULL;
+    assert_int_equal(qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, memory, sizeof memory),
+                     QTRI_ERROR_SIZE);
+}
+
+/* Memory for a pixel, for rows, and for more pixels than are converted at a time: the same bytes.
+ */
+static void any_memory_sends_the_same(void **state)
+{
+    (void)state;
+    enum { W = 10, H = 6, MOST = 6 * 9000 };
+    static recorder r[3];
+    static uint8_t memory[MOST];
+    static const size_t bytes[3] = {QTRI_PANEL_LINE_BYTES(2), 8 * W, MOST};
+    canvas whole = canvas_new(&qtri_xrgb8888, W, H);
+    draw_picture(&whole.surface, 8);
+    for (int n = 0; n < 3; n++) {
+        const qtri_bus bus = recording(&r[n]);
+        qtri_panel_description d = plain(W, H, QTRI_PANEL_RGB666, QTRI_ORDER_BIG);
+        qtri_panel panel;
+        d.write = qtri_panel_write_666;
+        assert_int_equal(qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, memory, bytes[n]),
+                         QTRI_OK);
+        assert_int_equal(qtri_panel_write(&panel, &whole.surface), QTRI_OK);
+        assert_int_equal(r[n].count, 2 * 3 * W * H); /* black, then the picture */
+        assert_memory_equal(r[n].data, r[0].data, r[0].count);
+    }
+    canvas_free(&whole);
 }
 
 /* The order of the machine, and of low bytes first, of surfaces that are converted. */
@@ -518,6 +560,8 @@ int main(void)
         cmocka_unit_test(framebuffers_need_no_bus),
         cmocka_unit_test(no_panel_without_memory),
         cmocka_unit_test(descriptions_without_a_sequence),
+        cmocka_unit_test(descriptions_that_do_not_write),
+        cmocka_unit_test(any_memory_sends_the_same),
         cmocka_unit_test(orders_of_converted_pixels),
         cmocka_unit_test(formats_of_other_sizes),
         cmocka_unit_test(numbers_that_are_no_format_or_order),

@@ -111,6 +111,106 @@ static void only_what_is_shown_is_sent(void **state)
     }
 }
 
+static bool take_command(void *context, const uint8_t *bytes, size_t count)
+{
+    (void)context;
+    (void)bytes;
+    (void)count;
+    return true;
+}
+
+typedef struct taken {
+    uint8_t data[4000];
+    size_t count;
+} taken;
+
+static bool take_data(void *context, const uint8_t *bytes, size_t count)
+{
+    taken *t = (taken *)context;
+    assert_true(t->count + count <= sizeof t->data);
+    memcpy(t->data + t->count, bytes, count);
+    t->count += count;
+    return true;
+}
+
+static void wait_ms(void *context, uint32_t ms)
+{
+    (void)context;
+    (void)ms;
+}
+
+static enum qtri_error any_window(const qtri_panel *panel, const qtri_rect *window)
+{
+    (void)panel;
+    (void)window;
+    return QTRI_OK;
+}
+
+/* Bands of any number of pixels, from any column of a word on, in the order of bytes that the
+   display has, with one buffer and with two; and a display that is memory. */
+static void pixels_have_the_order_of_the_display(void **state)
+{
+    (void)state;
+    enum { W = 9, H = 7 };
+    static const qtri_byte_order orders[3] = {QTRI_ORDER_BIG, QTRI_ORDER_LITTLE, QTRI_ORDER_NATIVE};
+    static uint8_t shown_memory[2 * W * H + QTRI_PANEL_LINE_BYTES(W)];
+    static uint32_t words[QTRI_SCREEN_BYTES(W, H + 2, QTRI_RGB565_BYTES) / 4 + 1];
+    canvas whole = canvas_new(&qtri_rgb565, W, H);
+    draw_picture(&whole.surface, 6);
+    for (int n = 0; n < 3 * 2 * 4 * 3; n++) {
+        static taken t;
+        const int32_t rows = 1 + n / 6 % 4, overlap = n / 24;
+        const bool has_two = n / 3 % 2 == 0;
+        const qtri_bus bus = {&t, take_command, take_data, NULL, NULL, wait_ms, NULL, NULL, 0};
+        const qtri_panel_description d = {.width = W,
+                                          .height = H,
+                                          .format = QTRI_PANEL_RGB565,
+                                          .order = orders[n % 3],
+                                          .memory_width = W,
+                                          .memory_height = H,
+                                          .window = any_window,
+                                          .write = qtri_panel_write_565};
+        qtri_screen screen;
+        qtri_surface band;
+        const size_t bytes = has_two ? QTRI_SCREEN_BYTES(W, rows + 2 * overlap, QTRI_RGB565_BYTES)
+                                     : QTRI_FRAME_BYTES(W, rows + 2 * overlap, QTRI_RGB565_BYTES) +
+                                           QTRI_PANEL_LINE_BYTES(W);
+        assert_int_equal(
+            qtri_screen_init(&screen, &d, &bus, QTRI_ROTATE_0, &qtri_rgb565, rows, words, bytes),
+            QTRI_OK);
+        assert_int_equal(qtri_frame_set_overlap(&screen.frame, overlap, NULL, 0), QTRI_OK);
+        assert_int_equal(screen.frame.other_pixels != NULL, has_two);
+        t.count = 0;
+        while (qtri_screen_next(&screen, &band)) {
+            draw_picture(&band, 6);
+        }
+        assert_int_equal(screen.error, QTRI_OK);
+        assert_int_equal(t.count, 2 * W * H);
+        for (int32_t i = 0; i < W * H; i++) {
+            const uint32_t pixel = stored_pixel(&whole.surface, i % W, i / W);
+            uint16_t native;
+            memcpy(&native, t.data + 2 * i, 2);
+            const uint32_t is = n % 3 == 0   ? (uint32_t)t.data[2 * i] << 8 | t.data[2 * i + 1]
+                                : n % 3 == 1 ? (uint32_t)t.data[2 * i + 1] << 8 | t.data[2 * i]
+                                             : native;
+            assert_int_equal(is, pixel);
+        }
+    }
+    const qtri_panel_description mapped =
+        QTRI_FRAMEBUFFER(W, H, QTRI_PANEL_RGB565, QTRI_ORDER_NATIVE);
+    qtri_screen screen;
+    qtri_surface band;
+    assert_int_equal(qtri_panel_init(&screen.panel, &mapped, NULL, QTRI_ROTATE_0, shown_memory,
+                                     sizeof shown_memory),
+                     QTRI_OK);
+    assert_int_equal(qtri_screen_begin(&screen, &qtri_rgb565, 2, words, sizeof words), QTRI_OK);
+    while (qtri_screen_next(&screen, &band)) {
+        draw_picture(&band, 6);
+    }
+    assert_memory_equal(shown_memory, whole.surface.pixels, 2 * W * H);
+    canvas_free(&whole);
+}
+
 /* Bands are black where nothing is drawn, or of the colour that the user sets. */
 static void bands_are_cleared(void **state)
 {
@@ -145,6 +245,9 @@ static void errors_end_the_frame(void **state)
                      QTRI_ERROR_MEMORY);
     assert_false(qtri_screen_next(&screen, &band));
     assert_int_equal(screen.error, QTRI_ERROR_MEMORY);
+    assert_int_equal(qtri_screen_init(&screen, s.description, &s.wire.bus, QTRI_ROTATE_0,
+                                      &qtri_rgb565, 16, memory, 100),
+                     QTRI_ERROR_MEMORY); /* not even for a line */
     assert_int_equal(qtri_screen_init(&screen, s.description, &s.wire.bus, QTRI_ROTATE_0,
                                       &qtri_rgb565, 16, NULL, sizeof memory),
                      QTRI_ERROR_MEMORY);
@@ -184,6 +287,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_display_shows_what_is_drawn),
         cmocka_unit_test(only_what_is_shown_is_sent),
+        cmocka_unit_test(pixels_have_the_order_of_the_display),
         cmocka_unit_test(bands_are_cleared),
         cmocka_unit_test(errors_end_the_frame),
     };

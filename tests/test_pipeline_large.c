@@ -42,7 +42,7 @@ static const qtri_pipeline *const instances[] = {
 enum { INSTANCES = sizeof instances / sizeof instances[0] };
 
 /* What triangles look like. */
-enum { QUAD, NEEDLE, LEVEL, HUGE_ONE, SMALL, PLAIN, SHAPES };
+enum { QUAD, NEEDLE, LEVEL, HUGE_ONE, SMALL, PLAIN, THIN, SHAPES };
 
 typedef struct triangle {
     qtri_point at[3];
@@ -80,7 +80,8 @@ static bool is_linear(const qtri_options *o)
 /* Points, and 1/w and depth that fit each other: depth is linear in 1/w. */
 static void make_triangle(triangle *t, int shape)
 {
-    const int32_t far = in(0, 1) ? 2 : 5;
+    const int32_t far = shape == THIN ? 0 : in(0, 1) ? 2 : 5; /* 1/w of twice as much at most */
+    const bool is_high = shape == THIN && in(0, 1);
     memset(t, 0, sizeof *t);
     for (int i = 0; i < 3; i++) {
         qtri_large_vertex *v = &t->v[i];
@@ -94,6 +95,9 @@ static void make_triangle(triangle *t, int shape)
         } else if (shape == SMALL) {
             t->at[i].x_24p8 = WIDTH * 128 + in(-40 * 256, 40 * 256);
             t->at[i].y_24p8 = HEIGHT * 128 + in(-40 * 256, 40 * 256);
+        } else if (shape == THIN) {
+            t->at[i].x_24p8 = WIDTH * 128 + (is_high ? in(-200, 200) : in(-400 * 256, 400 * 256));
+            t->at[i].y_24p8 = HEIGHT * 128 + (is_high ? in(-400 * 256, 400 * 256) : in(-200, 200));
         }
         v->inv_w_exponent = in(0, far);
         v->inv_w_q31 = 0x40000000u + (uint32_t)in(0, 0x3FFFFFFF);

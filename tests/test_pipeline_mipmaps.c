@@ -325,6 +325,47 @@ static void turns_at_one_end(void **state)
     assert_true(w.pixels > 60000 && w.level < 0.03 && w.own < 0.4);
 }
 
+/*
+ * Where 1/w hardly changes along rows, short ones are drawn as if it did not, and long ones in
+ * pieces: in tiles, from any column of a row on, these are what they are in the whole. Textures
+ * with levels and without.
+ */
+static void rows_of_hardly_any_perspective(void **state)
+{
+    (void)state;
+    enum { ACROSS = 4 * WIDTH, DOWN = HEIGHT, TILE = 37 };
+    worst w = {0};
+    canvas c[2] = {canvas_new(&qtri_xrgb8888, ACROSS, DOWN),
+                   canvas_new(&qtri_xrgb8888, ACROSS, DOWN)};
+    for (int n = 0; n < 80; n++) {
+        qtri_texture t = chain(6, 6, false);
+        qtri_material m = plain_material();
+        const double fall = exp2(-6 - n / 2 / 4.0), repeats = 4 + n % 7; /* of q, along the row */
+        const qtri_screen_vertex v[3] = {divided(0, 0, 1, 0, 0),
+                                         divided(ACROSS, 0, 1 - fall, repeats, 0),
+                                         divided(ACROSS / 2, DOWN, .9, repeats / 3, .9)};
+        m.texture = &t;
+        m.texture_mode = QTRI_REPLACE;
+        m.depth_compare = QTRI_LESS;
+        t.level_count = n % 2 == 0 ? t.level_count : 0;
+        for (int i = 0; i < 2; i++) {
+            canvas_clear(&c[i]);
+            for (int32_t x = 0; x < (i == 0 ? 1 : ACROSS); x += TILE) {
+                qtri_surface part = c[i].surface;
+                part.scissor.x0 = x;
+                part.scissor.x1 = i == 0 ? ACROSS : x + TILE;
+                draw_by_pipeline(&part, &m, v);
+            }
+        }
+        assert_memory_equal(c[0].memory, c[1].memory, c[0].bytes);
+        look_at(&w, &c[0], v, &t, true);
+    }
+    canvas_free(&c[0]);
+    canvas_free(&c[1]);
+    print_worst("hardly any perspective", &w);
+    assert_true(w.pixels > 100000 && w.level < 0.03 && w.own < 0.4 && w.place < 4.1);
+}
+
 /* ---- Bilinear ---- */
 
 static double texel_gray(const qtri_texture *t, int level, int column, int row)
@@ -573,9 +614,13 @@ static void drawn_with_copies(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(chooses_by_footprint), cmocka_unit_test(turns_at_one_end),
-        cmocka_unit_test(filters_in_levels),    cmocka_unit_test(draws_batches),
-        cmocka_unit_test(does_without),         cmocka_unit_test(drawn_with_copies),
+        cmocka_unit_test(chooses_by_footprint),
+        cmocka_unit_test(turns_at_one_end),
+        cmocka_unit_test(rows_of_hardly_any_perspective),
+        cmocka_unit_test(filters_in_levels),
+        cmocka_unit_test(draws_batches),
+        cmocka_unit_test(does_without),
+        cmocka_unit_test(drawn_with_copies),
     };
     return cmocka_run_group_tests_name("core mipmaps", tests, NULL, NULL);
 }

@@ -8,6 +8,7 @@
 
 #include "qtri/pipeline.h"
 #include "raster/draw_state.h"
+#include "raster/samples.h"
 
 enum { WIDTH = 150, HEIGHT = 110, TILE_WIDTH = 41, TILE_HEIGHT = 17, BAND = 13 };
 enum {
@@ -30,6 +31,54 @@ bool random_fragment(qtri_fragment *f)
     f->color = (f->color & 0xFF00FFu) | ((f->color >> 8 & 255) * f->light_q8 & 0xFF00u);
     return ((f->x ^ f->y) & 7) != 3;
 }
+
+/* A format of one's own, five bits a channel, red the lowest; and texels that are 0x00RRGGBB. */
+uint32_t random_encode(uint32_t color);
+uint32_t random_decode(uint32_t stored);
+uint32_t random_fetch(const qtri_texture *texture, uint32_t number);
+extern const qtri_format random_format;
+extern const qtri_texel_format random_texels;
+
+uint32_t random_encode(uint32_t color)
+{
+    return (color >> 19 & 31) | (color >> 11 & 31) << 5 | (color >> 3 & 31) << 10;
+}
+
+uint32_t random_decode(uint32_t stored)
+{
+    const uint32_t r = stored & 31, g = stored >> 5 & 31, b = stored >> 10 & 31;
+    return (r << 3 | r >> 2) << 16 | (g << 3 | g >> 2) << 8 | (b << 3 | b >> 2);
+}
+
+static void encode_words(uint32_t *color, int32_t count)
+{
+    for (int32_t i = 0; i < count; i++) {
+        color[i] = random_encode(color[i]);
+    }
+}
+
+const qtri_format random_format = {
+    &qtri_pixels_16, &qtri_colors_888, encode_words, random_decode, NULL, QTRI_OTHER_FORMAT};
+
+static bool has_texels(const qtri_texture *texture)
+{
+    return texture->texels != NULL;
+}
+
+static void fetch_words(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    for (int32_t i = 0; i < count; i++) {
+        texel[i] = ((const uint32_t *)texture->texels)[texel[i]] & 0xFFFFFF;
+    }
+}
+
+uint32_t random_fetch(const qtri_texture *texture, uint32_t number)
+{
+    return ((const uint32_t *)texture->texels)[number] | 0xFF000000;
+}
+
+const qtri_texel_format random_texels = {&qtri_colors_888, 0xFFFFFF, has_texels,
+                                         fetch_words,      NULL,     QTRI_NO_TEXEL};
 
 static const qtri_rgb palette[256] = {{1, 2, 3}, {255, 255, 255}, {200, 10, 90}, {9, 99, 255}};
 
@@ -110,6 +159,7 @@ static uint32_t stored_bits(uint8_t texel)
     switch (texel) {
     case QTRI_TEXEL_XRGB8888:
     case QTRI_TEXEL_ARGB8888:
+    case QTRI_OTHER_TEXEL:
         return UINT32_MAX;
     case QTRI_TEXEL_RGB565:
     case QTRI_TEXEL_ARGB4444:
@@ -133,7 +183,8 @@ static void make_texture(const qtri_options *o)
                                                        &qtri_texel_argb8888,
                                                        &qtri_texel_argb4444,
                                                        &qtri_texel_argb1555,
-                                                       &qtri_texel_alpha8};
+                                                       &qtri_texel_alpha8,
+                                                       &random_texels};
     memset(&w.texture, 0, sizeof w.texture);
     w.texture.texels = w.texels;
     w.texture.format = formats[o->texel];
@@ -259,8 +310,8 @@ typedef struct picture {
 static picture new_picture(const qtri_options *o)
 {
     static const qtri_format *const formats[] = {
-        NULL,         &qtri_rgb565,   &qtri_rgb565_swapped, &qtri_rgb565_exact, &qtri_rgb888,
-        &qtri_bgr888, &qtri_xrgb8888, &qtri_gray8,          &qtri_depth_only};
+        &random_format, &qtri_rgb565,   &qtri_rgb565_swapped, &qtri_rgb565_exact, &qtri_rgb888,
+        &qtri_bgr888,   &qtri_xrgb8888, &qtri_gray8,          &qtri_depth_only};
     static const qtri_depth_format *const depths[] = {NULL, &qtri_depth_linear16,
                                                       &qtri_depth_float16, &qtri_depth_linear24,
                                                       &qtri_depth_linear32};
@@ -427,10 +478,69 @@ static void every_pipeline_fits_what_it_was_made_for(void **state)
     }
 }
 
+/* What one's own formats, or functions, are not those of is drawn by another pipeline; nor is one
+   taken for samples where there are none. */
+static void pipelines_of_other_formats_do_not_fit(void **state)
+{
+    (void)state;
+    static qtri_format other_format;
+    static qtri_texel_format other_texels;
+    int apart = 0;
+    other_format = random_format;
+    other_texels = random_texels;
+    for (int n = 0; random_pipelines[n] != NULL; n++) {
+        for (int change = 0; change < 5; change++) {
+            qtri_pipeline copy = *random_pipelines[n];
+            const qtri_pipeline *const list[] = {&copy, &qtri_pipeline_any, NULL};
+            qtri_options *of_copy = &copy.options;
+            qtri_draw_state found;
+            seed = (uint64_t)n;
+            const qtri_options asked = options_asked(of_copy), *o = &asked;
+            bool fits = true;
+            if (o->per_pixel || o->shade == QTRI_WHITE_LIGHT) {
+                continue;
+            }
+            if (change == 1 && o->format == QTRI_OTHER_FORMAT) {
+                of_copy->own_format = &other_format;
+                fits = false;
+            } else if (change == 2 && o->format == QTRI_OTHER_FORMAT) {
+                of_copy->pixel_bytes++;
+                fits = false;
+            } else if (change == 3 && o->texel == QTRI_OTHER_TEXEL) {
+                of_copy->own_texel = &other_texels;
+                fits = false;
+            } else if (change == 4) {
+                of_copy->fragment = o->fragment != NULL ? NULL : random_fragment;
+                fits = false;
+            }
+            make_mesh(0);
+            make_texture(o);
+            make_material(o);
+            picture p = new_picture(o);
+            qtri_draw_state_init(&found, &p.surface, list, &w.material, w.material.texture,
+                                 o->shade == QTRI_FLAT && o->texel == QTRI_NO_TEXEL ? QTRI_TINT
+                                                                                    : o->shade);
+            assert_true((found.pipeline == &copy) == fits);
+            apart += !fits;
+            free(p.memory);
+        }
+    }
+    assert_true(apart > 50);
+    qtri_draw_state found;
+    const qtri_pipeline *const list[] = {&qtri_pipeline_any_x4, &qtri_pipeline_any, NULL};
+    const qtri_options plain = {.format = QTRI_RGB565};
+    make_material(&plain);
+    picture p = new_picture(&plain);
+    qtri_draw_state_init(&found, &p.surface, list, &w.material, NULL, QTRI_TINT);
+    assert_ptr_equal(found.pipeline, &qtri_pipeline_any);
+    free(p.memory);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_pipeline_fits_what_it_was_made_for),
+        cmocka_unit_test(pipelines_of_other_formats_do_not_fit),
         cmocka_unit_test(specialised_is_generic_is_tiles_is_bands),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -279,6 +279,10 @@ static void instances_draw_the_same_bits(void **unused)
         bool large[COUNT], large_too[COUNT];
         qtri_surface surface;
         set_scene(&scene, &seed, o);
+        for (int k = 0; k < VERTICES && n % 4 == 3; k++) { /* 1000 repeats, and more */
+            scene.uvs[k].x *= 1000;
+            scene.uvs[k].y *= 1000;
+        }
         new_surface(&surface, o, whole, BYTES, 0, HEIGHT);
         draw(&scene, pipeline, pipeline->small, &surface, large);
         for (int i = 0; i < COUNT; i++) {

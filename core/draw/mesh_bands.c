@@ -411,7 +411,7 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
                 .rows = (uint32_t)prepared->rows};
     const qtri_rect none = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
     prepared->extent_24p8 = none;
-    if (prepared->front_of == mesh && prepared->front != NULL) {
+    if (prepared->front_of == mesh) { /* they are set together */
         job.front = prepared->front;
         qtri_front_set_all(job.front, mesh->triangle_count);
     }

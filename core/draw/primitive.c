@@ -280,8 +280,8 @@ static uint32_t alpha_at(const qtri_draw_state *state, const qtri_fan_vertex *v)
         const uint32_t x = alpha[state->alpha_index[i]];
         a[i] = (int64_t)((x << 16) / 255);
     }
-    const int64_t sum = a[0] + (((a[1] - a[0]) * v->b1_q30 + (a[2] - a[0]) * v->b2_q30) >> 30);
-    return (uint32_t)(sum < 0 ? 0 : sum > 65536 ? 65536 : sum);
+    /* Clipping leaves weights of 0 or more, whose sum is 1 at most: a mean of the three. */
+    return (uint32_t)(a[0] + (((a[1] - a[0]) * v->b1_q30 + (a[2] - a[0]) * v->b2_q30) >> 30));
 }
 
 static void set_vertex(qtri_large_vertex *out, const qtri_draw_state *state,

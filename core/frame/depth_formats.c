@@ -94,7 +94,7 @@ static void find_octave(octave *o, uint32_t t)
 
 uint32_t qtri_depth_encode_float16(uint32_t z_16p16)
 {
-    const uint32_t t = z_16p16 > FARTHEST ? 0 : FARTHEST - z_16p16;
+    const uint32_t t = FARTHEST - z_16p16;
     octave o;
     find_octave(&o, t);
     return 65535 - (o.base + (t >> o.down));

@@ -147,12 +147,13 @@ static inline int32_t rounded(int64_t x, int32_t down)
     return (twice >> 1) + (twice & 1);
 }
 
-/* A row times +-2^n 2^-exponent, plus the translation: without products. */
+/* A row times 2^n 2^-exponent, plus the translation: without products. (-2^31 is one bit as well,
+   and no factor.) */
 static bool scale_by_power(qtri_row *out, const qtri_row *row, int32_t factor, int32_t exponent,
                            int64_t t)
 {
-    const int32_t n = 31 - qtri_clz32(qtri_magnitude32(factor));
-    int64_t moved = factor < 0 ? -row->t : row->t;
+    const int32_t n = 31 - qtri_clz32((uint32_t)factor);
+    int64_t moved = row->t;
     if ((t != 0 && !add_shifted(&moved, t, n - row->exponent)) ||
         qtri_magnitude64(moved) >> 61 != 0) {
         return false;
@@ -160,7 +161,7 @@ static bool scale_by_power(qtri_row *out, const qtri_row *row, int32_t factor, i
     out->t = moved;
     out->exponent = exponent + row->exponent - n;
     for (int j = 0; j < 3; j++) {
-        out->m[j] = factor < 0 ? -row->m[j] : row->m[j];
+        out->m[j] = row->m[j];
     }
     return true;
 }

@@ -42,7 +42,7 @@ void qtri_coverage_add_wide(qtri_coverage *w, int32_t x0, int32_t y0, int32_t x1
         return;
     }
     const int32_t first = x0 >> 8;
-    if (first == (x1 - 1) >> 8 || x0 == x1) {
+    if (first == (x1 - 1) >> 8) {
         qtri_coverage_add_piece(&w->sum[first - w->x], height, x0 + x1 - 512 * first);
         return;
     }

@@ -23,7 +23,7 @@ typedef struct qtri_coverage {
     int32_t sum[QTRI_COVERAGE_WINDOW + 1];
 } qtri_coverage;
 
-/* An edge that may pass through several columns; see qtri_coverage_add. */
+/* An edge that passes through several columns, or none of the window; see qtri_coverage_add. */
 void qtri_coverage_add_wide(qtri_coverage *w, int32_t x0, int32_t y0, int32_t x1, int32_t y1,
                             int32_t winding);
 

@@ -122,14 +122,13 @@ static bool fits(const qtri_pipeline *pipeline, const qtri_draw_state *state)
 {
     const qtri_options *o = &pipeline->options;
     const qtri_options *wanted = &state->options;
-    const qtri_texture *texture = state->texture;
     if (o->format >= QTRI_BROUGHT) { /* without samples: see find_all() */
         return o->samples == 0 || wanted->samples != 0;
     }
     return are_equal(o, wanted) && o->fragment == wanted->fragment &&
            (o->format != QTRI_OTHER_FORMAT ||
             (o->own_format == state->surface->format && o->pixel_bytes == wanted->pixel_bytes)) &&
-           (o->texel != QTRI_OTHER_TEXEL || (texture != NULL && o->own_texel == texture->format));
+           (o->texel != QTRI_OTHER_TEXEL || o->own_texel == state->texture->format);
 }
 
 /* The first of a list that fits; NULL: none. */
@@ -165,8 +164,7 @@ const qtri_pipeline qtri_pipeline_brought = {.options = {.format = QTRI_BROUGHT}
 
 static const qtri_pipeline *chosen_by(const qtri_pipeline *pipeline, qtri_draw_state *state)
 {
-    return pipeline != NULL && pipeline->choose != NULL ? pipeline->choose(pipeline, state)
-                                                        : pipeline;
+    return pipeline->choose != NULL ? pipeline->choose(pipeline, state) : pipeline;
 }
 
 /* What draws a pixel of samples is reached through its format, unless a view names it. */

@@ -287,9 +287,6 @@ void qtri_large_triangle(qtri_draw_state *state, const qtri_point *const p[3], i
 {
     const qtri_depth_shift *shift = state->material->depth_shift;
     qtri_large_input in = {state, p, area, color_rgb, v, {0, 0, 0}};
-    if (area == 0) {
-        return;
-    }
     for (int i = 0; i < 3; i++) {
         in.depth_16p16[i] = v[i].depth_16p16;
     }

@@ -410,7 +410,7 @@ QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool textured, bool color
     job->piece[0].count = h;
     job->piece[1].count = h;
     job->t.x = qtri_least32(x + 2 * h, job->chunk_end);
-    if (x < t->x0 || x + 2 * h > t->x1 || job->t.x != x + 2 * h) {
+    if (x < t->x0 || x + 2 * h > t->x1) { /* a chunk ends between pieces, or with the row */
         job->piece[1].count = qtri_hold32(job->chunk_end - x - h, 0, h);
         job->piece[0].count = qtri_least32(job->chunk_end - x, h);
         qtri_large_clip(job, &job->piece[0], x);

@@ -2,9 +2,10 @@
 /* Pieces of rows along which attributes are linear, what bounds leave of pieces, and fog. */
 #include "large_setup.h"
 
+/* x 2^up, |up| <= 21. */
 static uint32_t shifted(uint32_t x, int32_t up)
 {
-    return up >= 0 ? x << up : (uint32_t)((int32_t)x >> (up < -31 ? 31 : -up));
+    return up >= 0 ? x << up : (uint32_t)((int32_t)x >> -up);
 }
 
 void qtri_large_planes_move(qtri_large_job *job)

@@ -70,10 +70,7 @@ static bool is_near(const qtri_large_job *job)
 /* Weights in Q30, at vertex 0's pixel the last; false: they step by more than 1/2 a pixel. */
 static bool set_weights(int32_t weight_q30[2][3], const qtri_large_weights *w)
 {
-    const int32_t down = w->fraction - 30;
-    if (down < 0 || down > 62) {
-        return false;
-    }
+    const int32_t down = w->fraction - 30; /* 4..45 of sides of PIXELS_MAX at most */
     for (int i = 0; i < 2; i++) {
         for (int k = 0; k < 3; k++) {
             const int64_t b = w->b[i][k] >> down;

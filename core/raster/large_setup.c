@@ -96,8 +96,8 @@ static bool find_weights(qtri_large *t, bool is_true)
 
 void qtri_large_use_weights(qtri_large *t, bool is_true)
 {
-    if (t->weights.is_true != is_true && !find_weights(t, is_true)) {
-        (void)find_weights(t, false);
+    if (t->weights.is_true != is_true) {
+        (void)find_weights(t, is_true); /* true ones were found before */
     }
 }
 

@@ -27,11 +27,11 @@ static const qtri_pipeline *const by_level[] = {
     &qtri_pipeline_mipmapped, &qtri_pipeline_mipmapped_lit, &qtri_pipeline_mipmapped_white, NULL};
 
 /* Levels that can be used besides the first: their widths are 2 texels or more. */
-static uint8_t last_level(const qtri_options *o, const qtri_texture *texture)
+static uint8_t last_level(const qtri_texture *texture)
 {
     const int32_t width_log2 = qtri_side_log2(texture->width_log2);
     uint8_t last = 0;
-    if (texture->levels != NULL && !o->samples) { /* see antialias.h */
+    if (texture->levels != NULL) {
         while (last + 1 < width_log2 && last < texture->level_count &&
                texture->levels[last] != NULL) {
             last++;
@@ -43,7 +43,7 @@ static uint8_t last_level(const qtri_options *o, const qtri_texture *texture)
 static void begin_levels(qtri_draw_state *state)
 {
     state->level_texture = *state->texture;
-    state->last_level = last_level(&state->options, state->texture);
+    state->last_level = last_level(state->texture);
     state->texture = &state->level_texture;
     qtri_draw_state_set_level(state, 0);
 }

@@ -193,7 +193,7 @@ static void draw_row(qtri_stroker *stroker, int32_t x)
     const int32_t end = x + QTRI_COVERAGE_WINDOW;
     int32_t width = QTRI_COVERAGE_WINDOW;
     while (x < end) {
-        if (w->row >= w->same_end || w->coverage.x != x || w->coverage.end != x + width) {
+        if (w->row >= w->same_end || w->coverage.x != x) { /* so is the row where it narrows */
             w->coverage.x = x;
             w->coverage.end = x + width;
             qtri_stroker_find_shapes(stroker);
@@ -241,13 +241,12 @@ static qtri_stroke_box clip_box(const qtri_stroker *stroker, const qtri_stroke_b
     return inside;
 }
 
-/* Whether a part by itself has no length, and its ends no joints. */
+/* Whether a part by itself, whose ends have the same cap, has no length. */
 static bool is_point(const qtri_stroke_place *place)
 {
     return place->end[0].x_24p8 == place->end[1].x_24p8 &&
            place->end[0].y_24p8 == place->end[1].y_24p8 &&
-           place->radius_24p8 <= QTRI_STROKE_POINT_RADIUS && place->caps[0] == place->caps[1] &&
-           place->caps[0] != QTRI_CAP_BUTT;
+           place->radius_24p8 <= QTRI_STROKE_POINT_RADIUS && place->caps[0] != QTRI_CAP_BUTT;
 }
 
 void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *place)

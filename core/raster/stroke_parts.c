@@ -19,7 +19,7 @@ static bool is_short(const qtri_stroke_place *place)
  */
 static uint32_t count_of(const qtri_stroker *stroker)
 {
-    const bool has_discs = stroker->count > 1 && !stroker->closed && stroker->cap != QTRI_CAP_ROUND;
+    const bool has_discs = !stroker->closed && stroker->cap != QTRI_CAP_ROUND;
     return stroker->count + (has_discs ? 2 : 0);
 }
 
@@ -55,8 +55,7 @@ static void set_joints(const qtri_stroker *stroker, uint32_t part, qtri_stroke_p
 {
     qtri_stroke_place before;
     if (is_short(place)) {
-        if (place->caps[0] != place->caps[1] &&
-            (place->caps[0] == QTRI_CAP_ROUND || place->caps[1] == QTRI_CAP_ROUND)) {
+        if (place->caps[0] != place->caps[1]) { /* one is a joint's: round */
             place->caps[place->caps[0] == QTRI_CAP_ROUND ? 0 : 1] = QTRI_CAP_BUTT;
         }
     } else if (place->caps[0] == QTRI_CAP_ROUND && part > 0 &&

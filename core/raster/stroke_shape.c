@@ -16,9 +16,6 @@ static int32_t half_chord(int32_t radius, int32_t down)
     if (x >= (uint64_t)1 << 24) {
         return (int32_t)qtri_sqrt64_round(x);
     }
-    if (x == 0) {
-        return 0;
-    }
     const int32_t zeros = qtri_clz32((uint32_t)x) & ~1; /* 8..30 */
     const uint32_t t = ((uint32_t)x << zeros) >> 16;
     const uint32_t root = (t * qtri_rsqrt_seed(t)) >> 15;
@@ -271,7 +268,7 @@ static void set_end(qtri_stroke_shape *s, int side, bool is_upper, int32_t top, 
         cut_piece(p, top, bottom);
     } else {
         const int32_t down = y - center->y_24p8;
-        const bool is_inside = down < s->radius && -down < s->radius;
+        const bool is_inside = -down < s->radius; /* and down is less, above s->bottom */
         p->top = y;
         p->bottom = y + 1;
         p->x0 = center->x_24p8 + (is_inside ? sign * half_chord(s->radius, down) : 0);

@@ -47,11 +47,11 @@ typedef uint32_t __attribute__((__may_alias__)) two_pixels;
 typedef uint32_t two_pixels;
 #endif
 
-/* Exchanges the bytes of each pixel of 16 bits. */
+/* Exchanges the bytes of each of `count` > 0 pixels of 16 bits. */
 static void swap_bytes(uint8_t *pixels, size_t count)
 {
     uint16_t *pixel = (uint16_t *)(void *)pixels;
-    if (((uintptr_t)pixels & 3) != 0 && count > 0) {
+    if (((uintptr_t)pixels & 3) != 0) {
         *pixel = (uint16_t)(*pixel << 8 | *pixel >> 8);
         pixel++;
         count--;

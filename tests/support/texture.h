@@ -16,8 +16,9 @@ static inline void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int3
                                    int32_t uv_reach)
 {
     for (int i = 0; i < 3; i++) {
-        v[i] = screen_at(random_in(seed, WIDTH * 128 - reach, WIDTH * 128 + reach),
-                         random_in(seed, HEIGHT * 128 - reach, HEIGHT * 128 + reach));
+        const int32_t y = random_in(seed, HEIGHT * 128 - reach, HEIGHT * 128 + reach);
+        const int32_t x = random_in(seed, WIDTH * 128 - reach, WIDTH * 128 + reach);
+        v[i] = screen_at(x, y);
         v[i].u_q32 = (int64_t)random_in(seed, -uv_reach, uv_reach) * 65536;
         v[i].v_q32 = (int64_t)random_in(seed, -uv_reach, uv_reach) * 65536;
         v[i].inv_w_q31 = 0x80000000u >> random_in(seed, 0, 3);

@@ -81,22 +81,27 @@ class Counts:
             sides[tuple(b[:4])] = (old[0] + b[4], old[1] + b[5])
 
 
+def is_brace(text):
+    """Whether a line is a brace alone, which is no code: one behind a return never runs."""
+    return text.strip() in ("{", "}")
+
+
 def look_at(counts, path, source):
     """(lines that ran, lines, sides that ran, sides) of a file, and [(line, what)] of those that did not."""
     # A function that nobody calls counts as a whole, with what is left out of it elsewhere.
-    lines = {line: count for line, count in counts.lines[path].items() if count or line not in counts.skipped[path]}
+    lines = {line: count for line, count in counts.lines[path].items()
+             if (count or line not in counts.skipped[path]) and not is_brace(source[line - 1])}
     missing = []
-    before = 0
+    last, ran = 0, True
     for line, count in sorted(lines.items()):
-        if not count:
-            if line - 1 != before:  # lines in a row that never run are one
-                missing.append((line, NEVER))
-            before = line
+        if not count and (ran or not all(is_brace(text) for text in source[last:line - 1])):
+            missing.append((line, NEVER))  # lines in a row that never run are one
+        last, ran = line, count > 0
     sides = done = 0
     for (line, column, _, last), (yes, no) in sorted(counts.branches.get(path, {}).items()):
         text = source[line - 1][column - 1:last - 1]
-        # An option is known when it is compiled: one side is not there.
-        if re.fullmatch(r"!?QTRI_[A-Z0-9_]+", text):
+        # A constant is known when it is compiled: one side is not there.
+        if re.fullmatch(r"!?[A-Z][A-Z0-9_]+( == [0-9]+)?", text):
             continue
         sides += 2
         done += (yes > 0) + (no > 0)

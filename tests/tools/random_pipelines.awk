@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Prints C: COUNT pipelines, random but for seven, a part of them a file (pipelines are slow to compile), and their list.
+# Prints C: COUNT pipelines, random but for seven, and some that are seldom asked for, a part of them a file (pipelines
+# are slow to compile), and their list.
 #   awk -v seed=7 -v count=240 -v part=0 -v parts=12 -f random_pipelines.awk      one file of pipelines
 #   awk -v seed=7 -v count=240 -v list=1 -f random_pipelines.awk                  the list
 function below(n) { state = (state * 16807) % 2147483647; return int(state / 2147483647 * n) }
@@ -63,21 +64,43 @@ BEGIN {
     fixed[4] = ".format = QTRI_RGB565, .shade = QTRI_COLORS"
     fixed[5] = ".format = QTRI_RGB565_SWAPPED"
     fixed[6] = ".format = QTRI_RGB888, .shade = QTRI_LIGHT"
+    less = ".depth = QTRI_LINEAR16, .compare = QTRI_LESS"
+    own = ".format = QTRI_OTHER_FORMAT, .own_format = &random_format, .pixel_bytes = 2, "
+    mine = ".texel = QTRI_OTHER_TEXEL, .own_texel = &random_texels, "
+    rare[0] = ".format = QTRI_GRAY8, .fragment = random_fragment"
+    rare[1] = ".format = QTRI_RGB565, .samples = 4, .fragment = random_fragment, " less
+    rare[2] = ".format = QTRI_RGB565, .samples = 4, " less
+    rare[3] = ".format = QTRI_RGB565, .shade = QTRI_COLORS, .per_pixel = 1, " less
+    rare[4] = ".format = QTRI_RGB565, .read_only = 1, " less
+    rare[5] = ".format = QTRI_RGB565, .blend = QTRI_KEEP_PIXEL, " less
+    rare[6] = ".format = QTRI_RGB565, .blend = QTRI_KEEP_PIXEL, .fragment = random_fragment, " less
+    rare[7] = ".format = QTRI_RGB565, .texel = QTRI_TEXEL_ARGB4444, .alpha_test = 1, " less
+    rare[8] = own mine ".encode = random_encode, .decode = random_decode, .blend = QTRI_ALPHA, .fetch = random_fetch, " less
+    rare[9] = own ".shade = QTRI_LIGHT, .blend = QTRI_ADD, " less
+    rare[10] = mine ".format = QTRI_RGB565, .key = 1, .fetch = random_fetch, .shade = QTRI_TINT, " less
+    rare[11] = mine ".format = QTRI_XRGB8888, .key = 1, .bilinear = 1, " less
+    for (few = 0; few in rare; ) few++
     state = seed * 7919 + 1
     print "/* Made by tests/tools/random_pipelines.awk */"
     print list ? "#include \"qtri/pipeline.h\"" : "#include \"qtri/pipeline_make.h\""
     if (!list) {
         print "bool random_fragment(qtri_fragment *fragment);"
+        print "uint32_t random_encode(uint32_t color);"
+        print "uint32_t random_decode(uint32_t stored);"
+        print "uint32_t random_fetch(const qtri_texture *texture, uint32_t number);"
+        print "extern const qtri_format random_format;"
+        print "extern const qtri_texel_format random_texels;"
     }
-    for (i = 0; i < count; i++) {
-        text = options(i)
+    count = int(count)
+    for (i = 0; i < count + few; i++) {
+        text = i < count ? options(i) : rare[i - count]
         if (list) print "extern const qtri_pipeline random_" i ";"
         else if (i % parts == part) print "QTRI_PIPELINE(random_" i ", " text ")"
     }
     if (list) {
         print "extern const qtri_pipeline *const random_pipelines[];"
         print "const qtri_pipeline *const random_pipelines[] = {"
-        for (i = 0; i < count; i++) print "    &random_" i ","
+        for (i = 0; i < count + few; i++) print "    &random_" i ","
         print "    0};"
     }
 }

@@ -108,11 +108,11 @@ QTRI_BODY uint32_t qtri_body_shift(uint32_t x, uint32_t by)
     }
 #endif
 
-/* Where a branch cannot lead, which the compiler need not make. */
+/* What holds, so that the compiler need not make a branch for what does not. */
 #if defined(__GNUC__)
-#define QTRI_BODY_NEVER() __builtin_unreachable()
+#define QTRI_BODY_ASSUME(x) ((x) ? (void)0 : __builtin_unreachable())
 #else
-#define QTRI_BODY_NEVER() ((void)0)
+#define QTRI_BODY_ASSUME(x) ((void)0)
 #endif
 
 /* What mostly holds. */

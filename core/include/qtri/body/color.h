@@ -61,13 +61,10 @@ QTRI_BODY uint32_t qtri_color_scale(qtri_color_kind kind, uint32_t c, uint32_t a
     return qtri_color_mix(kind, c, a, 0, 0);
 }
 
-/* Each channel by a weight of its own: 6 bits (64 is 1) in 565, 8 bits in 888. */
+/* Each channel of a texel by a weight of its own: 6 bits (64 is 1) in 565, 8 bits in 888. */
 QTRI_BODY uint32_t qtri_color_modulate(qtri_color_kind kind, uint32_t c, uint32_t r, uint32_t g,
                                        uint32_t b)
 {
-    if (kind == QTRI_IN_GRAY) {
-        return (c * g + 128) >> 8;
-    }
     if (kind == QTRI_IN_565) {
         return ((c >> 11) * r + 32) >> 6 << 11 | (qtri_green_565(c) * g + 32) >> 6 << 5 |
                ((c & 31) * b + 32) >> 6;

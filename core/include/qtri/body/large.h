@@ -418,7 +418,7 @@ QTRI_BODY int32_t qtri_large_next_octave(qtri_pixel_walk *w, int32_t count)
         QTRI_RARELY();
         const uint32_t left = falls ? w->z : w->octave.size - 1 - w->z;
         const uint32_t step = falls ? 0 - w->z_step : w->z_step;
-        const uint32_t inside = step == 0 ? (uint32_t)count - 1 : left / step;
+        const uint32_t inside = left / step; /* > 0: w->z is inside, and `last` is not */
         count = inside < (uint32_t)count ? (int32_t)inside + 1 : count;
     }
     return count;
@@ -428,15 +428,13 @@ QTRI_BODY int32_t qtri_large_next_octave(qtri_pixel_walk *w, int32_t count)
 QTRI_BODY void qtri_large_octaves(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
                                   bool bent, int32_t count)
 {
-    if (o->depth != QTRI_FLOAT16 || !qtri_tests_depth(o) || qtri_has_samples(o)) {
+    if (o->depth != QTRI_FLOAT16) {
         qtri_pixels_draw(o, pixel, w, bent, count);
         return;
     }
     while (count > 0) {
         const int32_t n = qtri_large_next_octave(w, count);
-        if (w->octave.down == 0) {
-            QTRI_BODY_NEVER();
-        }
+        QTRI_BODY_ASSUME(w->octave.down != 0);
         qtri_pixels_draw(o, pixel, w, bent, n);
         count -= n;
     }

@@ -58,8 +58,8 @@ QTRI_BODY void qtri_pixel_alone(const qtri_options *o, qtri_pixel_body *pixel, q
     qtri_walk_move(o, w, 1);
 }
 
-/* `count` pixels of a row in pairs; false: words of its pixels and depths do not begin at the same
-   columns. */
+/* `count` > 0 pixels of a row in pairs; false: words of its pixels and depths do not begin at the
+   same columns. */
 QTRI_BODY bool qtri_pairs_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
                                int32_t count)
 {
@@ -67,7 +67,7 @@ QTRI_BODY bool qtri_pairs_draw(const qtri_options *o, qtri_pixel_body *pixel, qt
     if (qtri_tests_depth(o) && !qtri_pairs_are_aligned(w->pixel, w->depth)) {
         return false;
     }
-    if (!qtri_pair_begins(w->pixel) && count > 0) {
+    if (!qtri_pair_begins(w->pixel)) {
         qtri_pixel_alone(o, pixel, w, false);
         count--;
     }

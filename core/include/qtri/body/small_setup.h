@@ -386,7 +386,7 @@ QTRI_SMALL_PART void qtri_small_uv_find(qtri_small_uv *uv, const qtri_small *t)
         uv->v1 = (b->y - a->y) * 4;
         uv->u2 = (c->x - a->x) * 4;
         uv->v2 = (c->y - a->y) * 4;
-    } else if (mesh->uvs != NULL) {
+    } else {
         const qtri_vec2 *a = &mesh->uvs[t->index[0]];
         const qtri_vec2 *b = &mesh->uvs[t->index[1]];
         const qtri_vec2 *c = &mesh->uvs[t->index[2]];
@@ -396,9 +396,6 @@ QTRI_SMALL_PART void qtri_small_uv_find(qtri_small_uv *uv, const qtri_small *t)
         uv->v1 = (int32_t)((uint32_t)b->y - (uint32_t)a->y);
         uv->u2 = (int32_t)((uint32_t)c->x - (uint32_t)a->x);
         uv->v2 = (int32_t)((uint32_t)c->y - (uint32_t)a->y);
-    } else {
-        uv->u0 = uv->u1 = uv->u2 = 0;
-        uv->v0 = uv->v1 = uv->v2 = 0;
     }
 }
 

@@ -146,7 +146,7 @@ uint32_t qtri_fetch_other(const qtri_texture *texture, uint32_t number);
 /* The mean of four texels with alpha, weights of 11 bits, in texel_filter.c. */
 uint32_t qtri_alpha_mean(const uint32_t texel[4], uint32_t along, uint32_t across);
 
-/* depth_16p16 as &qtri_depth_float16 stores it. */
+/* depth_16p16, 65535.0 at most, as &qtri_depth_float16 stores it. */
 uint32_t qtri_depth_encode_float16(uint32_t z_16p16);
 
 /* The octave of a depth with the half that rounds linear16. */
