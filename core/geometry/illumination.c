@@ -139,9 +139,7 @@ static void set_even_space(qtri_light_space *space, int32_t m[3][4], int32_t exp
             space->column[i][row] = qtri_row_element(&object_to_eye->row[row], i);
         }
     }
-    if (space->unit.m < 0) { /* of an extent below 0: distances are not */
-        space->unit.m = -space->unit.m;
-    }
+    space->unit.m = (int64_t)qtri_magnitude64(space->unit.m); /* of an extent below 0, too */
 }
 
 /*

@@ -42,8 +42,7 @@ void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
     if (!lighting->plain && uneven == NULL) {
         lighting->ambient = Q16_ONE;
         lighting->diffuse = 0;
-        lighting->even = true;
-        lighting->plain = true;
+        lighting->even = lighting->plain = true;
     }
     if (!lighting->even) {
         uneven->init(lighting, towards, object_to_eye);

@@ -26,20 +26,17 @@ typedef struct shape_ring {
     q16 v;
 } shape_ring;
 
-/* A number of slices or rows; of one beyond its limits there are more vertices than there may be.
- */
-static uint32_t count_of(int32_t n, int32_t least)
+static inline bool is_count(int32_t n, int32_t least)
 {
-    return n >= least && n <= SHAPE_MOST ? (uint32_t)n : 40000; /* 40001^2 < 2^32 */
+    return n >= least && n <= SHAPE_MOST;
 }
-
-static const qtri_mesh nothing;
 
 /* An empty mesh with room for so many, or an error. */
 static enum qtri_error builder_begin(shape_builder *builder, qtri_mesh *mesh,
-                                     const qtri_shape_memory *memory, uint32_t vertices,
-                                     uint32_t triangles)
+                                     const qtri_shape_memory *memory, int32_t vertices,
+                                     int32_t triangles)
 {
+    static const qtri_mesh nothing;
     QTRI_ASSERT(mesh != NULL && memory != NULL);
     QTRI_ASSERT(memory->positions != NULL || memory->vertices == 0);
     QTRI_ASSERT(memory->triangles != NULL || memory->triangle_count == 0);
@@ -49,7 +46,7 @@ static enum qtri_error builder_begin(shape_builder *builder, qtri_mesh *mesh,
     if (vertices > 65536) {
         return QTRI_ERROR_SIZE;
     }
-    if (vertices > memory->vertices || triangles > memory->triangle_count) {
+    if ((uint32_t)vertices > memory->vertices || (uint32_t)triangles > memory->triangle_count) {
         return QTRI_ERROR_MEMORY;
     }
     mesh->positions = memory->positions;
@@ -204,9 +201,10 @@ enum qtri_error qtri_shape_grid(qtri_mesh *mesh, const qtri_shape_memory *memory
     QTRI_ASSERT(qtri_is_length(half_x) && qtri_is_length(half_z));
     static const qtri_vec3 up = {0, Q16_ONE, 0};
     shape_builder builder;
-    const uint32_t across = count_of(columns, 1), down = count_of(rows, 1);
-    enum qtri_error error = builder_begin(&builder, mesh, memory, QTRI_GRID_VERTICES(across, down),
-                                          QTRI_GRID_TRIANGLES(across, down));
+    const bool is_valid = is_count(columns, 1) && is_count(rows, 1);
+    enum qtri_error error = builder_begin(&builder, mesh, memory,
+                                          is_valid ? QTRI_GRID_VERTICES(columns, rows) : INT32_MAX,
+                                          is_valid ? QTRI_GRID_TRIANGLES(columns, rows) : 0);
     if (error != QTRI_OK) {
         return error;
     }
@@ -234,10 +232,12 @@ static enum qtri_error make_rings(qtri_mesh *mesh, const qtri_shape_memory *memo
                                   q16 tube, int32_t slices, int32_t rings, bool is_half)
 {
     shape_builder builder;
-    const uint32_t around = count_of(slices, 3), across = count_of(rings, is_half ? 2 : 3);
-    enum qtri_error error = builder_begin(
-        &builder, mesh, memory, QTRI_TORUS_VERTICES(around, across),
-        is_half ? QTRI_SPHERE_TRIANGLES(around, across) : QTRI_TORUS_TRIANGLES(around, across));
+    const bool is_valid = is_count(slices, 3) && is_count(rings, is_half ? 2 : 3);
+    enum qtri_error error = builder_begin(&builder, mesh, memory,
+                                          is_valid ? QTRI_TORUS_VERTICES(slices, rings) : INT32_MAX,
+                                          !is_valid ? 0
+                                          : is_half ? QTRI_SPHERE_TRIANGLES(slices, rings)
+                                                    : QTRI_TORUS_TRIANGLES(slices, rings));
     if (error != QTRI_OK) {
         return error;
     }
@@ -284,11 +284,14 @@ static enum qtri_error make_side(qtri_mesh *mesh, const qtri_shape_memory *memor
                                  q16 half_height, int32_t slices, qtri_vec2 normal, bool is_cone)
 {
     shape_builder builder;
-    const uint32_t around = count_of(slices, 3);
-    enum qtri_error error =
-        builder_begin(&builder, mesh, memory,
-                      is_cone ? QTRI_CONE_VERTICES(around) : QTRI_CYLINDER_VERTICES(around),
-                      is_cone ? QTRI_CONE_TRIANGLES(around) : QTRI_CYLINDER_TRIANGLES(around));
+    const bool is_valid = is_count(slices, 3);
+    enum qtri_error error = builder_begin(&builder, mesh, memory,
+                                          !is_valid ? INT32_MAX
+                                          : is_cone ? QTRI_CONE_VERTICES(slices)
+                                                    : QTRI_CYLINDER_VERTICES(slices),
+                                          !is_valid ? 0
+                                          : is_cone ? QTRI_CONE_TRIANGLES(slices)
+                                                    : QTRI_CYLINDER_TRIANGLES(slices));
     if (error != QTRI_OK) {
         return error;
     }
