@@ -228,6 +228,7 @@ static void wrong_indices_have_no_edges(void **state)
     qtri_mesh with_planes = cube(false);
     with_planes.extent = Q16(1);
     assert_true(mesh_faces_fill(&with_planes, planes) > 0);
+    with_planes.faces.culling = &qtri_cull_by_planes;
     memcpy(all, triangles, sizeof triangles);
     memcpy(around, neighbours, sizeof neighbours);
     for (int i = 0; i < TRIANGLES; i++) {

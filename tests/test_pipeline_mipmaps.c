@@ -224,8 +224,9 @@ static worst draw_many(uint64_t seed, int count, int32_t reach, int side_log2_ma
     worst w = {0};
     canvas c = canvas_new(&qtri_xrgb8888, 4 * WIDTH, HEIGHT);
     for (int n = 0; n < count; n++) {
-        qtri_texture t =
-            chain(random_in(&seed, 2, side_log2_max), random_in(&seed, 0, side_log2_max), false);
+        const int height_log2 = random_in(&seed, 0, side_log2_max);
+        const int width_log2 = random_in(&seed, 2, side_log2_max);
+        qtri_texture t = chain(width_log2, height_log2, false);
         qtri_material m = plain_material();
         qtri_screen_vertex v[3];
         t.wrap_u = random_flag(&seed) ? QTRI_CLAMP : QTRI_REPEAT;
@@ -340,7 +341,7 @@ static void rows_of_hardly_any_perspective(void **state)
     for (int n = 0; n < 80; n++) {
         qtri_texture t = chain(6, 6, false);
         qtri_material m = plain_material();
-        const double fall = exp2(-6 - n / 2 / 4.0), repeats = 4 + n % 7; /* of q, along the row */
+        const double fall = exp2(-4 - n / 2 / 2.0), repeats = 4 + n % 7; /* of q, along the row */
         const qtri_screen_vertex v[3] = {divided(0, 0, 1, 0, 0),
                                          divided(ACROSS, 0, 1 - fall, repeats, 0),
                                          divided(ACROSS / 2, DOWN, .9, repeats / 3, .9)};
@@ -518,7 +519,8 @@ static void does_without(void **state)
     for (int n = 0; n < 200; n++) {
         static const void *const hole[4] = {NULL, texels_565, texels_565, texels_565};
         static const void *const all[4] = {texels_565, texels_565, texels_565, texels_565};
-        qtri_texture t = chain(random_in(&seed, 0, 6), random_in(&seed, 0, 6), true);
+        const int height_log2 = random_in(&seed, 0, 6), width_log2 = random_in(&seed, 0, 6);
+        qtri_texture t = chain(width_log2, height_log2, true);
         qtri_texture plain = t;
         qtri_material m = plain_material();
         qtri_screen_vertex v[3];

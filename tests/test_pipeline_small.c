@@ -281,7 +281,7 @@ static void instances_draw_the_same_bits(void **unused)
         set_scene(&scene, &seed, o);
         for (int k = 0; k < VERTICES && n % 4 == 3; k++) { /* 1000 repeats, and more */
             scene.uvs[k].x *= 1000;
-            scene.uvs[k].y *= 1000;
+            scene.uvs[k].y *= 3500;
         }
         new_surface(&surface, o, whole, BYTES, 0, HEIGHT);
         draw(&scene, pipeline, pipeline->small, &surface, large);

@@ -82,8 +82,8 @@ class Counts:
 
 
 def is_brace(text):
-    """Whether a line is a brace alone, which is no code: one behind a return never runs."""
-    return text.strip() in ("{", "}")
+    """Whether a line is no code: a brace alone (one behind a return never runs), or a constant's definition."""
+    return text.strip() in ("{", "}") or re.fullmatch(r"#define \w+ \w+", text.strip()) is not None
 
 
 def look_at(counts, path, source):

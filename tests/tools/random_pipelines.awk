@@ -72,13 +72,15 @@ BEGIN {
     rare[2] = ".format = QTRI_RGB565, .samples = 4, " less
     rare[3] = ".format = QTRI_RGB565, .shade = QTRI_COLORS, .per_pixel = 1, " less
     rare[4] = ".format = QTRI_RGB565, .read_only = 1, " less
-    rare[5] = ".format = QTRI_RGB565, .blend = QTRI_KEEP_PIXEL, " less
+    rare[5] = ".format = QTRI_RGB565, .fog = 1, " less
     rare[6] = ".format = QTRI_RGB565, .blend = QTRI_KEEP_PIXEL, .fragment = random_fragment, " less
     rare[7] = ".format = QTRI_RGB565, .texel = QTRI_TEXEL_ARGB4444, .alpha_test = 1, " less
     rare[8] = own mine ".encode = random_encode, .decode = random_decode, .blend = QTRI_ALPHA, .fetch = random_fetch, " less
     rare[9] = own ".shade = QTRI_LIGHT, .blend = QTRI_ADD, " less
     rare[10] = mine ".format = QTRI_RGB565, .key = 1, .fetch = random_fetch, .shade = QTRI_TINT, " less
-    rare[11] = mine ".format = QTRI_XRGB8888, .key = 1, .bilinear = 1, " less
+    rare[11] = ".format = QTRI_RGB565, .shade = QTRI_LIGHT, .depth = QTRI_LINEAR24, .compare = QTRI_LESS"
+    rare[12] = mine ".format = QTRI_XRGB8888, .key = 1, .bilinear = 1, " less
+    rare[13] = ".format = QTRI_RGB565, .blend = QTRI_KEEP_PIXEL, " less
     for (few = 0; few in rare; ) few++
     state = seed * 7919 + 1
     print "/* Made by tests/tools/random_pipelines.awk */"

@@ -110,7 +110,12 @@ QTRI_BODY uint32_t qtri_body_shift(uint32_t x, uint32_t by)
 
 /* What holds, so that the compiler need not make a branch for what does not. */
 #if defined(__GNUC__)
-#define QTRI_BODY_ASSUME(x) ((x) ? (void)0 : __builtin_unreachable())
+#define QTRI_BODY_ASSUME(x)                                                                        \
+    do {                                                                                           \
+        if (!(x)) {                                                                                \
+            __builtin_unreachable();                                                               \
+        }                                                                                          \
+    } while (0)
 #else
 #define QTRI_BODY_ASSUME(x) ((void)0)
 #endif

@@ -547,7 +547,7 @@ QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, qtri_pixel_body *pixe
             qtri_large_pixels(o, pixel, t, w, t->x1 - t->x0);
             continue;
         }
-        if (qtri_is_packed_565(o) && !o->per_pixel && qtri_large_job_of(t)->has_runs) {
+        if (qtri_is_packed_565(o) && qtri_large_job_of(t)->has_runs) {
             qtri_large_runs(o, pixel, t, w);
             continue;
         }

@@ -38,7 +38,7 @@ QTRI_BODY bool qtri_pairs_compare(const qtri_options *o)
 QTRI_BODY bool qtri_draws_pairs(const qtri_options *o)
 {
     return QTRI_BODY_PAIRS && qtri_is_plain(o) && o->blend == QTRI_STORE &&
-           qtri_pixel_bytes(o) == 2 && !qtri_has_samples(o) &&
+           qtri_pixel_bytes(o) == 2 && /* of one sample: loops of short pixels ask */
            (!qtri_tests_depth(o) ||
             (qtri_pairs_compare(o) && o->depth == QTRI_LINEAR16 && o->read_only == 0));
 }

@@ -171,7 +171,7 @@ QTRI_BODY bool qtri_is_paired(const qtri_options *o)
     (void)o;
     return false;
 #else
-    return qtri_tests_depth(o) && !qtri_has_samples(o) &&
+    return qtri_tests_depth(o) && /* of one sample: others have loops of their own */
            ((o->depth <= QTRI_FLOAT16 && qtri_pixel_bytes(o) == 2) ||
             (o->depth == QTRI_LINEAR32 && qtri_pixel_bytes(o) == 4));
 #endif
