@@ -76,10 +76,8 @@ void qtri_hard_rect(const qtri_painter *painter, const qtri_area *box)
 QTRI_INLINE void span_of(qtri_mix mix, uint32_t bytes, uint8_t *at, int32_t count, uint32_t keep,
                          qtri_mix_part share)
 {
-    for (; count > 0; count--) {
-        const uint32_t mixed = qtri_mix_add(mix, qtri_load(bytes, at), keep, share);
-        qtri_save(bytes, at, mixed);
-        at += bytes;
+    for (const uint8_t *const end = at + (uint32_t)count * bytes; at != end; at += bytes) {
+        qtri_save(bytes, at, qtri_mix_add(mix, qtri_load(bytes, at), keep, share));
     }
 }
 

@@ -17,6 +17,7 @@ static int32_t half_chord(int32_t radius, int32_t down)
         return (int32_t)qtri_sqrt64_round(x);
     }
     const int32_t zeros = qtri_clz32((uint32_t)x) & ~1; /* 8..30 */
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): x is not 0
     const uint32_t t = ((uint32_t)x << zeros) >> 16;
     const uint32_t root = (t * qtri_rsqrt_seed(t)) >> 15;
     return (int32_t)((root + ((uint32_t)1 << (zeros >> 1) >> 1)) >> (zeros >> 1));
