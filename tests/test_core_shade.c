@@ -368,12 +368,39 @@ static void formats_round(void **state)
     }
 }
 
+/* Three vertices of one colour, whose luma lies halfway between two steps: the upper one. */
+static void halves_of_luma_go_up(void **state)
+{
+    (void)state;
+    static const qtri_rgb half[5] = {
+        {2, 189, 140}, {6, 186, 145}, {11, 165, 240}, {15, 195, 75}, {24, 171, 175}};
+    const qtri_material material = qtri_material_default();
+    qtri_transform pose;
+    qtri_view view;
+    qtri_view_init(&view, WIDTH, HEIGHT);
+    qtri_transform_identity(&pose);
+    for (int n = 0; n < 5; n++) {
+        canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+        const qtri_corner corner[3] = {
+            {.position = {-Q16_ONE / 2, -Q16_ONE / 2, 0, Q16_ONE}, .color = half[n]},
+            {.position = {Q16_ONE / 2, -Q16_ONE / 2, 0, Q16_ONE}, .color = half[n]},
+            {.position = {0, Q16_ONE / 2, 0, Q16_ONE}, .color = half[n]}};
+        qtri_draw_triangles(&c.surface, &view, &pose, corner, 3, &material);
+        assert_int_equal(stored_pixel(&c.surface, WIDTH / 2, HEIGHT / 2), 128);
+        canvas_free(&c);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(interpolation),   cmocka_unit_test(steep_perspective),
-        cmocka_unit_test(course_triangle), cmocka_unit_test(depth_comparisons),
-        cmocka_unit_test(crossing),        cmocka_unit_test(formats_round),
+        cmocka_unit_test(interpolation),
+        cmocka_unit_test(steep_perspective),
+        cmocka_unit_test(course_triangle),
+        cmocka_unit_test(depth_comparisons),
+        cmocka_unit_test(crossing),
+        cmocka_unit_test(formats_round),
+        cmocka_unit_test(halves_of_luma_go_up),
     };
     return cmocka_run_group_tests_name("core shade", tests, NULL, NULL);
 }
