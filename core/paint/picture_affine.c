@@ -227,7 +227,8 @@ QTRI_INLINE void walk_row(kind is, const run *r, uint8_t *to, int32_t count)
 #define ONE(i)                                                                                     \
     {                                                                                              \
         const uint8_t *row = is.is_turned ? pixels + (ptrdiff_t)(v >> 16) * pitch : pixels;        \
-        const uint32_t stored = qtri_load(is.bytes, row + (ptrdiff_t)(u >> 16) * is.bytes);        \
+        const uint32_t stored =                                                                    \
+            qtri_load(is.bytes, row + (ptrdiff_t)(u >> 16) * (ptrdiff_t)is.bytes);                 \
         u += du;                                                                                   \
         QTRI_BODY_BARRIER(u);                                                                      \
         if (is.is_turned) {                                                                        \

@@ -327,7 +327,7 @@ QTRI_BODY bool qtri_small_samples_curves(const qtri_options *o, qtri_small_sampl
                                   : qtri_small_set_light_curve(curves, &at, t, o))) {
             return false;
         }
-        if (curves->is_curved) { /* as light alone is */
+        if (curves->is_curved || !qtri_is_textured(o)) { /* light alone is, as compilers see so */
             return true;
         }
         qtri_small_set_more(&v->u, i, &curves->linear[0]);
