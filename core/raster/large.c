@@ -160,8 +160,7 @@ QTRI_NOINLINE void qtri_large_set_up(qtri_large *t)
     t->next_right = 0;
 }
 
-/* Rows -----------------------------------------------------------------------------------------
- */
+/* Rows ----------------------------------------------------------------------------------------- */
 
 /* -1, 0, 1: depth at a column is below, inside and above its range. All bits of what the loop over
    pixels has modulo 2^32; a plane holds 50. */
