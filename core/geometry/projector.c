@@ -371,7 +371,7 @@ static int32_t fold(folded *out, const qtri_row *row, const int32_t origin[3], q
     for (int i = 0; i < 3; i++) {
         out->m[i] = qtri_mul_s32(row->m[i], extent);
         sum += qtri_magnitude32(row->m[i]); /* <= 3 2^30 */
-        if (origin[i] != 0) {
+        if (origin[i] != 0) {               /* 2 % of an empty draw call on a Cortex-M0+ */
             out->t += qtri_mul_s32(row->m[i], origin[i]);
         }
     }
