@@ -148,10 +148,6 @@ QTRI_NOINLINE void qtri_large_set_up(qtri_large *t)
     t->plane_y = t->y + 1;
     t->z_step = 0;
     t->clamps_depth = false;
-    t->pixel_bytes = qtri_pixel_step(t->options);
-    t->depth_bytes =
-        qtri_tests_depth(t->options) ? qtri_depth_size(t->options, t->state->surface) : 0;
-    t->is_clamped = false;
     begin_rows(t);
     if (qtri_needs_depth(t->options)) {
         set_depth(t);
@@ -184,52 +180,24 @@ QTRI_NOINLINE static bool next_part(qtri_large *t)
     }
     const int side = side_at(t, left);
     int32_t right = left + 1;
-    t->is_clamped = side != 0;
     if (side == 0) {
         right = end;
         while (side_at(t, right - 1) != 0) {
             right--;
         }
+        t->row_z = (uint32_t)(t->ramp_z.at + t->ramp_z.dy * t->y);
         t->z_step = (uint32_t)t->ramp_z.dx;
     } else {
         while (right < end && side_at(t, right) == side) {
             right++;
         }
+        t->row_z = (side < 0 ? 0 : (uint32_t)65535 << 16) + QTRI_DEPTH_HALF;
         t->z_step = 0;
-        t->z = (side < 0 ? 0 : (uint32_t)65535 << 16) + QTRI_DEPTH_HALF;
     }
     t->row_left = left;
     t->row_right = right;
     t->next_left = right;
     return true;
-}
-
-/* What is drawn from `left` to `right`; false: nothing. */
-static inline bool set_row(qtri_large *t, int32_t left, int32_t right)
-{
-    const int32_t x0 = qtri_greatest32(left, t->x_first);
-    const int32_t x1 = qtri_least32(right, t->x_end);
-    if (x0 >= x1) {
-        return false;
-    }
-    t->x0 = x0;
-    t->x1 = x1;
-    t->x = x0;
-    t->fog_x = x0;
-    t->is_new = true;
-    /* NOLINTBEGIN(performance-no-int-to-ptr): column 0 may lie before the surface's first row */
-    t->pixel = (uint8_t *)(t->row_pixel + (uint32_t)x0 * t->pixel_bytes);
-    t->depth = (uint8_t *)(t->row_depth + (uint32_t)x0 * t->depth_bytes);
-    /* NOLINTEND(performance-no-int-to-ptr) */
-    if (!t->is_clamped) {
-        t->z = t->row_z + (uint32_t)x0 * t->z_step;
-    }
-    return true;
-}
-
-bool qtri_large_set_row(qtri_large *t, int32_t left, int32_t right)
-{
-    return set_row(t, left, right);
 }
 
 /* The next row's ends; false: there is none. */
@@ -246,21 +214,29 @@ static inline bool step_row(qtri_large *t)
     return true;
 }
 
-/* Rows whose depth may leave its range are drawn part by part: of a new one there is none yet. */
+/* Rows whose depth may leave its range are drawn part by part. */
+QTRI_NOINLINE static bool next_clamped(qtri_large *t)
+{
+    while (!next_part(t)) {
+        if (!step_row(t)) {
+            return false;
+        }
+        t->next_left = t->row_left;
+        t->next_right = t->row_right;
+    }
+    qtri_large_set_row(t, t->row_left, t->row_right);
+    return true;
+}
+
 bool qtri_large_next_row(qtri_large *t)
 {
-    do {
-        if (!t->clamps_depth || !next_part(t)) {
-            if (!step_row(t)) {
-                return false;
-            }
-            if (t->clamps_depth) {
-                t->next_left = t->row_left;
-                t->next_right = t->row_right;
-                t->row_right = t->row_left;
-            }
-        }
-    } while (!set_row(t, t->row_left, t->row_right));
+    if (t->clamps_depth) {
+        return next_clamped(t);
+    }
+    if (!step_row(t)) {
+        return false;
+    }
+    qtri_large_set_row(t, t->row_left, t->row_right);
     return true;
 }
 

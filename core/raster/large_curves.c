@@ -369,7 +369,6 @@ QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool textured, bool color
     qtri_large *t = &job->t;
     if (job->t.is_new) {
         job->t.is_new = false;
-        job->t.x = t->x0;
         qtri_large_planes_move(job);
         begin_chunk(job);
     } else if (t->x == job->chunk_end) {

@@ -170,7 +170,7 @@ enum { FOG_PIXELS = 32, FOG_ERROR = 1 << 14 /* half of 1/256: between it may be 
 
 static uint32_t fog_at(const qtri_large *t, int32_t x)
 {
-    return qtri_fog_share(t->state->fog, t->z + (uint32_t)(x - t->x0) * t->z_step);
+    return qtri_fog_share(t->state->fog, t->row_z + (uint32_t)x * t->z_step);
 }
 
 /*

@@ -192,12 +192,11 @@ bool qtri_large_next_samples(qtri_large *t)
     qtri_large_samples *s = t->samples;
     for (;;) {
         int32_t first, end;
-        while (s->next < s->right && next_run(s, &first, &end)) {
+        if (s->next < s->right && next_run(s, &first, &end)) {
             t->row_left = s->left;
             t->row_right = s->right;
-            if (qtri_large_set_row(t, first, end)) {
-                return true;
-            }
+            qtri_large_set_row(t, first, end);
+            return true;
         }
         qtri_large_step_row(t);
         if (t->y >= s->end) {

@@ -29,9 +29,12 @@ bool qtri_large_edges_init(qtri_large_edges *edges, const qtri_rect *bounds,
 void qtri_large_set_box(qtri_large *t, const qtri_point *const p[3], int64_t area);
 void qtri_large_set_up(qtri_large *t);
 
-/* Columns `left` to `right` of row t.y are what is drawn next; false: nothing of
-   it is within the bounds. */
-bool qtri_large_set_row(qtri_large *t, int32_t left, int32_t right);
+/* Columns `left` to `right` of row t.y are drawn next, as far as they are within the bounds. */
+static inline void qtri_large_set_row(qtri_large *t, int32_t left, int32_t right)
+{
+    t->x0 = qtri_greatest32(left, t->x_first);
+    t->x1 = qtri_least32(right, t->x_end);
+}
 
 /* The columns of a row; row by row. */
 static inline void qtri_large_edges_next(qtri_large_edges *e, int32_t y, int32_t *left,

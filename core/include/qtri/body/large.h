@@ -137,28 +137,23 @@ typedef struct qtri_large_ramp {
 
 /* A triangle on its way: its edges, its depth, and where it is along a row. */
 typedef struct qtri_large {
+    /* From row to row; first, since Armv6-M reaches 31 words, and 31 bytes. */
     qtri_draw_state *state;
     const qtri_large_input *in;
-
-    /* The row: what is drawn of it, columns x0..x1 - 1, and where the next pieces start. */
-    int32_t y, x0, x1, x;
-    uint8_t *pixel, *depth;
-    uint32_t z, z_step;
-
-    /* From row to row; first, since Armv6-M reaches 31 words. */
-    uintptr_t row_pixel, row_depth; /* addresses of column 0 */
+    bool is_new;       /* nothing of the row is found yet */
+    bool clamps_depth; /* depth may leave its range */
+    bool is_true;      /* weights of attributes may be those of true positions */
+    int32_t y;
+    int32_t x0, x1;                     /* what is drawn of the row: columns x0..x1 - 1 */
+    uint32_t row_z, row_z_step, z_step; /* depth of column 0; down, and right */
+    uintptr_t row_pixel, row_depth;     /* addresses of column 0 */
     ptrdiff_t pitch, depth_pitch;
-    uint32_t pixel_bytes, depth_bytes; /* depth_bytes: 0 without a test of depth */
-    uint32_t row_z, row_z_step;        /* depth of column 0 */
-    qtri_large_edges edges;
-    int32_t x_first, x_end; /* columns of the bounds */
-    int32_t frame_width;
     int32_t row_left, row_right; /* of the triangle, inside of the frame */
-    bool is_new;                 /* nothing of the row is found yet */
-    bool clamps_depth; /* depth may leave its range; is_clamped: it is out of it where the row is */
-    bool is_clamped;
-    bool is_true; /* weights of attributes may be those of true positions */
+    int32_t x_first, x_end;      /* columns of the bounds */
+    int32_t frame_width;
+    qtri_large_edges edges;
 
+    int32_t x;     /* where the row's next pieces start */
     int32_t fog_x; /* column that fog is asked for next */
     uint32_t fog, fog_step;
 
@@ -267,7 +262,7 @@ void qtri_large_set_colors(qtri_large *t, const qtri_large_packing *packing, uin
 void qtri_large_set_alpha(qtri_large *t);
 void qtri_large_set_planes(qtri_large *t);
 
-/* Goes on to the next row with pixels to draw; false: there is none. */
+/* Goes on to the next row, which may have no pixels to draw; false: there is none. */
 bool qtri_large_next_row(qtri_large *t);
 
 /* Finds the row's next pieces, from t->x < x1 on: returns how many. Of texture coordinates only; of
@@ -519,11 +514,36 @@ QTRI_BODY void qtri_large_runs(const qtri_options *o, qtri_pixel_body *pixel, qt
     }
 }
 
-/* Goes on to the next row with pixels to draw, or with samples to a part of one; false: there is
-   none. */
+/* Goes on to the next row, or with samples to a part of one; false: there is none. */
 QTRI_BODY bool qtri_large_next_of(const qtri_options *o, struct qtri_large *t)
 {
     return qtri_has_samples(o) ? qtri_large_next_samples(t) : qtri_large_next_row(t);
+}
+
+QTRI_BODY void qtri_large_begin_row(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w)
+{
+    const uint32_t x0 = (uint32_t)t->x0;
+    /* NOLINTBEGIN(performance-no-int-to-ptr): column 0 may lie before the surface's first row */
+    w->pixel = (uint8_t *)(t->row_pixel + x0 * qtri_pixel_step(o));
+    if (qtri_tests_depth(o)) {
+        w->depth = (uint8_t *)(t->row_depth + x0 * qtri_depth_size(o, w->state->surface));
+    }
+    /* NOLINTEND(performance-no-int-to-ptr) */
+    if (qtri_needs_depth(o)) {
+        w->z_step = t->z_step;
+        w->z = t->row_z + x0 * w->z_step - (qtri_has_samples(o) ? w->z_place : w->octave.zero);
+    }
+    if (qtri_needs_place(o)) {
+        w->x = t->x0;
+        w->y = t->y;
+    }
+    if (o->fog) {
+        t->fog_x = t->x0;
+    }
+    if (qtri_large_has_pieces(o)) {
+        t->x = t->x0;
+        t->is_new = true;
+    }
 }
 
 QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_large *t,
@@ -531,20 +551,13 @@ QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, qtri_pixel_body *pixe
 {
     qtri_large_begin(o, t, w);
     while (qtri_large_next_of(o, t)) {
-        w->pixel = t->pixel;
-        if (qtri_tests_depth(o)) {
-            w->depth = t->depth;
+        const int32_t count = t->x1 - t->x0;
+        if (count <= 0) {
+            continue;
         }
-        if (qtri_needs_depth(o)) {
-            w->z = t->z - (qtri_has_samples(o) ? w->z_place : w->octave.zero);
-            w->z_step = t->z_step;
-        }
-        if (qtri_needs_place(o)) {
-            w->x = t->x0;
-            w->y = t->y;
-        }
+        qtri_large_begin_row(o, t, w);
         if (!qtri_large_has_pieces(o)) {
-            qtri_large_pixels(o, pixel, t, w, t->x1 - t->x0);
+            qtri_large_pixels(o, pixel, t, w, count);
             continue;
         }
         if (qtri_is_packed_565(o) && qtri_large_job_of(t)->has_runs) {
