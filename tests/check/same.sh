@@ -47,7 +47,7 @@ cat >"$work/draw" <<'END'
 work=$1 meshes=$2 name=$3 library=$4
 shift 4
 command -v "$1" >/dev/null 2>&1 || { echo "same: skipped: $name: $1 not installed (make setup-all)" >"$work/$name.skipped"; exit 0; }
-case $name in big-endian*) run=qemu-ppc ;; cortex*) run=qemu-system-arm ;; *) run='' ;; esac
+case $name in big-endian*) run=qemu-ppc ;; 32-bit*) run=qemu-i386 ;; cortex*) run=qemu-system-arm ;; *) run='' ;; esac
 case $name in cortex-m4*) machine=mps2-an386 ;; *) machine=mps2-an385 ;; esac
 [ -z "$run" ] || command -v $run >/dev/null 2>&1 || { echo "same: skipped: $name: $run not installed (make setup-all)" >"$work/$name.skipped"; exit 0; }
 set -- "$@" -std=c99 -Icore/include -Ihost/bench
