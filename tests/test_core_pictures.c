@@ -242,6 +242,7 @@ static void passes(void **state)
     (void)state;
     record("outlines", 60, random_draw_outlined, random_on_surface);
     record("bands", 60, NULL, random_in_bands);
+    record("fours", 60, NULL, random_by_fours);
 }
 
 /* A band has the rows of the whole picture. */

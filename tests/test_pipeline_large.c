@@ -250,7 +250,8 @@ static bool passes(int compare, uint32_t z, uint32_t stored)
     }
 }
 
-/* Two flat pixels may be drawn at once (pair.h): each is tested by itself, on either side of equal.
+/* Four flat pixels may be drawn at once (quads.h): each is tested by itself, on either side of
+ * equal.
  */
 static void flat_pixels_are_tested_one_by_one(void **state)
 {

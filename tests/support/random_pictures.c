@@ -2,6 +2,8 @@
 #include "random_states.h"
 #include "layouts.h"
 
+#include "qtri/pipeline_make.h"
+
 /* Checksums of what was drawn ------------------------------------------------------------------ */
 
 uint32_t random_hash(uint32_t hash, uint32_t value, int32_t bytes)
@@ -312,6 +314,93 @@ uint32_t random_in_bands(random_states *w, uint32_t hash, random_draw *draw)
     return hash;
 }
 
+#define FOURS(compares) .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = (compares)
+QTRI_PIPELINE(fours_less, FOURS(QTRI_LESS))
+QTRI_PIPELINE(fours_less_equal, FOURS(QTRI_LESS_EQUAL))
+QTRI_PIPELINE(fours_greater, FOURS(QTRI_GREATER))
+QTRI_PIPELINE(fours_greater_equal, FOURS(QTRI_GREATER_EQUAL))
+QTRI_PIPELINE(fours_off, .format = QTRI_RGB565)
+QTRI_PIPELINE(fours_colors_less, FOURS(QTRI_LESS), .shade = QTRI_COLORS)
+QTRI_PIPELINE(fours_colors_less_equal, FOURS(QTRI_LESS_EQUAL), .shade = QTRI_COLORS)
+QTRI_PIPELINE(fours_colors_greater, FOURS(QTRI_GREATER), .shade = QTRI_COLORS)
+QTRI_PIPELINE(fours_colors_greater_equal, FOURS(QTRI_GREATER_EQUAL), .shade = QTRI_COLORS)
+
+static const qtri_pipeline *const fours[] = {&fours_less,
+                                             &fours_less_equal,
+                                             &fours_greater,
+                                             &fours_greater_equal,
+                                             &fours_off,
+                                             &fours_colors_less,
+                                             &fours_colors_less_equal,
+                                             &fours_colors_greater,
+                                             &fours_colors_greater_equal,
+                                             &qtri_pipeline_any,
+                                             NULL};
+
+/* Depths that are a step below, at and above that of a plane: long and short runs of each. */
+static void lay_depths(random_states *w, const qtri_surface *surface, const qtri_screen_vertex *v)
+{
+    for (int32_t y = 0; y < w->height; y++) {
+        uint16_t *row = (uint16_t *)surface->depth + (ptrdiff_t)y * surface->depth_pitch;
+        int32_t left = 0, step = 0;
+        for (int32_t x = 0; x < w->width; x++, left--) {
+            if (left == 0) {
+                left = 1 + random_below(w, random_one_in(w, 2) ? 3 : 20);
+                step = random_below(w, 3) - 1;
+            }
+            const int64_t right = ((int64_t)v[1].depth_16p16 - v[0].depth_16p16) * x;
+            const int64_t down = ((int64_t)v[2].depth_16p16 - v[0].depth_16p16) * y;
+            row[x] = (uint16_t)((v[0].depth_16p16 + (right + down) / 256) / 65536 + step);
+        }
+    }
+}
+
+/* Vertices 256 pixels apart, right and down. */
+static void lay_triangle(random_states *w, qtri_screen_vertex v[3])
+{
+    random_screen(w);
+    const uint32_t z = (uint32_t)random_between(w, Q16(.2), Q16(.8)) << 16;
+    for (int i = 0; i < 3; i++) {
+        v[i] = w->screen[i];
+        v[i].x_24p8 = (i == 1 ? 256 * 256 : 0) + 128;
+        v[i].y_24p8 = (i == 2 ? 256 * 256 : 0) + 128;
+        v[i].depth_16p16 = z + (uint32_t)(i == 0 ? 0 : random_below(w, 1 << 26) - (1 << 25));
+        v[i].inv_w_q31 = 0x40000000u;
+        v[i].inv_w_exponent = 0;
+        for (int k = 0; k < 3; k++) {
+            v[i].color_8p16[k] = random_below(w, 256 << 16);
+        }
+    }
+}
+
+uint32_t random_by_fours(random_states *w, uint32_t hash, random_draw *draw)
+{
+    static const qtri_compare compares[] = {QTRI_LESS, QTRI_LESS_EQUAL, QTRI_GREATER,
+                                            QTRI_GREATER_EQUAL, QTRI_DEPTH_OFF};
+    qtri_screen_vertex v[3];
+    qtri_surface surface;
+    (void)draw;
+    random_size(w, 3);
+    random_material(w);
+    random_usual(w);
+    w->material.texture = NULL;
+    w->material.shading = random_one_in(w, 2) ? QTRI_SMOOTH : QTRI_FLAT_FIRST;
+    lay_triangle(w, v);
+    surface_at(w, &surface, w->memory, &qtri_rgb565, &qtri_depth_linear16, 0);
+    surface.scissor.x0 = random_below(w, 9);
+    surface.scissor.x1 -= random_below(w, 9);
+    for (int32_t i = 0; i < LENGTH_OF(compares); i++) {
+        qtri_surface_clear(&surface, random_rgb(w));
+        lay_depths(w, &surface, v);
+        w->material.depth_compare = compares[i];
+        qtri_raster_triangle(&surface, fours, &w->material, v);
+        hash = add_surface(hash, &surface);
+        keep_depths(w, &surface);
+        hash = add_depths(w, hash);
+    }
+    return hash;
+}
+
 void random_draw_usual(random_states *w, const qtri_surface *surface)
 {
     random_usual(w);
@@ -340,5 +429,6 @@ const random_kind random_kinds[] = {
     {"usual on screen", random_draw_usual_screen, random_on_surface, true},
     {"outlines", random_draw_outlined, random_on_surface, false},
     {"bands", NULL, random_in_bands, false},
+    {"fours", NULL, random_by_fours, false},
     {NULL, NULL, NULL, false},
 };

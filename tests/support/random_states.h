@@ -119,6 +119,10 @@ uint32_t random_on_samples(random_states *w, uint32_t hash, random_draw *draw);
 /* A mesh that is prepared once and drawn in bands with rows in common; `draw` does not matter. */
 uint32_t random_in_bands(random_states *w, uint32_t hash, random_draw *draw);
 
+/* Large triangles that are flat or of colours, in front of and behind depths a step away, by all
+   pipelines that draw pixels by fours; `draw` does not matter. */
+uint32_t random_by_fours(random_states *w, uint32_t hash, random_draw *draw);
+
 /* FNV-1a of the lowest bytes of a value, in the order that every machine has. */
 #define RANDOM_HASH_BEGIN 2166136261u
 uint32_t random_hash(uint32_t hash, uint32_t value, int32_t bytes);

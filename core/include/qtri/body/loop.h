@@ -5,7 +5,7 @@
 #ifndef QTRI_BODY_LOOP_H
 #define QTRI_BODY_LOOP_H
 
-#include "pair.h"
+#include "quads.h"
 
 /*
  * qtri_pixel_at with a pipeline's options, which QTRI_PIPELINE makes once: the compiler inlines
@@ -58,35 +58,34 @@ QTRI_BODY void qtri_pixel_alone(const qtri_options *o, qtri_pixel_body *pixel, q
     qtri_walk_move(o, w, 1);
 }
 
-/* `count` > 0 pixels of a row in pairs; false: words of its pixels and depths do not begin at the
-   same columns. */
-QTRI_BODY bool qtri_pairs_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
-                               int32_t count)
+/* Pixels of a row by fours where all of four pass or fail, and where words of pixels and of depths
+   begin at the same columns. */
+QTRI_BODY void qtri_pixels_by_fours(const qtri_options *o, qtri_pixel_body *pixel,
+                                    qtri_pixel_walk *w, int32_t count)
 {
-    const int32_t together = QTRI_BODY_UNROLLS;
-    if (qtri_tests_depth(o) && !qtri_pairs_are_aligned(w->pixel, w->depth)) {
-        return false;
-    }
-    if (!qtri_pair_begins(w->pixel)) {
+    const int32_t together = qtri_unrolled(o, false);
+    if (count > 0 && ((uintptr_t)w->pixel & 2) != 0) {
         qtri_pixel_alone(o, pixel, w, false);
         count--;
     }
-    if (count >= together) {
-        int32_t groups = count / together;
-        do { /* GCC does not turn loops round by itself */
-            QTRI_BODY_UNROLL
-            for (int32_t i = 0; i < together; i += 2) {
-                qtri_pixel_pair(o, w, w->pixel + 2 * i, w->depth + 2 * i);
-            }
-            qtri_walk_move(o, w, (uint32_t)together);
-            QTRI_BODY_BARRIER(groups);
-        } while (--groups != 0);
-        count %= together;
+    const bool aligned = !qtri_tests_depth(o) || ((uintptr_t)w->depth & 2) == 0;
+    for (;;) {
+        if (aligned) {
+            count = qtri_quads_draw(o, w, count);
+        }
+        if (count < together) {
+            break;
+        }
+        QTRI_BODY_UNROLL
+        for (int32_t i = 0; i < together; i++) {
+            qtri_pixel_next(o, pixel, w, false, i);
+        }
+        qtri_walk_move(o, w, (uint32_t)together);
+        count -= together;
     }
     for (; count > 0; count--) {
         qtri_pixel_alone(o, pixel, w, false);
     }
-    return true;
 }
 
 /* `count` pixels of a row, 0 or less: none. */
@@ -107,7 +106,8 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, q
                                 bool bent, int32_t count)
 {
     const bool in_pairs = qtri_unrolled(o, bent) == 2;
-    if (in_pairs && qtri_draws_pairs(o) && qtri_pairs_draw(o, pixel, w, count)) {
+    if (qtri_draws_quads(o)) {
+        qtri_pixels_by_fours(o, pixel, w, count);
         return;
     }
     if (count > 0 && (!in_pairs || (count & 1) != 0)) {
@@ -130,7 +130,8 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, q
                                 bool bent, int32_t count)
 {
     const int together = qtri_unrolled(o, bent);
-    if (together > 1 && qtri_draws_pairs(o) && qtri_pairs_draw(o, pixel, w, count)) {
+    if (qtri_draws_quads(o)) {
+        qtri_pixels_by_fours(o, pixel, w, count);
         return;
     }
     if (together > 1) {
