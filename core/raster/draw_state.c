@@ -34,8 +34,8 @@ static void want_texture(qtri_options *o, const qtri_material *material,
 {
     o->texel = texture->format->kind != QTRI_NO_TEXEL ? texture->format->kind : QTRI_OTHER_TEXEL;
     if (texture->filter != NULL) {
-        o->bilinear = texture->filter->is_bilinear;
-        o->mipmapped = texture->filter->is_mipmapped;
+        o->bilinear = texture->filter->between != NULL;
+        o->mipmapped = texture->filter->levels != NULL;
     }
     o->wrap_u = wrap_of(texture->wrap_u, texture->width_log2);
     o->wrap_v = wrap_of(texture->wrap_v, texture->height_log2);
@@ -238,6 +238,27 @@ void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level)
     texture->height_log2 = (uint8_t)(height_log2 - (level < height_log2 ? level : height_log2));
 }
 
+/* Mipmapped: only what names such a filter links what these call. */
+bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t)
+{
+    return t->state->texture->filter->levels->set_small(p, t);
+}
+
+void qtri_large_set_levels(qtri_large *t)
+{
+    t->state->texture->filter->levels->set_large(t);
+}
+
+int32_t qtri_large_next_levels(qtri_large *t)
+{
+    return t->state->texture->filter->levels->next(t);
+}
+
+void qtri_large_set_level(qtri_large *t, uint32_t level)
+{
+    t->state->texture->filter->levels->set_level(t, level);
+}
+
 static void set_texture(qtri_draw_state *state, const qtri_texture *texture)
 {
     state->texture = NULL;
@@ -250,8 +271,9 @@ static void set_texture(qtri_draw_state *state, const qtri_texture *texture)
     state->key_mask = texture->format->key_mask;
     state->key = texture->key & state->key_mask;
     state->alpha_least = (uint32_t)state->material->least_alpha << 24;
+    state->between = texture->filter != NULL ? texture->filter->between : NULL;
     if (state->options.mipmapped) {
-        texture->filter->begin(state);
+        texture->filter->levels->begin(state);
     }
 }
 

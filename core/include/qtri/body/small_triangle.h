@@ -122,11 +122,11 @@ bool qtri_small_set_colors_gray(qtri_small_ramp *c, const qtri_small_place *p, c
 bool qtri_small_set_weights(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
                             const qtri_small *t, uint32_t half);
 
-/* In small_texture.c: the level of a mipmapped texture by the footprint at vertex 0. False: 1/w
+/* In draw_state.c: the level of a mipmapped texture by the footprint at vertex 0. False: 1/w
    varies too much for one; the triangle is large. */
 bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t);
 
-/* There, too. False: they are not as simple, or follow perspective; nothing was set. */
+/* In small_texture.c. False: they are not as simple, or follow perspective; nothing was set. */
 bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
                                    const qtri_small_place *p, const qtri_small *t,
                                    const qtri_options *o);

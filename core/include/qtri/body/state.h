@@ -15,6 +15,8 @@ extern "C" {
 
 enum { QTRI_TABLE_LOG2 = 7, QTRI_TABLE = (1 << QTRI_TABLE_LOG2) + 1 };
 
+struct qtri_pixel_walk;
+
 /* Set once a draw call, by draw_state.c. */
 typedef struct qtri_draw_state {
     const qtri_pipeline *pipeline;
@@ -52,6 +54,8 @@ typedef struct qtri_draw_state {
     bool (*has_linear_light)(const struct qtri_small *triangle);
     /* Mipmapped: `texture` is this copy of the material's, with texels and sides of a level. */
     qtri_texture level_texture;
+    /* For the generic pipeline: the texture's filter, NULL for nearest. */
+    uint32_t (*between)(const struct qtri_pixel_walk *w, bool *drawn);
 
     /* What draws small triangles: the pipeline's, or what moves their depths before. */
     bool (*small)(struct qtri_small *triangle);
