@@ -24,12 +24,17 @@ typedef struct qtri_late_place {
 /* Loose triangles, each of which is drawn as a mesh of one triangle. */
 typedef struct qtri_loose_triangle {
     qtri_mesh mesh;
-    qtri_vec3 positions[3];
-    qtri_vec2 uvs[3];
-    qtri_rgb colors[3];
-    /* Vertices of the triangle and of the one before it: files mostly list triangles in an order in
-       which two that follow each other share vertices. */
-    qtri_vertex vertex[2][3];
+    union {
+        struct {
+            qtri_vec3 positions[3];
+            qtri_vec2 uvs[3];
+            qtri_rgb colors[3];
+            /* Vertices of the triangle and of the one before it: files mostly list triangles in an
+               order in which two that follow each other share vertices. */
+            qtri_vertex vertex[2][3];
+        } inside;
+        qtri_shape shape; /* one that may need clipping: the next finds no vertices */
+    } of;
 } qtri_loose_triangle;
 
 /* See qtri_small.light. */
@@ -159,11 +164,7 @@ void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
 void qtri_mesh_solid_init(qtri_mesh_job *draw, qtri_light_finder *light);
 qtri_light_finder qtri_mesh_find_light;
 
-/* One whose vertices are all inside. */
-void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                          qtri_vertex *b, qtri_vertex *c);
-
-/* One that the pipeline says is large. */
+/* One whose vertices are all inside, which the pipeline says is large. */
 void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                           qtri_vertex *b, qtri_vertex *c);
 
