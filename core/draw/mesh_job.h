@@ -43,7 +43,6 @@ typedef uint32_t qtri_light_finder(const void *from, const void *indices, qtri_v
 
 /* One draw call: what every triangle needs. */
 typedef struct qtri_mesh_job {
-    qtri_primitive primitive;
     const qtri_mesh *mesh;
     const qtri_vertex_stage *stage;
     const qtri_position_ops *positions; /* of those that the mesh has; NULL: none serves it */
@@ -54,13 +53,6 @@ typedef struct qtri_mesh_job {
     bool lit;               /* per vertex: all that are seen already are */
     bool shaded_per_vertex; /* with lights */
     qtri_light_finder *find_large_light; /* NULL: triangles have all light */
-    union {
-        struct {
-            qtri_lighting lighting;
-            uint16_t table[QTRI_TABLE]; /* the draw state's */
-        } mesh;
-        qtri_loose_triangle triangle;
-    } of;
     /* view->light, if it has sources, and with them: */
     const qtri_light *lights;
     const struct qtri_illumination *illumination; /* NULL: all that is needed is lit */
@@ -68,6 +60,14 @@ typedef struct qtri_mesh_job {
     qtri_late_place *late;                        /* NULL: transforms are set */
     /* For an outline: a bit a triangle, which mesh_faces.c clears if it faces away; NULL: none. */
     uint32_t *front;
+    qtri_primitive primitive; /* behind what Armv6-M reaches */
+    union {
+        struct {
+            qtri_lighting lighting;
+            uint16_t table[QTRI_TABLE]; /* the draw state's */
+        } mesh;
+        qtri_loose_triangle triangle;
+    } of;
 } qtri_mesh_job;
 
 /*

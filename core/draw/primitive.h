@@ -24,6 +24,7 @@ struct qtri_mesh_job;
 typedef struct qtri_primitive {
     const qtri_surface *surface;
     const qtri_material *material;
+    qtri_projector projector;
     union {
         struct {
             qtri_draw_state state;
@@ -34,7 +35,6 @@ typedef struct qtri_primitive {
             qtri_stroke_target target; /* the job's */
         } lines;                       /* and wireframes */
     } to;
-    qtri_projector projector;
 } qtri_primitive;
 
 /*

@@ -303,8 +303,6 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     memset(state, 0, offsetof(qtri_draw_state, inner)); /* options, and bounds that hold nothing */
     state->texture = NULL;
     state->between = NULL;
-    state->has_table = false;
-    state->is_lit = false;
     state->light_walk = NULL;
     state->has_linear_light = NULL;
     state->pipeline = &nothing;

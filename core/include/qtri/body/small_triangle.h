@@ -51,6 +51,9 @@ typedef struct qtri_small_ramp {
 
 /* Where it is. Columns count from QTRI_SMALL_REACH left of vertex 0's. */
 typedef struct qtri_small_place {
+    bool turned;                /* a back face: vertices 1 and 2 have changed places */
+    bool cut;                   /* rows may reach past the bounds */
+    bool wide;                  /* differences of attributes are to be below 2^15, not 2^16 */
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0, 24.8 */
     int32_t x, y;               /* from vertex 0 to the centre of the base in the first row, 24.8 */
     int32_t first;              /* rows from that pixel's to the first */
@@ -60,9 +63,6 @@ typedef struct qtri_small_place {
     uint32_t q_about;           /* their magnitudes, or-ed */
     uint8_t *span;              /* of each row the first pixel and the one after the last */
     int32_t left, right;        /* columns of the bounds */
-    bool turned;                /* a back face: vertices 1 and 2 have changed places */
-    bool cut;                   /* rows may reach past those */
-    bool wide;                  /* differences of attributes are to be below 2^15, not 2^16 */
     qtri_small_ramp z;          /* 16.16 */
 } qtri_small_place;
 
