@@ -22,19 +22,16 @@ typedef struct qtri_late_place {
 } qtri_late_place;
 
 /* Loose triangles, each of which is drawn as a mesh of one triangle. */
-typedef struct qtri_loose_triangle {
-    qtri_mesh mesh;
-    union {
-        struct {
-            qtri_vec3 positions[3];
-            qtri_vec2 uvs[3];
-            qtri_rgb colors[3];
-            /* Vertices of the triangle and of the one before it: files mostly list triangles in an
-               order in which two that follow each other share vertices. */
-            qtri_vertex vertex[2][3];
-        } inside;
-        qtri_shape shape; /* one that may need clipping: the next finds no vertices */
-    } of;
+typedef union qtri_loose_triangle {
+    struct {
+        qtri_vec3 positions[3];
+        qtri_vec2 uvs[3];
+        qtri_rgb colors[3];
+        /* Vertices of the triangle and of the one before it: files mostly list triangles in an
+           order in which two that follow each other share vertices. */
+        qtri_vertex vertex[2][3];
+    } inside;
+    qtri_shape shape; /* one that may need clipping: the next finds no vertices */
 } qtri_loose_triangle;
 
 /* See qtri_small.light. */

@@ -270,8 +270,8 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
 }
 
 /* One whose vertices are all inside. */
-static void draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                       qtri_vertex *b, qtri_vertex *c)
+QTRI_NOINLINE static void draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                     qtri_vertex *b, qtri_vertex *c)
 {
     uint32_t index[3];
     qtri_vertex *const vertex[3] = {a, b, c};

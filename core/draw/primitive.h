@@ -29,6 +29,7 @@ typedef struct qtri_primitive {
         struct {
             qtri_draw_state state;
             qtri_small small; /* what a mesh's small triangles have in common */
+            qtri_mesh mesh;   /* of loose triangles: where lines need more, there is room */
         } solid;              /* triangles */
         struct {
             qtri_line_job job;

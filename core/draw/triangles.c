@@ -56,11 +56,12 @@ static void begin(triangle_call *call, const qtri_surface *surface, const qtri_v
 {
     qtri_mesh_job *job = &call->job;
     qtri_loose_triangle *triangle = &job->of.triangle;
+    qtri_mesh *mesh = &job->primitive.to.solid.mesh;
     memset(call, 0, sizeof *call);
-    triangle->mesh.positions = triangle->of.inside.positions;
-    triangle->mesh.uvs = triangle->of.inside.uvs;
-    triangle->mesh.colors = triangle->of.inside.colors;
-    job->mesh = &triangle->mesh;
+    mesh->positions = triangle->inside.positions;
+    mesh->uvs = triangle->inside.uvs;
+    mesh->colors = triangle->inside.colors;
+    job->mesh = mesh;
     job->positions = &qtri_positions_wide;
     job->slot_count = 3;
     job->lit = true;
@@ -94,7 +95,7 @@ QTRI_NOINLINE static fate project(triangle_call *call, const qtri_corner *corner
     qtri_mesh_job *job = &call->job;
     qtri_loose_triangle *triangle = &job->of.triangle;
     const qtri_vertex *before = call->before;
-    qtri_vertex *v = triangle->of.inside.vertex[before == triangle->of.inside.vertex[0]];
+    qtri_vertex *v = triangle->inside.vertex[before == triangle->inside.vertex[0]];
     uint32_t count = 0;
     call->before = NULL;
     job->vertices = v;
@@ -109,9 +110,9 @@ QTRI_NOINLINE static fate project(triangle_call *call, const qtri_corner *corner
         if (position->w != Q16_ONE) {
             return UNDECIDED;
         }
-        triangle->of.inside.positions[i].x = position->x;
-        triangle->of.inside.positions[i].y = position->y;
-        triangle->of.inside.positions[i].z = position->z;
+        triangle->inside.positions[i].x = position->x;
+        triangle->inside.positions[i].y = position->y;
+        triangle->inside.positions[i].z = position->z;
         const qtri_vertex *same =
             before != NULL ? find_vertex(before, corners - 3, position) : NULL;
         if (same != NULL) {
@@ -121,7 +122,7 @@ QTRI_NOINLINE static fate project(triangle_call *call, const qtri_corner *corner
         }
     }
     if (count != 0 && !qtri_projector_vertices(&job->primitive.projector,
-                                               triangle->of.inside.positions, count, v, true)) {
+                                               triangle->inside.positions, count, v, true)) {
         return UNDECIDED;
     }
     call->before = v;
@@ -139,8 +140,8 @@ static void draw_visible(triangle_call *call, const qtri_corner *attributes)
     qtri_vertex *const v = call->job.vertices;
     qtri_vertex *const vertex[3] = {&v[0], &v[1], &v[2]};
     for (int i = 0; i < 3; i++) {
-        triangle->of.inside.colors[i] = attributes[i].color;
-        triangle->of.inside.uvs[i] = attributes[i].uv;
+        triangle->inside.colors[i] = attributes[i].color;
+        triangle->inside.uvs[i] = attributes[i].uv;
         v[i].intensity_q15 = QTRI_INTENSITY_ONE;
     }
     if (!qtri_mesh_draw_small(small->state->small, small, indices, index, vertex)) {
@@ -151,7 +152,7 @@ static void draw_visible(triangle_call *call, const qtri_corner *attributes)
 /* Draws a triangle that may need clipping. */
 static void draw_undecided(triangle_call *call, const qtri_corner *corners)
 {
-    qtri_shape *shape = &call->job.of.triangle.of.shape;
+    qtri_shape *shape = &call->job.of.triangle.shape;
     transform(&call->job.primitive, corners, 3, shape->clip);
     qtri_primitive_triangle(&call->job.primitive, shape, set_attributes, corners);
 }
@@ -241,7 +242,7 @@ static void draw_lit(lit_call *call, uint32_t first)
         light(lit, call, first, two_sided && qtri_triangle_area(&v[0].at, &v[1].at, &v[2].at) > 0);
         draw_visible(&call->call, lit);
     } else if (found == UNDECIDED) {
-        qtri_shape *shape = &call->call.job.of.triangle.of.shape;
+        qtri_shape *shape = &call->call.job.of.triangle.shape;
         transform(&call->call.job.primitive, corners, 3, shape->clip);
         light(lit, call, first, two_sided && qtri_clipped_is_back(shape->clip));
         qtri_primitive_triangle(&call->call.job.primitive, shape, set_attributes, lit);
