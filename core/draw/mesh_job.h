@@ -22,14 +22,16 @@ typedef struct qtri_late_place {
 } qtri_late_place;
 
 /* Loose triangles, each of which is drawn as a mesh of one triangle. */
-typedef struct qtri_loose_triangle {
-    qtri_mesh mesh;
-    qtri_vec3 positions[3];
-    qtri_vec2 uvs[3];
-    qtri_rgb colors[3];
-    /* Vertices of the triangle and of the one before it: files mostly list triangles in an order in
-       which two that follow each other share vertices. */
-    qtri_vertex vertex[2][3];
+typedef union qtri_loose_triangle {
+    struct {
+        qtri_vec3 positions[3];
+        qtri_vec2 uvs[3];
+        qtri_rgb colors[3];
+        /* Vertices of the triangle and of the one before it: files mostly list triangles in an
+           order in which two that follow each other share vertices. */
+        qtri_vertex vertex[2][3];
+    } inside;
+    qtri_shape shape; /* one that may need clipping: the next finds no vertices */
 } qtri_loose_triangle;
 
 /* See qtri_small.light. */
@@ -38,7 +40,6 @@ typedef uint32_t qtri_light_finder(const void *from, const void *indices, qtri_v
 
 /* One draw call: what every triangle needs. */
 typedef struct qtri_mesh_job {
-    qtri_primitive primitive;
     const qtri_mesh *mesh;
     const qtri_vertex_stage *stage;
     const qtri_position_ops *positions; /* of those that the mesh has; NULL: none serves it */
@@ -49,13 +50,6 @@ typedef struct qtri_mesh_job {
     bool lit;               /* per vertex: all that are seen already are */
     bool shaded_per_vertex; /* with lights */
     qtri_light_finder *find_large_light; /* NULL: triangles have all light */
-    union {
-        struct {
-            qtri_lighting lighting;
-            uint16_t table[QTRI_TABLE]; /* the draw state's */
-        } mesh;
-        qtri_loose_triangle triangle;
-    } of;
     /* view->light, if it has sources, and with them: */
     const qtri_light *lights;
     const struct qtri_illumination *illumination; /* NULL: all that is needed is lit */
@@ -63,6 +57,14 @@ typedef struct qtri_mesh_job {
     qtri_late_place *late;                        /* NULL: transforms are set */
     /* For an outline: a bit a triangle, which mesh_faces.c clears if it faces away; NULL: none. */
     uint32_t *front;
+    qtri_primitive primitive; /* behind what Armv6-M reaches */
+    union {
+        struct {
+            qtri_lighting lighting;
+            uint16_t table[QTRI_TABLE]; /* the draw state's */
+        } mesh;
+        qtri_loose_triangle triangle;
+    } of;
 } qtri_mesh_job;
 
 /*
@@ -159,11 +161,7 @@ void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
 void qtri_mesh_solid_init(qtri_mesh_job *draw, qtri_light_finder *light);
 qtri_light_finder qtri_mesh_find_light;
 
-/* One whose vertices are all inside. */
-void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                          qtri_vertex *b, qtri_vertex *c);
-
-/* One that the pipeline says is large. */
+/* One whose vertices are all inside, which the pipeline says is large. */
 void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                           qtri_vertex *b, qtri_vertex *c);
 

@@ -188,18 +188,6 @@ QTRI_NOINLINE void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *i
                                             : QTRI_INTENSITY_ONE);
 }
 
-void qtri_mesh_draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                          qtri_vertex *b, qtri_vertex *c)
-{
-    uint32_t index[3];
-    qtri_vertex *const vertex[3] = {a, b, c};
-    qtri_small t = draw->primitive.to.solid.small;
-    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-    if (!qtri_mesh_draw_small(t.state->small, &t, indices, index, vertex)) {
-        qtri_mesh_draw_large(draw, indices, a, b, c);
-    }
-}
-
 void qtri_mesh_solid_init(qtri_mesh_job *draw, qtri_light_finder *light)
 {
     qtri_small *t = &draw->primitive.to.solid.small;
@@ -281,6 +269,19 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
     qtri_primitive_triangle(&draw->primitive, &shape, set_attributes, &triangle);
 }
 
+/* One whose vertices are all inside. */
+QTRI_NOINLINE static void draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                                     qtri_vertex *b, qtri_vertex *c)
+{
+    uint32_t index[3];
+    qtri_vertex *const vertex[3] = {a, b, c};
+    qtri_small t = draw->primitive.to.solid.small;
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    if (!qtri_mesh_draw_small(t.state->small, &t, indices, index, vertex)) {
+        qtri_mesh_draw_large(draw, indices, a, b, c);
+    }
+}
+
 QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
                                        qtri_vertex *const vertex[3])
 {
@@ -289,7 +290,7 @@ QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *in
     } else if (draw->primitive.material->fill != NULL) {
         draw->primitive.material->fill->triangle(draw, indices, vertex);
     } else {
-        qtri_mesh_draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
+        draw_solid(draw, indices, vertex[0], vertex[1], vertex[2]);
     }
 }
 

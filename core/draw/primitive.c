@@ -271,17 +271,16 @@ static int own_vertex(const qtri_fan_vertex *v)
     return v->b1_q30 != 0 ? 1 : 2;
 }
 
-/* Alpha of a point of the triangle whose vertices have these numbers. */
+/* Alpha of a point of the triangle whose vertices have these numbers. Clipping leaves weights of 0
+   or more, whose sum is 1 at most: a mean of the three. */
 static uint32_t alpha_at(const qtri_draw_state *state, const qtri_fan_vertex *v)
 {
-    const uint8_t *alpha = state->alphas;
-    int64_t a[3];
+    const int32_t b_q30[2] = {v->b1_q30, v->b2_q30};
+    int32_t a_q16[3];
     for (int i = 0; i < 3; i++) {
-        const uint32_t x = alpha[state->alpha_index[i]];
-        a[i] = (int64_t)((x << 16) / 255);
+        a_q16[i] = (int32_t)(((uint32_t)state->alphas[state->alpha_index[i]] << 16) / 255);
     }
-    /* Clipping leaves weights of 0 or more, whose sum is 1 at most: a mean of the three. */
-    return (uint32_t)(a[0] + (((a[1] - a[0]) * v->b1_q30 + (a[2] - a[0]) * v->b2_q30) >> 30));
+    return (uint32_t)(blend_q16(a_q16[0], a_q16[1], a_q16[2], b_q30) >> 16);
 }
 
 static void set_vertex(qtri_large_vertex *out, const qtri_draw_state *state,

@@ -24,17 +24,18 @@ struct qtri_mesh_job;
 typedef struct qtri_primitive {
     const qtri_surface *surface;
     const qtri_material *material;
+    qtri_projector projector;
     union {
         struct {
             qtri_draw_state state;
             qtri_small small; /* what a mesh's small triangles have in common */
+            qtri_mesh mesh;   /* of loose triangles: where lines need more, there is room */
         } solid;              /* triangles */
         struct {
             qtri_line_job job;
             qtri_stroke_target target; /* the job's */
         } lines;                       /* and wireframes */
     } to;
-    qtri_projector projector;
 } qtri_primitive;
 
 /*

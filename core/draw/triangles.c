@@ -56,11 +56,12 @@ static void begin(triangle_call *call, const qtri_surface *surface, const qtri_v
 {
     qtri_mesh_job *job = &call->job;
     qtri_loose_triangle *triangle = &job->of.triangle;
+    qtri_mesh *mesh = &job->primitive.to.solid.mesh;
     memset(call, 0, sizeof *call);
-    triangle->mesh.positions = triangle->positions;
-    triangle->mesh.uvs = triangle->uvs;
-    triangle->mesh.colors = triangle->colors;
-    job->mesh = &triangle->mesh;
+    mesh->positions = triangle->inside.positions;
+    mesh->uvs = triangle->inside.uvs;
+    mesh->colors = triangle->inside.colors;
+    job->mesh = mesh;
     job->positions = &qtri_positions_wide;
     job->slot_count = 3;
     job->lit = true;
@@ -94,7 +95,7 @@ QTRI_NOINLINE static fate project(triangle_call *call, const qtri_corner *corner
     qtri_mesh_job *job = &call->job;
     qtri_loose_triangle *triangle = &job->of.triangle;
     const qtri_vertex *before = call->before;
-    qtri_vertex *v = triangle->vertex[before == triangle->vertex[0]];
+    qtri_vertex *v = triangle->inside.vertex[before == triangle->inside.vertex[0]];
     uint32_t count = 0;
     call->before = NULL;
     job->vertices = v;
@@ -109,9 +110,9 @@ QTRI_NOINLINE static fate project(triangle_call *call, const qtri_corner *corner
         if (position->w != Q16_ONE) {
             return UNDECIDED;
         }
-        triangle->positions[i].x = position->x;
-        triangle->positions[i].y = position->y;
-        triangle->positions[i].z = position->z;
+        triangle->inside.positions[i].x = position->x;
+        triangle->inside.positions[i].y = position->y;
+        triangle->inside.positions[i].z = position->z;
         const qtri_vertex *same =
             before != NULL ? find_vertex(before, corners - 3, position) : NULL;
         if (same != NULL) {
@@ -120,8 +121,8 @@ QTRI_NOINLINE static fate project(triangle_call *call, const qtri_corner *corner
             v[count++].index = (uint16_t)i;
         }
     }
-    if (count != 0 &&
-        !qtri_projector_vertices(&job->primitive.projector, triangle->positions, count, v, true)) {
+    if (count != 0 && !qtri_projector_vertices(&job->primitive.projector,
+                                               triangle->inside.positions, count, v, true)) {
         return UNDECIDED;
     }
     call->before = v;
@@ -133,22 +134,27 @@ QTRI_NOINLINE static fate project(triangle_call *call, const qtri_corner *corner
 static void draw_visible(triangle_call *call, const qtri_corner *attributes)
 {
     static const uint16_t indices[3] = {0, 1, 2};
+    static const uint32_t index[3] = {0, 1, 2};
     qtri_loose_triangle *triangle = &call->job.of.triangle;
-    qtri_vertex *v = call->job.vertices;
+    qtri_small *small = &call->job.primitive.to.solid.small;
+    qtri_vertex *const v = call->job.vertices;
+    qtri_vertex *const vertex[3] = {&v[0], &v[1], &v[2]};
     for (int i = 0; i < 3; i++) {
-        triangle->colors[i] = attributes[i].color;
-        triangle->uvs[i] = attributes[i].uv;
+        triangle->inside.colors[i] = attributes[i].color;
+        triangle->inside.uvs[i] = attributes[i].uv;
         v[i].intensity_q15 = QTRI_INTENSITY_ONE;
     }
-    qtri_mesh_draw_solid(&call->job, indices, &v[0], &v[1], &v[2]);
+    if (!qtri_mesh_draw_small(small->state->small, small, indices, index, vertex)) {
+        qtri_mesh_draw_large(&call->job, indices, vertex[0], vertex[1], vertex[2]);
+    }
 }
 
 /* Draws a triangle that may need clipping. */
-QTRI_NOINLINE static void draw_undecided(const triangle_call *call, const qtri_corner *corners)
+static void draw_undecided(triangle_call *call, const qtri_corner *corners)
 {
-    qtri_shape shape;
-    transform(&call->job.primitive, corners, 3, shape.clip);
-    qtri_primitive_triangle(&call->job.primitive, &shape, set_attributes, corners);
+    qtri_shape *shape = &call->job.of.triangle.shape;
+    transform(&call->job.primitive, corners, 3, shape->clip);
+    qtri_primitive_triangle(&call->job.primitive, shape, set_attributes, corners);
 }
 
 void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
@@ -236,10 +242,10 @@ static void draw_lit(lit_call *call, uint32_t first)
         light(lit, call, first, two_sided && qtri_triangle_area(&v[0].at, &v[1].at, &v[2].at) > 0);
         draw_visible(&call->call, lit);
     } else if (found == UNDECIDED) {
-        qtri_shape shape;
-        transform(&call->call.job.primitive, corners, 3, shape.clip);
-        light(lit, call, first, two_sided && qtri_clipped_is_back(shape.clip));
-        qtri_primitive_triangle(&call->call.job.primitive, &shape, set_attributes, lit);
+        qtri_shape *shape = &call->call.job.of.triangle.shape;
+        transform(&call->call.job.primitive, corners, 3, shape->clip);
+        light(lit, call, first, two_sided && qtri_clipped_is_back(shape->clip));
+        qtri_primitive_triangle(&call->call.job.primitive, shape, set_attributes, lit);
     }
 }
 

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include <string.h>
+
 #include "../bits/bits.h"
 #include "../bits/wide.h"
 #include "projector.h"
@@ -48,8 +50,7 @@ void qtri_projector_init(qtri_projector *projector, const qtri_transform *object
     int32_t height = qtri_hold32(viewport->height, 0, QTRI_VIEWPORT_MAX);
     fold_viewport(&projector->row.wide[0], object_to_clip, 0, width, 2 * x + width);
     fold_viewport(&projector->row.wide[1], object_to_clip, 1, -height, 2 * y + height);
-    projector->row.wide[2] = object_to_clip->row[2];
-    projector->row.wide[3] = object_to_clip->row[3];
+    memcpy(&projector->row.wide[2], &object_to_clip->row[2], 2 * sizeof(qtri_row));
 
     int32_t least = INT32_MAX;
     for (int i = 0; i < 4; i++) {
@@ -60,10 +61,10 @@ void qtri_projector_init(qtri_projector *projector, const qtri_transform *object
         }
     }
     for (int i = 0; i < 4; i++) {
-        /* A row of zeros may have any exponent, and a user's row too: 64 bits hold each distance.
-         */
-        const int64_t shift = (int64_t)projector->row.wide[i].exponent - least + 2;
-        projector->shift[i] = qtri_hold32(qtri_saturate32(shift), 2, 63);
+        /* A row of zeros may have any exponent, and a user's row too: no sign is left for one. */
+        const int32_t exponent = qtri_greatest32(projector->row.wide[i].exponent, least);
+        const uint32_t above = (uint32_t)exponent - (uint32_t)least;
+        projector->shift[i] = above < 61 ? (int32_t)above + 2 : 63;
     }
 
     qtri_projector_set_depth(projector, viewport, 0);
@@ -102,7 +103,8 @@ void qtri_projector_point(const qtri_projector *projector, const qtri_vec3 *p,
 /* t w / 2^bits, truncated, for |t| < 2^61 and |t w / 2^bits| < 2^62; 16 <= bits <= 32. */
 static int64_t scale_translation(int64_t t, q16 w, int32_t bits)
 {
-    uint64_t size = qtri_mul_high64(qtri_magnitude64(t) << 2, qtri_magnitude64(w) << (62 - bits));
+    uint64_t size =
+        qtri_mul_high64(qtri_magnitude64(t) << 2, (uint64_t)qtri_magnitude32(w) << (62 - bits));
     return (t < 0) == (w < 0) ? (int64_t)size : -(int64_t)size;
 }
 
@@ -110,12 +112,12 @@ void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *con
                            qtri_clip_vertex out[])
 {
     /* |w| up to 2^extra, 65536 counting as 1: everything is scaled down by 2^extra. */
-    uint64_t largest = 0;
+    uint32_t largest = 65536;
     for (int i = 0; i < count; i++) {
-        uint64_t size = qtri_magnitude64(p[i]->w);
+        const uint32_t size = qtri_magnitude32(p[i]->w);
         largest = size > largest ? size : largest;
     }
-    int32_t extra = largest > 65536 ? 48 - qtri_clz64(largest - 1) : 0; /* 0..15 */
+    const int32_t extra = 16 - qtri_clz32(largest - 1); /* 0..15 */
 
     for (int i = 0; i < count; i++) {
         int64_t sum[4];
@@ -126,16 +128,14 @@ void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *con
             sum[axis] = (sum[axis] + t) >> projector->shift[axis];
         }
         set_coordinates(&out[i], sum);
-        out[i].b1_q30 = i == 1 ? (int32_t)1 << 30 : 0;
-        out[i].b2_q30 = i == 2 ? (int32_t)1 << 30 : 0;
     }
 }
 
 /* x / w times 2^31 over 2^15, for |x| <= 2^14 w: the mantissa that the reciprocal multiplies. */
-static int64_t scaled(int64_t x, int32_t zeros)
+static int32_t scaled(int64_t x, int32_t zeros)
 {
     int64_t aligned = zeros >= 15 ? qtri_shift_left64(x, zeros - 15) : x >> (15 - zeros);
-    return aligned >> 32;
+    return (int32_t)(aligned >> 32); /* |.| < w 2^zeros / 2^33 < 2^31 */
 }
 
 /*
@@ -148,7 +148,7 @@ static int32_t snap(int64_t x, int64_t w, int32_t zeros, int32_t reciprocal)
 {
     int64_t limit = zeros > QTRI_GUARD_LOG2 ? w << QTRI_GUARD_LOG2 : INT64_MAX;
     x = x > limit ? limit : (x < -limit ? -limit : x); /* the clipper may leave a unit too much */
-    int64_t estimate = scaled(x, zeros) * reciprocal >> 39;
+    int64_t estimate = qtri_mul_s32(scaled(x, zeros), reciprocal) >> 39;
     int64_t remainder =
         qtri_wrap64(((uint64_t)x << 9) + (uint64_t)w - (((uint64_t)w << 1) * (uint64_t)estimate));
     if (remainder >= 2 * w) {

@@ -6,6 +6,8 @@
 #define QTRI_RASTER_DESCRIPTIONS_H
 
 #include "large.h"
+#include "qtri/body/large.h"
+#include "qtri/body/small_triangle.h"
 #include "qtri/config.h"
 
 /* Pipelines that a description brings: see qtri_pipeline_brought. */
@@ -24,10 +26,25 @@ struct qtri_blend {
 };
 
 struct qtri_filter {
-    bool is_bilinear, is_mipmapped;
+    /* Bilinear: what the generic pipeline calls for a texel; otherwise NULL. */
+    uint32_t (*between)(const qtri_pixel_walk *w, bool *drawn);
     const qtri_pipeline *const *pipelines;
-    void (*begin)(qtri_draw_state *state); /* mipmapped: makes state->texture its first level */
+    const struct qtri_level_ops *levels; /* NULL: not mipmapped */
 };
+
+/* How mipmapped textures are drawn. */
+typedef struct qtri_level_ops {
+    void (*begin)(qtri_draw_state *state); /* makes state->texture its first level */
+    /* What qtri_small_set_level(), qtri_large_set_levels() and those that follow it call. */
+    bool (*set_small)(const qtri_small_place *p, const qtri_small *t);
+    void (*set_large)(qtri_large *t);
+    int32_t (*next)(qtri_large *t);
+    void (*set_level)(qtri_large *t, uint32_t level);
+} qtri_level_ops;
+
+uint32_t qtri_texel_between(const qtri_pixel_walk *w, bool *drawn);         /* texel_filter.c */
+extern const qtri_level_ops qtri_levels;                                    /* in mipmap.c */
+bool qtri_small_find_level(const qtri_small_place *p, const qtri_small *t); /* small_texture.c */
 
 typedef struct qtri_by_pixel qtri_by_pixel; /* see ../draw/primitive.h */
 

@@ -12,12 +12,6 @@ enum {
     SMALL_REACH = 61 * 256 /* of a small triangle from its first vertex, 24.8, and a pixel */
 };
 
-/* What the library computes in 2^16 texels at most fits one mask. */
-static bool is_large_texture(const qtri_texture *texture)
-{
-    return qtri_side_log2(texture->width_log2) + qtri_side_log2(texture->height_log2) > 16;
-}
-
 /* A side of one texel has nothing to repeat, and coordinates that fill 32 bits no room for it. */
 static uint8_t wrap_of(qtri_wrap wrap, uint8_t side_log2)
 {
@@ -29,19 +23,27 @@ static bool is_usable(const qtri_texture *texture)
     return texture != NULL && texture->format != NULL && texture->format->usable(texture);
 }
 
-static void want_texture(qtri_options *o, const qtri_material *material,
-                         const qtri_texture *texture)
+static void set_texture(qtri_draw_state *state, const qtri_texture *texture)
 {
+    qtri_options *o = &state->options;
     o->texel = texture->format->kind != QTRI_NO_TEXEL ? texture->format->kind : QTRI_OTHER_TEXEL;
     if (texture->filter != NULL) {
-        o->bilinear = texture->filter->is_bilinear;
-        o->mipmapped = texture->filter->is_mipmapped;
+        state->between = texture->filter->between;
+        o->bilinear = state->between != NULL;
+        o->mipmapped = texture->filter->levels != NULL;
     }
     o->wrap_u = wrap_of(texture->wrap_u, texture->width_log2);
     o->wrap_v = wrap_of(texture->wrap_v, texture->height_log2);
     o->key = texture->has_key;
-    o->large_texture = is_large_texture(texture);
-    o->alpha_test = material->least_alpha != 0 && qtri_has_alpha(o);
+    o->alpha_test = state->material->least_alpha != 0 && qtri_has_alpha(o);
+    state->texture = texture;
+    state->width_log2 = qtri_side_log2(texture->width_log2);
+    state->height_log2 = qtri_side_log2(texture->height_log2);
+    /* What the library computes in 2^16 texels at most fits one mask. */
+    o->large_texture = state->width_log2 + state->height_log2 > 16;
+    state->key_mask = texture->format->key_mask;
+    state->key = texture->key & state->key_mask;
+    state->alpha_least = (uint32_t)state->material->least_alpha << 24;
 }
 
 static bool is_white(qtri_rgb color)
@@ -76,11 +78,13 @@ static void want_format(qtri_options *o, const qtri_format *format)
     }
 }
 
-static void want(qtri_options *o, const qtri_surface *surface, const qtri_material *material,
-                 const qtri_texture *texture, int shade)
+/* Options, all of which are 0 yet, and the texture. */
+static void want(qtri_draw_state *state, const qtri_texture *texture, int shade)
 {
+    qtri_options *o = &state->options;
+    const qtri_surface *surface = state->surface;
+    const qtri_material *material = state->material;
     const qtri_depth_format *depth = surface->depth_format;
-    memset(o, 0, sizeof *o);
     want_format(o, surface->format);
     if (surface->depth != NULL && material->depth_compare != QTRI_DEPTH_OFF) {
         o->depth = depth == NULL || depth->ops == NULL ? QTRI_LINEAR16
@@ -90,7 +94,7 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
         o->read_only = material->depth_read_only;
     }
     if (is_usable(texture)) {
-        want_texture(o, material, texture);
+        set_texture(state, texture);
     }
     o->covered = (shade & QTRI_COVERED) != 0;
     shade &= ~QTRI_COVERED;
@@ -102,6 +106,9 @@ static void want(qtri_options *o, const qtri_surface *surface, const qtri_materi
         o->samples = 4;
         o->mipmapped = 0;
         o->depth = o->depth != QTRI_NO_DEPTH ? QTRI_LINEAR16 : QTRI_NO_DEPTH;
+    }
+    if (o->mipmapped) {
+        texture->filter->levels->begin(state);
     }
 }
 
@@ -216,15 +223,16 @@ static void set_bounds(qtri_draw_state *state, const qtri_surface *surface)
 static void set_colors(qtri_draw_state *state, const qtri_material *material)
 {
     const qtri_options *o = &state->options;
-    const qtri_color_kind kind = qtri_kind_of(o);
     state->color = qtri_pixel_rgb_to_888(&material->color);
     state->weight[0] = material->color.r + (material->color.r >> 7);
     state->weight[1] = material->color.g + (material->color.g >> 7);
     state->weight[2] = material->color.b + (material->color.b >> 7);
-    state->fog = o->fog ? material->fog : NULL;
-    state->fog_color = !o->fog                ? 0
-                       : kind == QTRI_IN_GRAY ? qtri_pixel_888_to_luma(material->fog->color)
-                                              : material->fog->color;
+    if (o->fog) {
+        state->fog = material->fog;
+        state->fog_color = qtri_kind_of(o) == QTRI_IN_GRAY
+                               ? qtri_pixel_888_to_luma(material->fog->color)
+                               : material->fog->color;
+    }
 }
 
 void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level)
@@ -238,21 +246,25 @@ void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level)
     texture->height_log2 = (uint8_t)(height_log2 - (level < height_log2 ? level : height_log2));
 }
 
-static void set_texture(qtri_draw_state *state, const qtri_texture *texture)
+/* Mipmapped: only what names such a filter links what these call. */
+bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t)
 {
-    state->texture = NULL;
-    if (state->options.texel == QTRI_NO_TEXEL) {
-        return;
-    }
-    state->texture = texture;
-    state->width_log2 = qtri_side_log2(texture->width_log2);
-    state->height_log2 = qtri_side_log2(texture->height_log2);
-    state->key_mask = texture->format->key_mask;
-    state->key = texture->key & state->key_mask;
-    state->alpha_least = (uint32_t)state->material->least_alpha << 24;
-    if (state->options.mipmapped) {
-        texture->filter->begin(state);
-    }
+    return t->state->texture->filter->levels->set_small(p, t);
+}
+
+void qtri_large_set_levels(qtri_large *t)
+{
+    t->state->texture->filter->levels->set_large(t);
+}
+
+int32_t qtri_large_next_levels(qtri_large *t)
+{
+    return t->state->texture->filter->levels->next(t);
+}
+
+void qtri_large_set_level(qtri_large *t, uint32_t level)
+{
+    t->state->texture->filter->levels->set_level(t, level);
 }
 
 /* What no pipeline draws. */
@@ -288,11 +300,9 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
                           const qtri_pipeline *const *pipelines, const qtri_material *material,
                           const qtri_texture *texture, int shade)
 {
-    const qtri_rect nowhere = {0, 0, 0, 0};
-    memset(&state->options, 0, sizeof state->options);
+    memset(state, 0, offsetof(qtri_draw_state, inner)); /* options, and bounds that hold nothing */
     state->texture = NULL;
-    state->has_table = false;
-    state->is_lit = false;
+    state->between = NULL;
     state->light_walk = NULL;
     state->has_linear_light = NULL;
     state->pipeline = &nothing;
@@ -300,12 +310,11 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     state->surface = surface;
     state->material = material;
     state->alphas = material->alphas;
-    state->bounds = nowhere;
     if (surface->format == NULL || !has_room(surface) ||
         (surface->depth != NULL && material->depth_compare == QTRI_NEVER)) {
         return;
     }
-    want(&state->options, surface, material, texture, shade);
+    want(state, texture, shade);
     state->alpha = 256;
     state->keep = 0;
     if (material->blend != NULL) {
@@ -316,7 +325,6 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     state->depth_pitch =
         surface->depth_pitch * (ptrdiff_t)qtri_depth_size(&state->options, surface);
     set_colors(state, material);
-    set_texture(state, texture);
     const qtri_pipeline *found = find_all(pipelines, state);
 #ifdef QTRI_CHECKED
     qtri_check_pipeline(found, &state->options);

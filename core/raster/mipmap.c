@@ -5,6 +5,7 @@
  * Pieces are of level 0 as they come, and not cut: neither a band nor a scissor changes what level
  * a piece has, nor what rounding does where coordinates are brought to it.
  */
+#include "descriptions.h"
 #include "large_setup.h"
 
 /* The footprint ---------------------------------------------------------------------------------
@@ -156,6 +157,28 @@ enum {
 
 /* Setting up ----------------------------------------------------------------------------------- */
 
+/* Levels that can be used besides the first: their widths are 2 texels or more. */
+static uint8_t last_level(const qtri_texture *texture)
+{
+    const int32_t width_log2 = qtri_side_log2(texture->width_log2);
+    uint8_t last = 0;
+    if (texture->levels != NULL) {
+        while (last + 1 < width_log2 && last < texture->level_count &&
+               texture->levels[last] != NULL) {
+            last++;
+        }
+    }
+    return last;
+}
+
+static void begin_levels(qtri_draw_state *state)
+{
+    state->level_texture = *state->texture;
+    state->last_level = last_level(state->texture);
+    state->texture = &state->level_texture;
+    qtri_draw_state_set_level(state, 0);
+}
+
 /* 2^-12 texel a pixel, held to 2^30. slope: 2^-(32 + shift). */
 static uint32_t linear_step(uint64_t slope, int32_t shift)
 {
@@ -201,13 +224,13 @@ static void set_axes(qtri_large_job *job, uint32_t level)
     }
 }
 
-void qtri_large_set_level(qtri_large *t, uint32_t level)
+static void use_level(qtri_large *t, uint32_t level)
 {
     qtri_draw_state_set_level(t->state, level);
     set_axes(qtri_large_job_of(t), level);
 }
 
-void qtri_large_set_levels(qtri_large *t)
+static void set_levels(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
     const qtri_draw_state *state = t->state;
@@ -496,7 +519,7 @@ static int32_t plain_pieces(qtri_large_job *job)
     return pieces;
 }
 
-int32_t qtri_large_next_levels(qtri_large *t)
+static int32_t next_pieces(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
     if (!job->levels->are_found) {
@@ -515,3 +538,6 @@ int32_t qtri_large_next_levels(qtri_large *t)
     }
     return job->may_be_level && job->is_level ? level_row_piece(job) : curved_pieces(job);
 }
+
+const qtri_level_ops qtri_levels = {begin_levels, qtri_small_find_level, set_levels, next_pieces,
+                                    use_level};

@@ -18,6 +18,8 @@
  */
 #include "qtri/body/small_setup.h"
 
+#include "descriptions.h"
+
 #include "../bits/bits.h"
 
 /* f (1 + e), |f| <= 2^16, |e| <= 1/4 and a part. */
@@ -347,7 +349,7 @@ static bool is_even(int32_t q, uint32_t inv_w)
     return qtri_small_about(q) <= (inv_w >> 6) * EVEN_Q6;
 }
 
-bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t)
+bool qtri_small_find_level(const qtri_small_place *p, const qtri_small *t)
 {
     qtri_draw_state *state = t->state;
     const uint32_t inv_w = t->v[0]->inv_w;

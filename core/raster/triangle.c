@@ -8,3 +8,9 @@ int64_t qtri_triangle_area_far(const qtri_point *a, const qtri_point *b, const q
            qtri_mul_s32(c->x_24p8 - a->x_24p8, b->y_24p8 - a->y_24p8);
 }
 #endif
+
+#undef qtri_triangle_area /* for files that are compiled to be small */
+int64_t qtri_triangle_area(const qtri_point *a, const qtri_point *b, const qtri_point *c)
+{
+    return qtri_triangle_area_in_place(a, b, c);
+}

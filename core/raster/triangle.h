@@ -22,9 +22,11 @@ static inline bool qtri_differences_are_short(int32_t a, int32_t b, int32_t c, i
 int64_t qtri_triangle_area_far(const qtri_point *a, const qtri_point *b, const qtri_point *c);
 #endif
 
-/* Twice the area in 1/256 pixel squared; y points down: negative is front. |x|, |y| <= 2^22. */
-static inline int64_t qtri_triangle_area(const qtri_point *a, const qtri_point *b,
-                                         const qtri_point *c)
+/* Twice the area in 1/256 pixel squared; y points down: negative is front. |x|, |y| <= 2^22.
+   Inlined, but where code is to be small. */
+int64_t qtri_triangle_area(const qtri_point *a, const qtri_point *b, const qtri_point *c);
+static inline int64_t qtri_triangle_area_in_place(const qtri_point *a, const qtri_point *b,
+                                                  const qtri_point *c)
 {
     int32_t dx1 = b->x_24p8 - a->x_24p8;
     int32_t dy1 = b->y_24p8 - a->y_24p8;
@@ -39,6 +41,9 @@ static inline int64_t qtri_triangle_area(const qtri_point *a, const qtri_point *
     return qtri_mul_s32(dx1, dy2) - qtri_mul_s32(dx2, dy1);
 #endif
 }
+#if !QTRI_SHARE
+#define qtri_triangle_area qtri_triangle_area_in_place
+#endif
 
 /* qtri_triangle_area(a, b, c) >= 0, most of a mesh's triangles: without 64 bits where it can be. */
 static inline bool qtri_triangle_is_back(const qtri_point *a, const qtri_point *b,

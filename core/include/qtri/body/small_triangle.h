@@ -51,6 +51,9 @@ typedef struct qtri_small_ramp {
 
 /* Where it is. Columns count from QTRI_SMALL_REACH left of vertex 0's. */
 typedef struct qtri_small_place {
+    bool turned;                /* a back face: vertices 1 and 2 have changed places */
+    bool cut;                   /* rows may reach past the bounds */
+    bool wide;                  /* differences of attributes are to be below 2^15, not 2^16 */
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0, 24.8 */
     int32_t x, y;               /* from vertex 0 to the centre of the base in the first row, 24.8 */
     int32_t first;              /* rows from that pixel's to the first */
@@ -60,9 +63,6 @@ typedef struct qtri_small_place {
     uint32_t q_about;           /* their magnitudes, or-ed */
     uint8_t *span;              /* of each row the first pixel and the one after the last */
     int32_t left, right;        /* columns of the bounds */
-    bool turned;                /* a back face: vertices 1 and 2 have changed places */
-    bool cut;                   /* rows may reach past those */
-    bool wide;                  /* differences of attributes are to be below 2^15, not 2^16 */
     qtri_small_ramp z;          /* 16.16 */
 } qtri_small_place;
 
@@ -122,11 +122,11 @@ bool qtri_small_set_colors_gray(qtri_small_ramp *c, const qtri_small_place *p, c
 bool qtri_small_set_weights(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
                             const qtri_small *t, uint32_t half);
 
-/* In small_texture.c: the level of a mipmapped texture by the footprint at vertex 0. False: 1/w
+/* In draw_state.c: the level of a mipmapped texture by the footprint at vertex 0. False: 1/w
    varies too much for one; the triangle is large. */
 bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t);
 
-/* There, too. False: they are not as simple, or follow perspective; nothing was set. */
+/* In small_texture.c. False: they are not as simple, or follow perspective; nothing was set. */
 bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
                                    const qtri_small_place *p, const qtri_small *t,
                                    const qtri_options *o);

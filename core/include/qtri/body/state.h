@@ -15,10 +15,17 @@ extern "C" {
 
 enum { QTRI_TABLE_LOG2 = 7, QTRI_TABLE = (1 << QTRI_TABLE_LOG2) + 1 };
 
+struct qtri_pixel_walk;
+
 /* Set once a draw call, by draw_state.c. */
 typedef struct qtri_draw_state {
+    bool is_linear; /* nothing follows perspective: QTRI_SCREEN_LINEAR */
+    bool is_lit;    /* with a view's lights, see below */
+    bool has_table; /* is set */
     const qtri_pipeline *pipeline;
-    qtri_options options; /* what surface, material and mesh ask for */
+    qtri_options options; /* what surface, material and mesh ask for; Armv6-M reaches 31 bytes */
+    /* What draws small triangles: the pipeline's, or what moves their depths before. */
+    bool (*small)(struct qtri_small *triangle);
     const qtri_surface *surface;
     const qtri_material *material;
     qtri_rect bounds; /* what may be drawn */
@@ -27,8 +34,6 @@ typedef struct qtri_draw_state {
         uint32_t x, y, width, height;
     } inner;
     ptrdiff_t depth_pitch; /* bytes */
-
-    bool is_linear; /* nothing follows perspective: QTRI_SCREEN_LINEAR */
 
     const qtri_texture *texture;
     uint8_t width_log2, height_log2;     /* of its sides, at most 10 */
@@ -45,20 +50,17 @@ typedef struct qtri_draw_state {
     const qtri_fog *fog;
 
     /* With a view's lights: 0x00RRGGBB of the triangle's vertices, in the order of its indices. */
-    bool is_lit;
     uint32_t lit[3];
     struct qtri_light_walk *light_walk; /* with per_pixel: see large.h */
     /* With per_pixel: whether light is linear between the vertices of a small triangle. */
     bool (*has_linear_light)(const struct qtri_small *triangle);
     /* Mipmapped: `texture` is this copy of the material's, with texels and sides of a level. */
     qtri_texture level_texture;
-
-    /* What draws small triangles: the pipeline's, or what moves their depths before. */
-    bool (*small)(struct qtri_small *triangle);
+    /* For the generic pipeline: the texture's filter, NULL for nearest. */
+    uint32_t (*between)(const struct qtri_pixel_walk *w, bool *drawn);
 
     /* QTRI_LIGHT without texture on RGB565: stored pixels by light. QTRI_TABLE of them, in memory
        of the draw calls that have such light: of meshes. */
-    bool has_table;
     uint16_t *table;
 } qtri_draw_state;
 

@@ -122,8 +122,7 @@ QTRI_BODY uint32_t qtri_texel_fraction(uint32_t at, uint32_t shift)
     return (shift > 11 ? at >> (shift - 11) : at << (11 - shift)) & 2047;
 }
 
-QTRI_BODY_PART uint32_t qtri_texel_bilinear(const qtri_options *o, const qtri_pixel_walk *w,
-                                            bool *drawn)
+QTRI_BODY uint32_t qtri_texel_bilinear(const qtri_options *o, const qtri_pixel_walk *w, bool *drawn)
 {
     const uint32_t u_shift = o->wrap_u == QTRI_CLAMP ? w->axis[0].shift : w->u_shift;
     const uint32_t v_shift = o->wrap_v == QTRI_CLAMP ? w->axis[1].shift : w->v_shift;
@@ -158,7 +157,11 @@ QTRI_BODY uint32_t qtri_texel_at(const qtri_options *o, const qtri_pixel_walk *w
 {
     uint32_t texel;
     if (o->bilinear) {
-        texel = qtri_texel_bilinear(QTRI_PART_OPTIONS(o, w), w, drawn);
+#ifdef QTRI_PIPELINE_IS_ANY_BY_ASKS /* which programs without a filter link, too */
+        texel = w->state->between(w, drawn);
+#else
+        texel = qtri_texel_bilinear(o, w, drawn);
+#endif
     } else {
         const uint32_t number = qtri_texel_column(o, w, w->u) + qtri_texel_row(o, w, w->v);
         const uint32_t stored = qtri_texel_stored(o, w, number);
