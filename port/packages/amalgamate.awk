@@ -163,7 +163,7 @@ function source(path,   prefix, name, folder, n)
         if (name ~ /\.h$/ && name !~ /\/include\//) private_header(name)
     }
     body(path, prefix)
-    for (name in macro) if (name !~ /^QTRI_/ || name ~ /_IS_ANY/) print "#undef " name
+    for (name in macro) if (name !~ /^QTRI_/ || name ~ /_IS_(ANY|ALONE)/) print "#undef " name
 }
 
 # Tokens -----------------------------------------------------------------------------------------------------------------
