@@ -396,6 +396,47 @@ static void steps_that_change_by_half_a_repeat(void **state)
     assert_true(w.pixels > 1500 && w.level < 0.03 && w.place < 1 && w.small_place < 16.1);
 }
 
+/*
+ * Down a floor 1/w falls to 1/256, and along its rows by 2^-31 of itself a pixel or not at all:
+ * rows are drawn as if it did not where it is large, and in pieces where that counts. Texels a
+ * pixel go down grow to the right, so that runs of one row are of other levels. In tiles, too.
+ */
+static void floors_that_hardly_lean(void **state)
+{
+    (void)state;
+    enum { ACROSS = 4 * WIDTH, DOWN = HEIGHT, TILE = 37 };
+    worst w = {0};
+    canvas c[2] = {canvas_new(&qtri_xrgb8888, ACROSS, DOWN),
+                   canvas_new(&qtri_xrgb8888, ACROSS, DOWN)};
+    for (int n = 0; n < 40; n++) {
+        qtri_texture t = chain(6, 6, false);
+        qtri_material m = plain_material();
+        const double lean = n % 4 == 0 ? 0 : ldexp(n * 3.5, -31); /* less than a pixel's 2^-31 */
+        const double repeats = 20 * exp2(n % 5);
+        const qtri_screen_vertex v[3] = {divided(0, 0, 1, 0, 0), divided(0, DOWN, 1 / 256., 0, 0),
+                                         divided(ACROSS, DOWN, 1 / 256. + lean, repeats / 256, 0)};
+        m.texture = &t;
+        m.texture_mode = QTRI_REPLACE;
+        m.depth_compare = QTRI_LESS;
+        t.level_count = n % 3 != 0 ? t.level_count : 0;
+        for (int i = 0; i < 2; i++) {
+            canvas_clear(&c[i]);
+            for (int32_t x = 0; x < (i == 0 ? 1 : ACROSS); x += TILE) {
+                qtri_surface part = c[i].surface;
+                part.scissor.x0 = x;
+                part.scissor.x1 = i == 0 ? ACROSS : x + TILE;
+                draw_by_pipeline(&part, &m, v);
+            }
+        }
+        assert_memory_equal(c[0].memory, c[1].memory, c[0].bytes);
+        look_at(&w, &c[0], v, &t, true);
+    }
+    canvas_free(&c[0]);
+    canvas_free(&c[1]);
+    print_worst("floors", &w);
+    assert_true(w.pixels > 80000 && w.level < 0.03 && w.place < 4.1);
+}
+
 /* ---- Bilinear ---- */
 
 static double texel_gray(const qtri_texture *t, int level, int column, int row)
@@ -654,6 +695,7 @@ int main(void)
         cmocka_unit_test(chooses_by_footprint),
         cmocka_unit_test(turns_at_one_end),
         cmocka_unit_test(rows_of_hardly_any_perspective),
+        cmocka_unit_test(floors_that_hardly_lean),
         cmocka_unit_test(steps_that_change_by_half_a_repeat),
         cmocka_unit_test(filters_in_levels),
         cmocka_unit_test(draws_batches),
