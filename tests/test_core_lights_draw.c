@@ -419,6 +419,45 @@ static void normals_that_vanish(void **state)
 }
 
 /*
+ * A corner is snapped to the middle of a pixel, and truly lies beside it, in the triangle. So 1/w
+ * is more at that pixel than at any corner, up to 2^31 and beyond, as w is 1 there and 4 at the
+ * others; the light is that of the corner. The far plane clips the triangle: of others that have no
+ * texture no true positions are asked for.
+ */
+static void corners_that_lie_beside_their_pixels(void **state)
+{
+    (void)state;
+    enum { X = 10, Y = 24 };
+    const qtri_light_source source = {
+        .kind = &qtri_directional_light, .position = {0, 0, Q16_ONE}, .color = {Q16_ONE, 0, 0}};
+    lamps l = lamps_of(&source, 1, Q16(.25));
+    l.lights.sources = l.sources; /* of the copy */
+    const qtri_rgb gray = {128, 128, 128};
+    const qtri_normal front = {0, 0, 16384};
+    const qtri_normal back = {0, 0, -16384};
+    qtri_material material = qtri_material_default();
+    material.shading = QTRI_PER_PIXEL;
+    material.cull = QTRI_CULL_NONE;
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    for (int n = 0; n < 28; n++) { /* less than 1/512 pixel to the right, up and down */
+        const double right = n / 7 / 2048.0, down = (n % 7 - 3) / 2048.0;
+        qtri_corner corners[3] = {corner_on_screen(X + 0.5 + right, Y + 0.5 + down, gray),
+                                  corner_on_screen(60, 4, gray), corner_on_screen(60, 44, gray)};
+        const qtri_normal normals[3] = {front, back, back};
+        for (int i = 1; i < 3; i++) {
+            corners[i].position.x *= 4;
+            corners[i].position.y *= 4;
+            corners[i].position.w *= 4;
+        }
+        corners[2].position.z = 2 * corners[2].position.w;
+        draw_flat_on(&c, &l, corners, normals, &material);
+        assert_int_equal(stored_pixel(&c.surface, X - 1, Y) & 0xFFFFFF, 0);
+        assert_int_equal(stored_pixel(&c.surface, X, Y) & 0xFFFFFF, 0xA02020);
+    }
+    canvas_free(&c);
+}
+
+/*
  * Small triangles with four samples a pixel, whose blend asks for alpha of vertices, take the way
  * of large ones. Where all is opaque and light the same everywhere it is that of the others.
  */
@@ -767,12 +806,19 @@ static void sources_of_a_kind_are_one_run(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_memory),         cmocka_unit_test(outlines_and_edges),
-        cmocka_unit_test(loose_triangles),    cmocka_unit_test(two_sides),
-        cmocka_unit_test(power_tables),       cmocka_unit_test(spheres),
-        cmocka_unit_test(too_many),           cmocka_unit_test(any_bits),
-        cmocka_unit_test(colors_of_corners),  cmocka_unit_test(normals_that_vanish),
-        cmocka_unit_test(samples_and_alphas), cmocka_unit_test(sources_of_a_kind_are_one_run),
+        cmocka_unit_test(any_memory),
+        cmocka_unit_test(outlines_and_edges),
+        cmocka_unit_test(loose_triangles),
+        cmocka_unit_test(two_sides),
+        cmocka_unit_test(power_tables),
+        cmocka_unit_test(spheres),
+        cmocka_unit_test(too_many),
+        cmocka_unit_test(any_bits),
+        cmocka_unit_test(colors_of_corners),
+        cmocka_unit_test(normals_that_vanish),
+        cmocka_unit_test(corners_that_lie_beside_their_pixels),
+        cmocka_unit_test(samples_and_alphas),
+        cmocka_unit_test(sources_of_a_kind_are_one_run),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

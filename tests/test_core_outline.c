@@ -224,7 +224,7 @@ static void wrong_indices_have_no_edges(void **state)
     (void)state;
     enum { WRONG = 48, MORE = TRIANGLES + WRONG };
     static uint16_t all[MORE][3], around[MORE][3];
-    static qtri_face8 planes[MORE]; /* the last ones are none */
+    static qtri_face8 planes[MORE];
     qtri_mesh with_planes = cube(false);
     with_planes.extent = Q16(1);
     assert_true(mesh_faces_fill(&with_planes, planes) > 0);
@@ -241,6 +241,7 @@ static void wrong_indices_have_no_edges(void **state)
             all[TRIANGLES + i][k] = (uint16_t)(i % 3 == k ? VERTICES : (3 * i + k) % VERTICES);
             around[TRIANGLES + i][k] = MORE;
         }
+        planes[TRIANGLES + i] = planes[i * (TRIANGLES / WRONG)]; /* some face the eye */
     }
     for (int n = 0; n < 8; n++) {
         qtri_transform pose;

@@ -3,6 +3,8 @@
  * Triangles and lines that no scene has: from the whole guard band, next to nothing, of any 1/w, in
  * memory without depth or with rows far apart. In parts they are what they are as a whole.
  */
+#include <math.h>
+
 #include "support/core.h"
 
 #include "raster/large_setup.h"
@@ -455,6 +457,53 @@ static void half_a_unit_of_area(void **state)
     }
 }
 
+/*
+ * As long as quadratics serve, and 16 pixels wide: what second differences need beyond 32 bits is
+ * left to the planes of perspective. Colour and 1/w are of one vertex, across or along.
+ */
+static void long_ones_in_perspective(void **state)
+{
+    (void)state;
+    enum { LENGTH = 1024, BREADTH = 16 };
+    qtri_material m = plain_material();
+    m.shading = QTRI_SMOOTH;
+    for (int n = 0; n < 8; n++) {
+        const bool is_flat = n & 1, swapped = n & 2;
+        const int32_t end_x = (is_flat ? LENGTH : BREADTH) * 256 - 128;
+        const int32_t end_y = (is_flat ? BREADTH : LENGTH) * 256 - 128;
+        const int other = n & 4 ? 1 : 2;
+        qtri_screen_vertex v[3] = {screen_at(0, 0),
+                                   screen_at(swapped ? 0 : end_x, swapped ? end_y : 0),
+                                   screen_at(swapped ? end_x : 0, swapped ? 0 : end_y)};
+        canvas c =
+            canvas_new(&qtri_xrgb8888, is_flat ? LENGTH : BREADTH, is_flat ? BREADTH : LENGTH);
+        int seen = 0;
+        for (int i = 0; i < 3; i++) {
+            v[i].inv_w_q31 = i == other ? 0x70000000u : 0x7FFFFFFFu;
+            for (int k = 0; k < 3; k++) {
+                v[i].color_8p16[k] = i == other ? 0 : 255 << 16;
+            }
+        }
+        m.cull = QTRI_CULL_NONE;
+        canvas_clear(&c);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
+        for (int32_t i = 0; i < LENGTH * BREADTH; i++) {
+            const int32_t x = i % c.surface.width, y = i / c.surface.width;
+            const double along_x = (x * 256 + 128.0) / end_x, along_y = (y * 256 + 128.0) / end_y;
+            const double b = (other == 1) != swapped ? along_x : along_y;
+            const double is = stored_pixel(&c.surface, x, y) & 255;
+            if (along_x + along_y < 0.999) {
+                const double q = 0x70000000 / (double)0x7FFFFFFF;
+                const double of_others = (1 - b) / (1 - b + b * q);
+                assert_true(fabs(is - 255 * of_others) < 1.2);
+                seen++;
+            }
+        }
+        assert_true(seen > LENGTH * BREADTH / 3);
+        canvas_free(&c);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -468,6 +517,7 @@ int main(void)
         cmocka_unit_test(triangles_that_are_lines),
         cmocka_unit_test(planes_of_slivers),
         cmocka_unit_test(half_a_unit_of_area),
+        cmocka_unit_test(long_ones_in_perspective),
     };
     return cmocka_run_group_tests_name("core raster slivers", tests, make_texels, NULL);
 }

@@ -408,11 +408,80 @@ static void clamped_textures_of_wide_grounds_are_filtered(void **state)
     canvas_free(&c);
 }
 
+/*
+ * A small triangle from -repeats to repeats of a clamped texture, with and without perspective:
+ * where a coordinate is below 0 or above 1 its texel is the first or the last. Differences of
+ * 16000 repeats and more lose 13 bits and more.
+ */
+static void thousands_of_clamped_repeats(void **state)
+{
+    (void)state;
+    enum { SIDE_LOG2_MAX = 6, LEFT = 10, LEG = 10 };
+    static uint32_t places[1 << (2 * SIDE_LOG2_MAX)];
+    static const uint16_t triangle[1][3] = {{0, 1, 2}};
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    for (uint32_t i = 0; i < LENGTH_OF(places); i++) {
+        places[i] = 0x10000 + i;
+    }
+    for (int n = 0; n < 40; n++) {
+        static const uint8_t sides_log2[4] = {0, 1, 4, SIDE_LOG2_MAX};
+        const uint8_t side_log2 = sides_log2[n % 4];
+        const int32_t repeats = 1000 << n / 8, last = (1 << side_log2) - 1;
+        const double to = LEFT + LEG;
+        const double at[3][2] = {{LEFT, LEFT}, {to, LEFT}, {LEFT, to}};
+        qtri_texture t = {.texels = places,
+                          .format = &qtri_texel_xrgb8888,
+                          .width_log2 = side_log2,
+                          .height_log2 = side_log2,
+                          .wrap_u = QTRI_CLAMP,
+                          .wrap_v = QTRI_CLAMP};
+        qtri_vec3 positions[3];
+        qtri_vec2 uvs[3];
+        qtri_vertex vertices[3];
+        qtri_view view;
+        qtri_transform pose;
+        qtri_material m = qtri_material_default();
+        for (int i = 0; i < 3; i++) {
+            positions[i].x = (q16)lrint((2 * at[i][0] / WIDTH - 1) * 65536);
+            positions[i].y = (q16)lrint((1 - 2 * at[i][1] / HEIGHT) * 65536);
+            positions[i].z = 0;
+            uvs[i].x = (i == 1 ? repeats : -repeats) * Q16_ONE;
+            uvs[i].y = (i == 2 ? repeats : -repeats) * Q16_ONE;
+        }
+        const qtri_mesh mesh = {.positions = positions,
+                                .triangles = triangle,
+                                .vertex_count = 3,
+                                .triangle_count = 1,
+                                .uvs = uvs};
+        m.cull = QTRI_CULL_NONE;
+        m.texture = &t;
+        m.texture_mode = QTRI_REPLACE;
+        m.interpolation = n / 4 % 2 == 0 ? QTRI_SCREEN_LINEAR : QTRI_PERSPECTIVE;
+        qtri_view_init(&view, WIDTH, HEIGHT);
+        view.vertices = vertices;
+        view.vertex_count = 3;
+        qtri_transform_identity(&pose);
+        canvas_clear(&c);
+        qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &m);
+        for (int32_t y = LEFT; y < LEFT + LEG; y++) {
+            for (int32_t x = LEFT; x + y < 2 * LEFT + LEG - 1; x++) {
+                const int32_t index =
+                    (int32_t)(stored_pixel(&c.surface, x, y) & 0xFFFFFF) - 0x10000;
+                const int32_t middle = LEFT + LEG / 2; /* coordinates are 0 there */
+                assert_int_equal(index & last, x < middle ? 0 : last);
+                assert_int_equal(index >> side_log2, y < middle ? 0 : last);
+            }
+        }
+    }
+    canvas_free(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(clamped_textures_of_wide_grounds_are_filtered),
         cmocka_unit_test(levels_begin_at_their_step),
+        cmocka_unit_test(thousands_of_clamped_repeats),
         cmocka_unit_test(texels_that_repeat),
         cmocka_unit_test(texels_that_are_clamped),
         cmocka_unit_test(pixel_for_texel),

@@ -367,6 +367,76 @@ static void rows_of_hardly_any_perspective(void **state)
     assert_true(w.pixels > 100000 && w.level < 0.03 && w.own < 0.4 && w.place < 4.1);
 }
 
+/*
+ * A few pixels, across which a texture repeats up to 40 times and 1/w changes up to eightfold: what
+ * a coordinate's step changes by from pixel to pixel is half a repeat or more. All are of the last
+ * level; every eighth is of a texture of more than 2^16 texels.
+ */
+static void steps_that_change_by_half_a_repeat(void **state)
+{
+    (void)state;
+    worst w = {0};
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    uint64_t seed = 905;
+    for (int n = 0; n < 160; n++) {
+        const int side_log2 = n % 8 == 0 ? 9 : 5;
+        const qtri_texture t = chain(side_log2, side_log2, false);
+        qtri_material m = plain_material();
+        qtri_screen_vertex v[3];
+        random_triangle(v, &seed, 1500, Q16(20));
+        m.texture = &t;
+        m.texture_mode = QTRI_REPLACE;
+        m.depth_compare = QTRI_LESS;
+        canvas_clear(&c);
+        draw_by_pipeline(&c.surface, &m, v);
+        look_at(&w, &c, v, &t, true);
+    }
+    canvas_free(&c);
+    print_worst("half a repeat", &w);
+    assert_true(w.pixels > 1500 && w.level < 0.03 && w.place < 1 && w.small_place < 16.1);
+}
+
+/*
+ * Down a floor 1/w falls to 1/256, and along its rows by 2^-31 of itself a pixel or not at all:
+ * rows are drawn as if it did not where it is large, and in pieces where that counts. Texels a
+ * pixel go down grow to the right, so that runs of one row are of other levels. In tiles, too.
+ */
+static void floors_that_hardly_lean(void **state)
+{
+    (void)state;
+    enum { ACROSS = 4 * WIDTH, DOWN = HEIGHT, TILE = 37 };
+    worst w = {0};
+    canvas c[2] = {canvas_new(&qtri_xrgb8888, ACROSS, DOWN),
+                   canvas_new(&qtri_xrgb8888, ACROSS, DOWN)};
+    for (int n = 0; n < 40; n++) {
+        qtri_texture t = chain(6, 6, false);
+        qtri_material m = plain_material();
+        const double lean = n % 4 == 0 ? 0 : ldexp(n * 3.5, -31); /* less than a pixel's 2^-31 */
+        const double repeats = 20 * exp2(n % 5);
+        const qtri_screen_vertex v[3] = {divided(0, 0, 1, 0, 0), divided(0, DOWN, 1 / 256., 0, 0),
+                                         divided(ACROSS, DOWN, 1 / 256. + lean, repeats / 256, 0)};
+        m.texture = &t;
+        m.texture_mode = QTRI_REPLACE;
+        m.depth_compare = QTRI_LESS;
+        t.level_count = n % 3 != 0 ? t.level_count : 0;
+        for (int i = 0; i < 2; i++) {
+            canvas_clear(&c[i]);
+            for (int32_t x = 0; x < (i == 0 ? 1 : ACROSS); x += TILE) {
+                qtri_surface part = c[i].surface;
+                part.scissor.x0 = x;
+                part.scissor.x1 = i == 0 ? ACROSS : x + TILE;
+                draw_by_pipeline(&part, &m, v);
+            }
+        }
+        assert_memory_equal(c[0].memory, c[1].memory, c[0].bytes);
+        look_at(&w, &c[0], v, &t, true);
+    }
+    canvas_free(&c[0]);
+    canvas_free(&c[1]);
+    print_worst("floors", &w);
+    assert_true(w.pixels > 80000 && w.level < 0.03 && w.place < 4.1);
+}
+
 /* ---- Bilinear ---- */
 
 static double texel_gray(const qtri_texture *t, int level, int column, int row)
@@ -407,10 +477,12 @@ static void filters_in_levels(void **state)
         gray[i] = (uint8_t)random_in(&seed, 0, 255);
     }
     for (int n = 0; n < 200; n++) {
+        const int width_log2 = random_in(&seed, 3, 6);
+        const int height_log2 = random_in(&seed, 1, 6);
         qtri_texture t = {.texels = gray,
                           .format = &qtri_texel_gray8,
-                          .width_log2 = (uint8_t)random_in(&seed, 3, 6),
-                          .height_log2 = (uint8_t)random_in(&seed, 1, 6),
+                          .width_log2 = (uint8_t)width_log2,
+                          .height_log2 = (uint8_t)height_log2,
                           .filter = &qtri_mipmapped_bilinear,
                           .levels = gray_table};
         size_t at = (size_t)1 << (t.width_log2 + t.height_log2);
@@ -487,11 +559,13 @@ static void draws_batches(void **state)
             const int32_t z = random_in(&seed, -Q16_ONE, Q16_ONE);
             const int32_t repeats = Q16_ONE >> random_in(&seed, 0, 6);
             for (int k = 0; k < 3; k++) {
+                const int32_t corner_x = x + random_in(&seed, -16000, 16000);
+                const int32_t corner_y = y + random_in(&seed, -16000, 16000);
+                const uint8_t green = (uint8_t)random_in(&seed, 0, 255);
+                const int32_t u = random_in(&seed, 0, repeats);
+                const int32_t w = random_in(&seed, 0, repeats);
                 const qtri_corner corner = {
-                    {x + random_in(&seed, -16000, 16000), y + random_in(&seed, -16000, 16000), z,
-                     Q16_ONE},
-                    {255, (uint8_t)random_in(&seed, 0, 255), 128},
-                    {random_in(&seed, 0, repeats), random_in(&seed, 0, repeats)}};
+                    {corner_x, corner_y, z, Q16_ONE}, {255, green, 128}, {u, w}};
                 corners[3 * i + k] = corner;
             }
         }
@@ -574,10 +648,12 @@ static void drawn_with_copies(void **state)
                                  ? 1
                                  : random_in(&seed, 1000, 9000) / 1000.0;
             const qtri_rgb white = {255, 255, 255};
+            const int32_t u = random_in(&seed, -400000, 400000);
+            const int32_t v = random_in(&seed, -400000, 400000);
             const qtri_corner corner = {
                 {fixed(1.3 * cos(angle) * w), fixed(1.3 * sin(angle) * w), 0, fixed(w)},
                 white,
-                {random_in(&seed, -400000, 400000), random_in(&seed, -400000, 400000)}};
+                {u, v}};
             const qtri_normal normal = {(int16_t)random_in(&seed, -9000, 9000), 9000, 9000};
             corners[i] = corner;
             normals[i] = normal;
@@ -619,6 +695,8 @@ int main(void)
         cmocka_unit_test(chooses_by_footprint),
         cmocka_unit_test(turns_at_one_end),
         cmocka_unit_test(rows_of_hardly_any_perspective),
+        cmocka_unit_test(floors_that_hardly_lean),
+        cmocka_unit_test(steps_that_change_by_half_a_repeat),
         cmocka_unit_test(filters_in_levels),
         cmocka_unit_test(draws_batches),
         cmocka_unit_test(does_without),

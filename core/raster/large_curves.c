@@ -19,9 +19,13 @@
  *
  * With L the step of the coordinate and e = q' / q the parabola is off by .048 L e^2 h^3: h is the
  * greatest power of two for which that is below 2^-7 of L, and of a texel.
+ *
+ * A step has half of the bend, 2 L e at most, which wraps with the coordinate: where that may be
+ * half a repeat, h is 1, and no pixel is a step away from where its piece begins.
  */
 enum {
     STEP_BOUND = -671, /* 256 log2(2^-7 / .048): of a step, and of a texel where steps are longer */
+    WRAP_BOUND = -512, /* 256 log2(1/4): of L e, in repeats */
     LOG2_ERROR = 22    /* of log2_q8(), 1/256 */
 };
 
@@ -54,6 +58,9 @@ static int32_t length_for(const qtri_large_job *job, uint32_t q)
     }
     int32_t log2 = (2 * inverse_e + bound) * 85 >> 8; /* / 3 */
     log2 = qtri_least32(log2, inverse_e - 512);
+    if (job->first_color != 0 && job->repeat_log2 - log2_q8(q) - inverse_e >= WRAP_BOUND) {
+        log2 = qtri_least32(log2, 255); /* of one pixel */
+    }
     if (job->first_color != job->count) { /* chords: q'/q h^2 c'/4 <= bound, c' <= slope / q */
         const int32_t color = (2 * log2_q8(q) - job->q_slope_log2 + job->chord_log2) >> 1;
         log2 = qtri_least32(log2, color);
@@ -61,12 +68,12 @@ static int32_t length_for(const qtri_large_job *job, uint32_t q)
     return log2 >> 8;
 }
 
-/* log2 of the greatest slope of coordinates times q along rows, in texels 2^32; of levels steps are
-   about a texel. */
+/* log2 of the greatest slope of coordinates times q along rows, in repeats 2^32 and in texels; of
+   levels steps are about a texel. */
 static void set_texel_slope(qtri_large_job *job)
 {
     const uint32_t q_slope = slope_of(job->q.dx);
-    int32_t most = 0;
+    int32_t most = 0, most_repeats = 0;
     for (int i = 0; i < job->first_color; i++) {
         const qtri_large_attribute *a = &job->a[i];
         uint32_t least, greatest;
@@ -74,9 +81,12 @@ static void set_texel_slope(qtri_large_job *job)
         const uint32_t slope =
             (slope_of(a->along.plane.dx) >> 1) + (qtri_mul_high32(greatest, q_slope) >> 1) + 1;
         const int32_t log2 = log2_q8(slope) + LOG2_ERROR + (33 - job->axis[i].shift) * 256;
-        most = log2 > most ? log2 : most;
+        const int32_t side_log2 = i == 0 ? job->t.state->width_log2 : job->t.state->height_log2;
+        most = qtri_greatest32(log2, most);
+        most_repeats = qtri_greatest32(log2 - side_log2 * 256, most_repeats);
     }
-    job->texel_log2 = qtri_large_has_levels(job) ? INT16_MIN : most;
+    job->repeat_log2 = (int16_t)most_repeats;
+    job->texel_log2 = (int16_t)(qtri_large_has_levels(job) ? INT16_MIN : most);
 }
 
 /* The greatest slope of colours times q, and what of it comes of q. */
@@ -98,8 +108,8 @@ static void set_lengths(qtri_large_job *job)
 {
     const uint32_t slope = slope_of(job->q.dx);
     uint32_t least = UINT32_MAX;
-    job->q_slope_log2 = log2_q8(slope) + LOG2_ERROR;
-    job->chord_log2 = chord_log2(job);
+    job->q_slope_log2 = (int16_t)(log2_q8(slope) + LOG2_ERROR);
+    job->chord_log2 = (int16_t)chord_log2(job);
     set_texel_slope(job);
     const uint64_t steep = qtri_magnitude64(qtri_wrap64(job->q.dx)) >> 16; /* 2^-16 */
     job->may_be_level = steep >> 16 == 0;

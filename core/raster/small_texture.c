@@ -104,7 +104,7 @@ static void set_units(texture_units *units, qtri_small_curves *curves, int32_t f
             base = (uint32_t)f[k][0] << unit;
             shift = is_v ? 16 + side_log2[0] : 32 - side_log2[k];
         }
-        base += (uint32_t)1 << (shift - 11); /* shift >= 13, of what is_near_curve() leaves */
+        base += (uint32_t)1 << (shift - 1) >> 10; /* 1 <= shift: 28 less 17 and 10 at most */
         if (o->bilinear) {
             base -= (uint32_t)1 << (shift - 1);
         }

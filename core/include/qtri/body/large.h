@@ -229,7 +229,8 @@ typedef struct qtri_large_job {
     int8_t steps_log2;                            /* of pieces that steps are for */
     uint8_t level_log2;                           /* of the row's pixels that steps are for */
     bool is_level;                                /* nor in this row */
-    int32_t q_slope_log2, chord_log2, texel_log2; /* see large_curves.c */
+    int16_t q_slope_log2, chord_log2, texel_log2; /* see large_curves.c */
+    int16_t repeat_log2;                          /* of repeats that a pixel steps, as these */
     int32_t piece_max;                            /* log2 of the longest piece */
     int32_t one_log2;          /* of pieces, where one length serves all rows; else -1 */
     qtri_large_levels *levels; /* of a texture that is mipmapped */
