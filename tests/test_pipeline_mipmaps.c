@@ -272,6 +272,36 @@ static void chooses_by_footprint(void **state)
     assert_true(small.small_place < 16.1 && sides.small_place < 16.1);
 }
 
+/* ---- Where a level begins ---- */
+
+/* Without perspective a level is left behind at the root of two of its texels a pixel, to 2^-13 of
+   it: along either axis, of either coordinate. */
+static void levels_begin_at_the_root_of_two(void **state)
+{
+    (void)state;
+    enum { LEG = 256, ACROSS = 40, DOWN = 30 };
+    const qtri_texture t = chain(7, 7, false);
+    canvas c = canvas_new(&qtri_xrgb8888, ACROSS, DOWN);
+    for (int n = 0; n < 16; n++) {
+        const int level = n / 8;
+        const bool is_beyond = n & 1, is_v = n & 2, is_down = n & 4;
+        const double step = ldexp(sqrt(2), level) * (is_beyond ? 1 + exp2(-13) : 1 - exp2(-14));
+        const int64_t far = (int64_t)ldexp(step * LEG, 32 - 7);
+        qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(LEG << 8, 0), screen_at(0, LEG << 8)};
+        qtri_material m = plain_material();
+        *(is_v ? &v[is_down ? 2 : 1].v_q32 : &v[is_down ? 2 : 1].u_q32) = far;
+        m.texture = &t;
+        m.texture_mode = QTRI_REPLACE;
+        canvas_clear(&c);
+        draw_by_pipeline(&c.surface, &m, v);
+        for (int32_t i = 0; i < ACROSS * DOWN; i++) {
+            assert_int_equal(stored_pixel(&c.surface, i % ACROSS, i / ACROSS) >> 20,
+                             level + is_beyond);
+        }
+    }
+    canvas_free(&c);
+}
+
 /* ---- A step that turns round ---- */
 
 /* A vertex with u and v, in textures, of 1/w and of what they are times that. */
@@ -616,13 +646,10 @@ static void drawn_with_copies(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(chooses_by_footprint),
-        cmocka_unit_test(turns_at_one_end),
-        cmocka_unit_test(rows_of_hardly_any_perspective),
-        cmocka_unit_test(filters_in_levels),
-        cmocka_unit_test(draws_batches),
-        cmocka_unit_test(does_without),
-        cmocka_unit_test(drawn_with_copies),
+        cmocka_unit_test(chooses_by_footprint), cmocka_unit_test(levels_begin_at_the_root_of_two),
+        cmocka_unit_test(turns_at_one_end),     cmocka_unit_test(rows_of_hardly_any_perspective),
+        cmocka_unit_test(filters_in_levels),    cmocka_unit_test(draws_batches),
+        cmocka_unit_test(does_without),         cmocka_unit_test(drawn_with_copies),
     };
     return cmocka_run_group_tests_name("core mipmaps", tests, NULL, NULL);
 }
