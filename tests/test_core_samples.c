@@ -329,6 +329,32 @@ static void texels_are_those_of_the_place(void **state)
     canvas_free(&c);
 }
 
+/* From the slopes of a curve at the centre, an eighth and three of their steps, rounded down once.
+ */
+static void places_of_a_curve_are_rounded_once(void **state)
+{
+    (void)state;
+    uint64_t seed = 19;
+    for (int n = 0; n < 1000; n++) {
+        qtri_small_curve c = {0};
+        const uint32_t x = (uint32_t)random_in(&seed, -60, 60);
+        const int32_t dx = random_in(&seed, INT32_MIN, INT32_MAX);
+        const int32_t dy = random_in(&seed, INT32_MIN, INT32_MAX);
+        c.at = (uint32_t)random_bits32(&seed);
+        c.xx = (uint32_t)random_bits32(&seed);
+        c.xy = (uint32_t)random_bits32(&seed);
+        c.dx = (uint32_t)dx - 2 * x * c.xx;
+        c.dy = (uint32_t)dy - x * c.xy;
+        const uint32_t center = c.at + x * (c.dx + x * c.xx);
+        const uint32_t p = (uint32_t)(((int64_t)(dx >> 1) + 3 * (int64_t)(dy >> 1)) >> 2);
+        const uint32_t q = (uint32_t)((3 * (int64_t)(dx >> 1) - (int64_t)(dy >> 1)) >> 2);
+        const uint32_t want[QTRI_PLACES] = {center - p, center + q, center - q, center + p, center};
+        for (int32_t place = 0; place < QTRI_PLACES; place++) {
+            assert_int_equal(qtri_small_curve_at_place(&c, x, place), want[place]);
+        }
+    }
+}
+
 /* A square of two triangles of one colour: no sample is left out along their edge, none twice. */
 static void seams(void **state)
 {
@@ -651,6 +677,7 @@ int main(void)
         cmocka_unit_test(range),
         cmocka_unit_test(texels),
         cmocka_unit_test(texels_are_those_of_the_place),
+        cmocka_unit_test(places_of_a_curve_are_rounded_once),
         cmocka_unit_test(seams),
         cmocka_unit_test(resolve),
         cmocka_unit_test(bands),
