@@ -441,6 +441,58 @@ static void lists_of_an_earlier_pose_are_left(void **state)
     canvas_free(&plain);
 }
 
+/* An outline that has been drawn once more is that of the last drawing: not of lists made before,
+   and of a fill none. */
+static void assert_last_drawing_has_outline(bool has_neighbours)
+{
+    static uint32_t memory[QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_RGB565_BYTES) / 4];
+    qtri_transform first, second;
+    const qtri_view view = view_of(0, 4, &first), other = view_of(.4, 3, &second);
+    const qtri_mesh mesh = cube(has_neighbours);
+    qtri_material material = qtri_material_default();
+    canvas c[2] = {new_canvas(QTRI_LESS), new_canvas(QTRI_LESS)};
+    qtri_outline outline;
+    qtri_prepared prepared;
+    qtri_frame frame;
+    for (int i = 0; i < 2; i++) { /* the second time there are lists of another pose */
+        assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_OK);
+        if (i == 1) {
+            assert_int_equal(
+                qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, memory, sizeof memory),
+                QTRI_OK);
+            prepared_init_with(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
+            qtri_prepared_set_outline(&prepared, &outline);
+            qtri_prepare_mesh(&prepared, &frame, &view, &first, &mesh, &material);
+            assert_int_equal(qtri_prepared_find_edges(&prepared, &outline), QTRI_OK);
+        }
+        assert_int_equal(
+            qtri_draw_mesh_outlined(&c[i].surface, &other, &second, &material, &outline), QTRI_OK);
+        for (int32_t row = 0; row < HEIGHT; row += 9) {
+            qtri_surface part = c[i].surface;
+            part.scissor.y0 = row;
+            part.scissor.y1 = row + 9 < HEIGHT ? row + 9 : HEIGHT;
+            blend_edges(&part, &outline);
+        }
+    }
+    assert_same_pixels(&c[0], &c[1]);
+    material.fill = &qtri_wireframe;
+    for (int i = 0; i < 2; i++) {
+        clear_to(&c[i].surface, sky, 65535);
+        (void)qtri_draw_mesh_outlined(&c[i].surface, &other, &second, &material, &outline);
+    }
+    blend_edges(&c[0].surface, &outline);
+    assert_same_pixels(&c[0], &c[1]);
+    canvas_free(&c[0]);
+    canvas_free(&c[1]);
+}
+
+static void the_last_drawing_has_the_outline(void **state)
+{
+    (void)state;
+    assert_last_drawing_has_outline(true);
+    assert_last_drawing_has_outline(false);
+}
+
 /* The mesh with its outline in a whole frame, and in bands. */
 static void draw_frame_and_bands(canvas *whole, canvas *banded, const qtri_mesh *mesh,
                                  const qtri_material *material, double distance)
@@ -588,6 +640,7 @@ int main(void)
         cmocka_unit_test(parts_that_have_no_list),
         cmocka_unit_test(edges_beside_the_frame_are_not_listed),
         cmocka_unit_test(lists_of_an_earlier_pose_are_left),
+        cmocka_unit_test(the_last_drawing_has_the_outline),
         cmocka_unit_test(numbers_that_are_no_cull),
         cmocka_unit_test(neighbours_that_are_none),
         cmocka_unit_test(creases_without_light),
