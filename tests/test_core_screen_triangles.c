@@ -178,6 +178,40 @@ static void depths_of_small_ranges_are_the_nearest(void **state)
     canvas_free(&c);
 }
 
+/* Red of RGB565 whose step, to the right or down, lies on a half of what is kept of it: rounded to
+   the other side these would be off by 0.84 and more of a step of red. */
+static void steps_of_red_are_rounded_to_the_nearest(void **state)
+{
+    (void)state;
+    static const int32_t corner[3][3][3] = {
+        {{10240, 10240, 64}, {17568, 3057, 53}, {13244, 4972, 116}},
+        {{10240, 10240, 61}, {18247, 4027, 30}, {18188, 5411, 214}},
+        {{10240, 10240, 29}, {7388, 15415, 91}, {3625, 17148, 197}}};
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    qtri_material m = drawn_material();
+    m.shading = QTRI_SMOOTH;
+    for (int n = 0; n < 3; n++) {
+        qtri_screen_vertex v[3];
+        for (int i = 0; i < 3; i++) {
+            v[i] = screen_at(corner[n][i][0], corner[n][i][1]);
+            v[i].color_8p16[0] = corner[n][i][2] << 16;
+            v[i].color_8p16[1] = v[i].color_8p16[2] = 0;
+        }
+        canvas_clear(&c);
+        assert_int_equal(draw_triangle(&c.surface, &m, v, true), TRIANGLE_SMALL);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            double b[3], red = 0;
+            if (weights(b, v, i % WIDTH, i / WIDTH)) {
+                for (int k = 0; k < 3; k++) {
+                    red += b[k] * corner[n][k][2] * 31 / 255;
+                }
+                assert_near(stored_pixel(&c.surface, i % WIDTH, i / WIDTH) >> 11, red, .55);
+            }
+        }
+    }
+    canvas_free(&c);
+}
+
 /* Of 31, 63, 31; of 255; of 255 luma. */
 static double step_of(const qtri_format *format, const double rgb[3], int channel)
 {
@@ -500,6 +534,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(coverage_and_depth),
         cmocka_unit_test(depths_of_small_ranges_are_the_nearest),
+        cmocka_unit_test(steps_of_red_are_rounded_to_the_nearest),
         cmocka_unit_test(smooth_colors),
         cmocka_unit_test(texels),
         cmocka_unit_test(cuts),
