@@ -327,6 +327,7 @@ static void turns_at_one_end(void **state)
     enum { ACROSS = 4 * WIDTH, DOWN = HEIGHT };
     worst w = {0};
     canvas c = canvas_new(&qtri_xrgb8888, ACROSS, DOWN);
+    canvas tiles = canvas_new(&qtri_xrgb8888, ACROSS, DOWN);
     uint64_t seed = 904;
     const double fall = 0.5 / DOWN; /* of q, a row */
     for (int n = 0; n < 24; n++) {
@@ -349,9 +350,18 @@ static void turns_at_one_end(void **state)
         m.depth_compare = QTRI_LESS;
         canvas_clear(&c);
         draw_by_pipeline(&c.surface, &m, v);
+        canvas_clear(&tiles);
+        for (int32_t at = 0; at < ACROSS; at += 29) { /* pieces before a tile are passed over */
+            qtri_surface part = tiles.surface;
+            part.scissor.x0 = at;
+            part.scissor.x1 = at + 29;
+            draw_by_pipeline(&part, &m, v);
+        }
+        assert_memory_equal(c.memory, tiles.memory, c.bytes);
         look_at(&w, &c, v, &t, true);
     }
     canvas_free(&c);
+    canvas_free(&tiles);
     print_worst("turning", &w);
     assert_true(w.pixels > 60000 && w.level < 0.03 && w.own < 0.4);
 }
