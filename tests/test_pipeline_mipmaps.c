@@ -407,6 +407,63 @@ static void rows_of_hardly_any_perspective(void **state)
     assert_true(w.pixels > 100000 && w.level < 0.03 && w.own < 0.4 && w.place < 4.1);
 }
 
+/* Colours along a row that has one level are stepped no further than they are exact: a white
+   texture of levels leaves them as they are. */
+static void colors_of_long_rows_are_exact(void **state)
+{
+    (void)state;
+    enum { ACROSS = 4 * WIDTH, DOWN = HEIGHT };
+    static uint32_t white[1 << 12];
+    static const void *const levels[5] = {white, white, white, white, white};
+    canvas c = canvas_new(&qtri_xrgb8888, ACROSS, DOWN);
+    uint64_t seed = 905;
+    double most = 0;
+    for (size_t i = 0; i < LENGTH_OF(white); i++) {
+        white[i] = 0xFFFFFF;
+    }
+    for (int n = 0; n < 40; n++) {
+        const qtri_texture t = {.texels = white,
+                                .format = &qtri_texel_xrgb8888,
+                                .filter = &qtri_mipmapped,
+                                .width_log2 = 6,
+                                .height_log2 = 6,
+                                .levels = levels,
+                                .level_count = 5};
+        qtri_material m = plain_material();
+        qtri_screen_vertex v[3] = {divided(0, 0, 1, 0, 0), divided(ACROSS, 0, 1, 1 + n % 7, 0),
+                                   divided(0, DOWN, 0.5, 0, 3)};
+        for (int i = 0; i < 9; i++) {
+            v[i / 3].color_8p16[i % 3] = random_in(&seed, 0, 255) << 16;
+        }
+        m.texture = &t;
+        m.texture_mode = QTRI_MODULATE;
+        m.shading = QTRI_SMOOTH;
+        m.depth_compare = QTRI_LESS;
+        canvas_clear(&c);
+        draw_by_pipeline(&c.surface, &m, v);
+        for (int32_t i = 0; i < ACROSS * DOWN; i++) {
+            const int32_t x = i % ACROSS, y = i / ACROSS;
+            if (stored_depth(&c.surface, x, y) == 65535) {
+                continue;
+            }
+            const double down = (y + .5) / DOWN, right = (x + .5) / ACROSS;
+            const double share[3] = {(1 - down - right) / (1 - down / 2), right / (1 - down / 2),
+                                     down / 2 / (1 - down / 2)};
+            for (int k = 0; k < 3; k++) {
+                double is = 0;
+                for (int j = 0; j < 3; j++) {
+                    is += share[j] * (v[j].color_8p16[k] >> 16);
+                }
+                most =
+                    fmax(most, fabs((stored_pixel(&c.surface, x, y) >> (16 - 8 * k) & 255) - is));
+            }
+        }
+    }
+    print_message("colours off by %.3f\n", most);
+    assert_true(most < 1.25);
+    canvas_free(&c);
+}
+
 /* ---- Bilinear ---- */
 
 static double texel_gray(const qtri_texture *t, int level, int column, int row)
@@ -658,8 +715,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(chooses_by_footprint), cmocka_unit_test(levels_begin_at_the_root_of_two),
         cmocka_unit_test(turns_at_one_end),     cmocka_unit_test(rows_of_hardly_any_perspective),
-        cmocka_unit_test(filters_in_levels),    cmocka_unit_test(draws_batches),
-        cmocka_unit_test(does_without),         cmocka_unit_test(drawn_with_copies),
+        cmocka_unit_test(filters_in_levels),    cmocka_unit_test(colors_of_long_rows_are_exact),
+        cmocka_unit_test(draws_batches),        cmocka_unit_test(does_without),
+        cmocka_unit_test(drawn_with_copies),
     };
     return cmocka_run_group_tests_name("core mipmaps", tests, NULL, NULL);
 }
