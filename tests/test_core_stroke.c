@@ -778,6 +778,35 @@ static void equal_samples_are_as_one_pixel(void **state)
     assert_true(passed > 5000 && failed > 5000);
 }
 
+/* Samples of pixels that a stroke does not change stay as they are, each by itself. */
+static void samples_beside_a_stroke_stay(void **state)
+{
+    (void)state;
+    uint64_t seed = 25;
+    for (int n = 0; n < random_cases(20); n++) {
+        const scene s = colored_scene(&seed, POINTS);
+        const qtri_material material = plain_material();
+        canvas c = canvas_new(&qtri_rgb565_x4, WIDTH, HEIGHT);
+        canvas before = canvas_new(&qtri_rgb565_x4, WIDTH, HEIGHT);
+        const qtri_pixels *pixels = c.surface.format->pixels;
+        for (ptrdiff_t i = 0; i < c.surface.pitch * HEIGHT; i++) {
+            c.surface.pixels[i] = (uint8_t)random_in(&seed, 0, 255);
+        }
+        memcpy(before.memory, c.memory, c.bytes);
+        qtri_raster_polyline(&c.surface, &material, &s.stroke, s.v, s.count);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const ptrdiff_t at =
+                i / WIDTH * c.surface.pitch + (ptrdiff_t)(i % WIDTH) * pixels->bytes;
+            const uint8_t *is = c.surface.pixels + at, *was = before.surface.pixels + at;
+            if (pixels->load(is) == pixels->load(was)) {
+                assert_memory_equal(is, was, pixels->bytes);
+            }
+        }
+        canvas_free(&c);
+        canvas_free(&before);
+    }
+}
+
 /*
  * More thin parts in a few columns than are kept apart: nothing is drawn outside of them, nor is
  * anything missed; what lies between two is covered at most.
@@ -1044,6 +1073,7 @@ int main(void)
         cmocka_unit_test(parts_apart_have_their_own_looks),
         cmocka_unit_test(samples_without_depth),
         cmocka_unit_test(equal_samples_are_as_one_pixel),
+        cmocka_unit_test(samples_beside_a_stroke_stay),
         cmocka_unit_test(many_parts_in_a_few_columns),
         cmocka_unit_test(corners_in_space),
         cmocka_unit_test(polylines_of_many_points),
