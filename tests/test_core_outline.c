@@ -376,6 +376,53 @@ static void parts_that_have_no_list(void **state)
     assert_true(changed > 1000);
 }
 
+/* Any rows of a frame, taller than a band with its halo or in the last one's halo below the frame:
+   the edges that lists have are those that are found without. */
+static void any_rows_have_all_edges(void **state)
+{
+    (void)state;
+    int changed = 0;
+    for (int n = 0; n < 10; n++) {
+        qtri_transform pose;
+        const qtri_view view = view_of(n * .1, 3, &pose);
+        const qtri_mesh mesh = cube(n & 1);
+        qtri_material material = qtri_material_default();
+        canvas drawn = new_canvas(QTRI_LESS), c[2] = {new_canvas(QTRI_LESS), new_canvas(QTRI_LESS)};
+        qtri_outline outline;
+        qtri_prepared prepared;
+        qtri_frame frame;
+        material.shading = QTRI_FLAT_LAST;
+        assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_OK);
+        outline.creases = true;
+        assert_int_equal(
+            qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, drawn.memory, drawn.bytes),
+            QTRI_OK);
+        assert_int_equal(qtri_frame_set_overlap(&frame, n % 5, NULL, 0), QTRI_OK);
+        prepared_init_with(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
+        qtri_prepared_set_outline(&prepared, &outline);
+        qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
+        assert_int_equal(qtri_prepared_find_edges(&prepared, &outline), QTRI_OK);
+        assert_int_equal(outline.rows, 9);
+        qtri_outline unlisted = outline;
+        unlisted.rows = 0;
+        qtri_draw_prepared(&drawn.surface, &prepared);
+        for (int32_t i = 0; i < 18 * HEIGHT; i++) {
+            const qtri_rect rows = {0, i % HEIGHT, WIDTH, i % HEIGHT + 2 + i / HEIGHT};
+            for (int k = 0; k < 2; k++) {
+                memcpy(c[k].memory, drawn.memory, drawn.bytes);
+                c[k].surface.scissor = rows;
+                blend_edges(&c[k].surface, k == 0 ? &outline : &unlisted);
+            }
+            assert_same_pixels(&c[0], &c[1]);
+            changed += differences(&c[0], &drawn) > 0;
+        }
+        canvas_free(&drawn);
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+    assert_true(changed > 1000);
+}
+
 /* Edges above and below the frame are in no list, and others are in theirs. */
 static void edges_beside_the_frame_are_not_listed(void **state)
 {
@@ -440,6 +487,58 @@ static void lists_of_an_earlier_pose_are_left(void **state)
     }
     canvas_free(&c);
     canvas_free(&plain);
+}
+
+/* An outline that has been drawn once more is that of the last drawing: not of lists made before,
+   and of a fill none. */
+static void assert_last_drawing_has_outline(bool has_neighbours)
+{
+    static uint32_t memory[QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_RGB565_BYTES) / 4];
+    qtri_transform first, second;
+    const qtri_view view = view_of(0, 4, &first), other = view_of(.4, 3, &second);
+    const qtri_mesh mesh = cube(has_neighbours);
+    qtri_material material = qtri_material_default();
+    canvas c[2] = {new_canvas(QTRI_LESS), new_canvas(QTRI_LESS)};
+    qtri_outline outline;
+    qtri_prepared prepared;
+    qtri_frame frame;
+    for (int i = 0; i < 2; i++) { /* the second time there are lists of another pose */
+        assert_int_equal(qtri_outline_init(&outline, &mesh, outline_memory, WORDS), QTRI_OK);
+        if (i == 1) {
+            assert_int_equal(
+                qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, memory, sizeof memory),
+                QTRI_OK);
+            prepared_init_with(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
+            qtri_prepared_set_outline(&prepared, &outline);
+            qtri_prepare_mesh(&prepared, &frame, &view, &first, &mesh, &material);
+            assert_int_equal(qtri_prepared_find_edges(&prepared, &outline), QTRI_OK);
+        }
+        assert_int_equal(
+            qtri_draw_mesh_outlined(&c[i].surface, &other, &second, &material, &outline), QTRI_OK);
+        for (int32_t row = 0; row < HEIGHT; row += 9) {
+            qtri_surface part = c[i].surface;
+            part.scissor.y0 = row;
+            part.scissor.y1 = row + 9 < HEIGHT ? row + 9 : HEIGHT;
+            blend_edges(&part, &outline);
+        }
+    }
+    assert_same_pixels(&c[0], &c[1]);
+    material.fill = &qtri_wireframe;
+    for (int i = 0; i < 2; i++) {
+        clear_to(&c[i].surface, sky, 65535);
+        (void)qtri_draw_mesh_outlined(&c[i].surface, &other, &second, &material, &outline);
+    }
+    blend_edges(&c[0].surface, &outline);
+    assert_same_pixels(&c[0], &c[1]);
+    canvas_free(&c[0]);
+    canvas_free(&c[1]);
+}
+
+static void the_last_drawing_has_the_outline(void **state)
+{
+    (void)state;
+    assert_last_drawing_has_outline(true);
+    assert_last_drawing_has_outline(false);
 }
 
 /* The mesh with its outline in a whole frame, and in bands. */
@@ -587,8 +686,10 @@ int main(void)
         cmocka_unit_test(wrong_indices_have_no_edges),
         cmocka_unit_test(surfaces_of_other_sizes),
         cmocka_unit_test(parts_that_have_no_list),
+        cmocka_unit_test(any_rows_have_all_edges),
         cmocka_unit_test(edges_beside_the_frame_are_not_listed),
         cmocka_unit_test(lists_of_an_earlier_pose_are_left),
+        cmocka_unit_test(the_last_drawing_has_the_outline),
         cmocka_unit_test(numbers_that_are_no_cull),
         cmocka_unit_test(neighbours_that_are_none),
         cmocka_unit_test(creases_without_light),

@@ -213,6 +213,149 @@ static void texels(void **state)
     }
 }
 
+/* Texture coordinates, in texels, at a place of the screen in 1/256 pixel. */
+static void exact_texel(double at[2], const qtri_screen_vertex v[3], double x, double y,
+                        int side_log2)
+{
+    double sum = 0;
+    at[0] = at[1] = 0;
+    for (int i = 0; i < 3; i++) {
+        const qtri_screen_vertex *a = &v[(i + 1) % 3], *b = &v[(i + 2) % 3];
+        const double q = ((a->x_24p8 - x) * (b->y_24p8 - y) - (b->x_24p8 - x) * (a->y_24p8 - y)) *
+                         (double)v[i].inv_w_q31;
+        sum += q;
+        at[0] += q * ldexp((double)v[i].u_q32, side_log2 - 32);
+        at[1] += q * ldexp((double)v[i].v_q32, side_log2 - 32);
+    }
+    at[0] /= sum;
+    at[1] /= sum;
+}
+
+/* 1: the place lies inside of all edges, 0: outside of one, -1: on one of them. */
+static int covers(const qtri_screen_vertex v[3], int32_t x, int32_t y)
+{
+    int positive = 0, negative = 0;
+    for (int i = 0; i < 3; i++) {
+        const qtri_screen_vertex *a = &v[i], *b = &v[(i + 1) % 3];
+        const int64_t side = (int64_t)(b->x_24p8 - a->x_24p8) * (y - a->y_24p8) -
+                             (int64_t)(b->y_24p8 - a->y_24p8) * (x - a->x_24p8);
+        positive += side > 0;
+        negative += side < 0;
+    }
+    return positive + negative < 3 ? -1 : positive == 0 || negative == 0;
+}
+
+/* Some pixels wide, with many texels a pixel and 1/w that changes by a sixteenth and more. */
+static void random_curved_triangle(qtri_screen_vertex v[3], uint64_t *seed)
+{
+    const int32_t reach = random_in(seed, 900, 2500);
+    const int32_t texels = random_in(seed, 20, 110);
+    const uint32_t q = (uint32_t)random_in(seed, 18 << 26, 25 << 26);
+    for (int i = 0; i < 3; i++) {
+        const int32_t part = i == 0 ? 0 : random_in(seed, 1 << 26, 2 << 26);
+        const int32_t x = random_in(seed, -reach, reach);
+        const int32_t y = random_in(seed, -reach, reach);
+        v[i] = screen_at(WIDTH * 128 + x, HEIGHT * 128 + y);
+        v[i].inv_w_q31 = random_flag(seed) ? q + (uint32_t)part : q - (uint32_t)part;
+        v[i].u_q32 = (int64_t)(128 * 65536 + random_in(seed, -texels << 16, texels << 16)) << 8;
+        v[i].v_q32 = (int64_t)(128 * 65536 + random_in(seed, -texels << 16, texels << 16)) << 8;
+    }
+}
+
+/* A pixel takes its texel at its centre or, where that is not covered, at the first sample that
+   is, along texture coordinates that are curved on the screen. */
+static void texels_are_those_of_the_place(void **state)
+{
+    (void)state;
+    enum { SIDE_LOG2 = 8, SIDE = 1 << SIDE_LOG2 };
+    static uint32_t texel[SIDE * SIDE];
+    uint64_t seed = 17;
+    double worst[2] = {0, 0};
+    long count[2] = {0, 0};
+    int small = 0;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        texel[i] = (uint32_t)(i % SIDE) << 16 | (uint32_t)(i / SIDE) << 8 | 0xFF;
+    }
+    canvas c = canvas_new(&qtri_xrgb8888_x4, WIDTH, HEIGHT);
+    for (int n = 0; n < 8000; n++) {
+        qtri_texture texture = {.texels = texel,
+                                .format = &qtri_texel_xrgb8888,
+                                .width_log2 = SIDE_LOG2,
+                                .height_log2 = SIDE_LOG2};
+        qtri_material material = plain_material();
+        qtri_screen_vertex v[3];
+        texture.wrap_u = n % 3 == 0 ? QTRI_CLAMP : QTRI_REPEAT;
+        texture.wrap_v = n % 5 == 0 ? QTRI_CLAMP : QTRI_REPEAT;
+        material.texture = &texture;
+        material.texture_mode = QTRI_REPLACE;
+        random_curved_triangle(v, &seed);
+        qtri_samples_clear(&c.surface, (qtri_rgb){0, 0, 0});
+        const int64_t area = (int64_t)(v[1].x_24p8 - v[0].x_24p8) * (v[2].y_24p8 - v[0].y_24p8) -
+                             (int64_t)(v[2].x_24p8 - v[0].x_24p8) * (v[1].y_24p8 - v[0].y_24p8);
+        if (llabs(area) < 70 << 16 ||
+            draw_triangle(&c.surface, &material, v, true) != TRIANGLE_SMALL) {
+            continue;
+        }
+        small++;
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            const int32_t x = i % WIDTH, y = i / WIDTH;
+            int k = 0;
+            while (k < 4 && sample_at(&c.surface, x, y, k) == 0) {
+                k++;
+            }
+            const int inside = covers(v, x * 256 + 128, y * 256 + 128);
+            if (k == 4 || inside < 0) {
+                continue;
+            }
+            double there[2], opposite[2], center[2];
+            const int32_t dx = inside ? 0 : offsets[k][0], dy = inside ? 0 : offsets[k][1];
+            exact_texel(there, v, x * 256 + 128 + dx, y * 256 + 128 + dy, SIDE_LOG2);
+            exact_texel(opposite, v, x * 256 + 128 - dx, y * 256 + 128 - dy, SIDE_LOG2);
+            exact_texel(center, v, x * 256 + 128, y * 256 + 128, SIDE_LOG2);
+            const uint32_t found = sample_at(&c.surface, x, y, k);
+            for (int j = 0; j < 2; j++) {
+                const double got = found >> (16 - 8 * j) & 255;
+                const double error = fmax(fmax(got - there[j], there[j] - got - 1), 0) -
+                                     fabs(there[j] + opposite[j] - 2 * center[j]);
+                worst[inside] = fmax(worst[inside], error);
+                count[inside]++;
+            }
+        }
+    }
+    print_message(
+        "%d small triangles: off by %.4f texel of %ld at centres, %.4f of %ld at samples\n", small,
+        worst[1], count[1], worst[0], count[0]);
+    assert_true(small > 300);
+    assert_true(worst[0] <= 1.0 / 16 && worst[1] <= 1.0 / 16);
+    canvas_free(&c);
+}
+
+/* From the slopes of a curve at the centre, an eighth and three of their steps, rounded down once.
+ */
+static void places_of_a_curve_are_rounded_once(void **state)
+{
+    (void)state;
+    uint64_t seed = 19;
+    for (int n = 0; n < 1000; n++) {
+        qtri_small_curve c = {0};
+        const uint32_t x = (uint32_t)random_in(&seed, -60, 60);
+        const int32_t dx = random_in(&seed, INT32_MIN, INT32_MAX);
+        const int32_t dy = random_in(&seed, INT32_MIN, INT32_MAX);
+        c.at = (uint32_t)random_bits32(&seed);
+        c.xx = (uint32_t)random_bits32(&seed);
+        c.xy = (uint32_t)random_bits32(&seed);
+        c.dx = (uint32_t)dx - 2 * x * c.xx;
+        c.dy = (uint32_t)dy - x * c.xy;
+        const uint32_t center = c.at + x * (c.dx + x * c.xx);
+        const uint32_t p = (uint32_t)(((int64_t)(dx >> 1) + 3 * (int64_t)(dy >> 1)) >> 2);
+        const uint32_t q = (uint32_t)((3 * (int64_t)(dx >> 1) - (int64_t)(dy >> 1)) >> 2);
+        const uint32_t want[QTRI_PLACES] = {center - p, center + q, center - q, center + p, center};
+        for (int32_t place = 0; place < QTRI_PLACES; place++) {
+            assert_int_equal(qtri_small_curve_at_place(&c, x, place), want[place]);
+        }
+    }
+}
+
 /* A square of two triangles of one colour: no sample is left out along their edge, none twice. */
 static void seams(void **state)
 {
@@ -534,6 +677,8 @@ int main(void)
         cmocka_unit_test(depths),
         cmocka_unit_test(range),
         cmocka_unit_test(texels),
+        cmocka_unit_test(texels_are_those_of_the_place),
+        cmocka_unit_test(places_of_a_curve_are_rounded_once),
         cmocka_unit_test(seams),
         cmocka_unit_test(resolve),
         cmocka_unit_test(bands),

@@ -5,6 +5,8 @@
  */
 #include "support/core.h"
 
+#include "support/triangle.h"
+
 enum { WIDTH = 96, HEIGHT = 84 };
 
 static uint32_t colors[1 << 16];
@@ -125,6 +127,89 @@ static void coverage_and_depth(void **state)
     }
     canvas_free(&c);
     free(cleared.memory);
+}
+
+/*
+ * Depths that differ by less than 128 steps, by less than 256 within 32 pixels, keep all of their
+ * 1/256 steps: a small triangle's are the nearest, but for what its reciprocal is off by.
+ */
+static void depths_of_small_ranges_are_the_nearest(void **state)
+{
+    (void)state;
+    uint64_t seed = 41;
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    double worst[2] = {0, 0};
+    int pixels[2] = {0, 0}, small[2] = {0, 0};
+    qtri_material m = drawn_material();
+    m.shading = QTRI_FLAT_FIRST;
+    for (int n = 0; n < random_cases(6000); n++) {
+        qtri_screen_vertex v[3];
+        const int wide = n % 2;
+        const int32_t reach = wide != 0 ? 15000 : 8100, range = (wide != 0 ? 128 : 256) * 256 - 1;
+        for (int i = 0; i < 3; i++) {
+            const int32_t sign = random_flag(&seed) ? 1 : -1;
+            v[i] = screen_at(WIDTH * 128, HEIGHT * 128);
+            v[i].depth_16p16 = (uint32_t)1 << 30;
+            if (i > 0) {
+                v[i].x_24p8 += random_in(&seed, -reach, reach);
+                v[i].y_24p8 += random_in(&seed, -reach, reach);
+                v[i].depth_16p16 += (uint32_t)(sign * random_in(&seed, range / 2, range)) << 8;
+            }
+        }
+        canvas_clear(&c);
+        small[wide] += draw_triangle(&c.surface, &m, v, true) == TRIANGLE_SMALL;
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            double b[3];
+            if (weights(b, v, i % WIDTH, i / WIDTH)) {
+                const double depth =
+                    (b[0] * v[0].depth_16p16 + b[1] * v[1].depth_16p16 + b[2] * v[2].depth_16p16) /
+                    65536;
+                const double error = fabs(stored_depth(&c.surface, i % WIDTH, i / WIDTH) - depth);
+                worst[wide] = fmax(worst[wide], error);
+                pixels[wide]++;
+            }
+        }
+    }
+    print_message(
+        "depth off by %.4f in %d pixels of %d triangles, of wide ones by %.4f in %d of %d\n",
+        worst[0], pixels[0], small[0], worst[1], pixels[1], small[1]);
+    assert_true(small[0] > 1000 && small[1] > 1000);
+    assert_true(worst[0] < 0.52 && worst[1] < 0.52);
+    canvas_free(&c);
+}
+
+/* Red of RGB565 whose step, to the right or down, lies on a half of what is kept of it: rounded to
+   the other side these would be off by 0.84 and more of a step of red. */
+static void steps_of_red_are_rounded_to_the_nearest(void **state)
+{
+    (void)state;
+    static const int32_t corner[3][3][3] = {
+        {{10240, 10240, 64}, {17568, 3057, 53}, {13244, 4972, 116}},
+        {{10240, 10240, 61}, {18247, 4027, 30}, {18188, 5411, 214}},
+        {{10240, 10240, 29}, {7388, 15415, 91}, {3625, 17148, 197}}};
+    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
+    qtri_material m = drawn_material();
+    m.shading = QTRI_SMOOTH;
+    for (int n = 0; n < 3; n++) {
+        qtri_screen_vertex v[3];
+        for (int i = 0; i < 3; i++) {
+            v[i] = screen_at(corner[n][i][0], corner[n][i][1]);
+            v[i].color_8p16[0] = corner[n][i][2] << 16;
+            v[i].color_8p16[1] = v[i].color_8p16[2] = 0;
+        }
+        canvas_clear(&c);
+        assert_int_equal(draw_triangle(&c.surface, &m, v, true), TRIANGLE_SMALL);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            double b[3], red = 0;
+            if (weights(b, v, i % WIDTH, i / WIDTH)) {
+                for (int k = 0; k < 3; k++) {
+                    red += b[k] * corner[n][k][2] * 31 / 255;
+                }
+                assert_near(stored_pixel(&c.surface, i % WIDTH, i / WIDTH) >> 11, red, .55);
+            }
+        }
+    }
+    canvas_free(&c);
 }
 
 /* Of 31, 63, 31; of 255; of 255 luma. */
@@ -448,6 +533,8 @@ int main(void)
     }
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(coverage_and_depth),
+        cmocka_unit_test(depths_of_small_ranges_are_the_nearest),
+        cmocka_unit_test(steps_of_red_are_rounded_to_the_nearest),
         cmocka_unit_test(smooth_colors),
         cmocka_unit_test(texels),
         cmocka_unit_test(cuts),

@@ -106,6 +106,40 @@ static void coverage(void **state)
 }
 
 /*
+ * Half of the width across, 203.50 and 180.50 of 1/256 pixel, is rounded to the nearest: of these
+ * lines each pixel is its area to 1.5 steps of 255, and one is off by more where it is rounded to
+ * the other side.
+ */
+static void widths_are_rounded_to_the_nearest(void **state)
+{
+    (void)state;
+    static const int32_t radius[2] = {256, 187}, across[2] = {1954, 693};
+    canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
+    const qtri_material material = plain_material();
+    for (int n = 0; n < 2; n++) {
+        line l = {.style = {.radius_24p8 = radius[n], .square = true, .alpha = 255}};
+        for (int i = 0; i < 2; i++) {
+            l.v[i].at.x_24p8 = 4000 + i * 2560;
+            l.v[i].at.y_24p8 = 4000 + i * across[n];
+            l.v[i].intensity_q15 = 32768;
+        }
+        const struct ref_stroke_part part = {4000 / 256.0,      4000 / 256.0,
+                                             6560 / 256.0,      (4000 + across[n]) / 256.0,
+                                             radius[n] / 256.0, {REF_CAP_SQUARE, REF_CAP_SQUARE}};
+        canvas_clear(&c);
+        draw(&c.surface, &material, &l, false);
+        for (int y = 0; y < HEIGHT; y++) {
+            double share[WIDTH] = {0};
+            ref_stroke_cover_row(&part, 1, y, WIDTH, share);
+            for (int x = 0; x < WIDTH; x++) {
+                assert_near(stored_pixel(&c.surface, x, y), 255 * share[x], 1.5);
+            }
+        }
+    }
+    canvas_free(&c);
+}
+
+/*
  * Colours are shared by length on lines that are shorter than a pixel as well: at the middle of a
  * pixel that is covered. Of a line below 1/16 of a pixel the share grows as if it had that length.
  */
@@ -513,10 +547,15 @@ static void shared_edges(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage),      cmocka_unit_test(short_lines_share_colors),
-        cmocka_unit_test(pieces),        cmocka_unit_test(doors),
-        cmocka_unit_test(extremes),      cmocka_unit_test(wireframes),
-        cmocka_unit_test(shared_edges),  cmocka_unit_test(rows_may_lie_far_apart),
+        cmocka_unit_test(coverage),
+        cmocka_unit_test(widths_are_rounded_to_the_nearest),
+        cmocka_unit_test(short_lines_share_colors),
+        cmocka_unit_test(pieces),
+        cmocka_unit_test(doors),
+        cmocka_unit_test(extremes),
+        cmocka_unit_test(wireframes),
+        cmocka_unit_test(shared_edges),
+        cmocka_unit_test(rows_may_lie_far_apart),
         cmocka_unit_test(kept_channels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

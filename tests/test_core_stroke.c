@@ -734,6 +734,79 @@ static void samples_without_depth(void **state)
     }
 }
 
+/* A pixel of four equal samples is as one: it becomes what a plain surface's does, and its first
+   depth, too. Over depths that differ from column to column. */
+static void equal_samples_are_as_one_pixel(void **state)
+{
+    (void)state;
+    uint64_t seed = 23;
+    int passed = 0, failed = 0;
+    for (int n = 0; n < random_cases(60); n++) {
+        const scene s = colored_scene(&seed, POINTS);
+        qtri_material material = plain_material();
+        canvas plain = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        canvas four = canvas_new(&qtri_xrgb8888_x4, WIDTH, HEIGHT);
+        const qtri_rgb ground = {10, 90, 40};
+        material.depth_compare = QTRI_LESS;
+        qtri_surface_clear(&plain.surface, ground);
+        qtri_samples_clear(&four.surface, ground);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const uint16_t depth = (uint16_t)random_in(&seed, 0, 65535);
+            plain.surface.depth[i / WIDTH * plain.surface.depth_pitch + i % WIDTH] = depth;
+            four.surface.depth[i / WIDTH * four.surface.depth_pitch + i % WIDTH] = depth;
+        }
+        const canvas before = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+        memcpy(before.memory, plain.memory, plain.bytes);
+        qtri_raster_polyline(&plain.surface, &material, &s.stroke, s.v, s.count);
+        qtri_raster_polyline(&four.surface, &material, &s.stroke, s.v, s.count);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const int32_t x = i % WIDTH, y = i / WIDTH;
+            const bool drawn =
+                stored_pixel(&before.surface, x, y) != stored_pixel(&plain.surface, x, y);
+            const qtri_pixels *pixels = four.surface.format->pixels;
+            const uint8_t *record =
+                four.surface.pixels + y * four.surface.pitch + (ptrdiff_t)x * pixels->bytes;
+            assert_int_equal(pixels->load(record), stored_pixel(&plain.surface, x, y));
+            assert_int_equal(stored_depth(&four.surface, x, y), stored_depth(&plain.surface, x, y));
+            passed += drawn;
+            failed += !drawn;
+        }
+        free(before.memory);
+        canvas_free(&plain);
+        canvas_free(&four);
+    }
+    assert_true(passed > 5000 && failed > 5000);
+}
+
+/* Samples of pixels that a stroke does not change stay as they are, each by itself. */
+static void samples_beside_a_stroke_stay(void **state)
+{
+    (void)state;
+    uint64_t seed = 25;
+    for (int n = 0; n < random_cases(20); n++) {
+        const scene s = colored_scene(&seed, POINTS);
+        const qtri_material material = plain_material();
+        canvas c = canvas_new(&qtri_rgb565_x4, WIDTH, HEIGHT);
+        canvas before = canvas_new(&qtri_rgb565_x4, WIDTH, HEIGHT);
+        const qtri_pixels *pixels = c.surface.format->pixels;
+        for (ptrdiff_t i = 0; i < c.surface.pitch * HEIGHT; i++) {
+            c.surface.pixels[i] = (uint8_t)random_in(&seed, 0, 255);
+        }
+        memcpy(before.memory, c.memory, c.bytes);
+        qtri_raster_polyline(&c.surface, &material, &s.stroke, s.v, s.count);
+        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            const ptrdiff_t at =
+                i / WIDTH * c.surface.pitch + (ptrdiff_t)(i % WIDTH) * pixels->bytes;
+            const uint8_t *is = c.surface.pixels + at, *was = before.surface.pixels + at;
+            if (pixels->load(is) == pixels->load(was)) {
+                assert_memory_equal(is, was, pixels->bytes);
+            }
+        }
+        canvas_free(&c);
+        canvas_free(&before);
+    }
+}
+
 /*
  * More thin parts in a few columns than are kept apart: nothing is drawn outside of them, nor is
  * anything missed; what lies between two is covered at most.
@@ -999,6 +1072,8 @@ int main(void)
         cmocka_unit_test(depth),
         cmocka_unit_test(parts_apart_have_their_own_looks),
         cmocka_unit_test(samples_without_depth),
+        cmocka_unit_test(equal_samples_are_as_one_pixel),
+        cmocka_unit_test(samples_beside_a_stroke_stay),
         cmocka_unit_test(many_parts_in_a_few_columns),
         cmocka_unit_test(corners_in_space),
         cmocka_unit_test(polylines_of_many_points),

@@ -272,6 +272,36 @@ static void chooses_by_footprint(void **state)
     assert_true(small.small_place < 16.1 && sides.small_place < 16.1);
 }
 
+/* ---- Where a level begins ---- */
+
+/* Without perspective a level is left behind at the root of two of its texels a pixel, to 2^-13 of
+   it: along either axis, of either coordinate. */
+static void levels_begin_at_the_root_of_two(void **state)
+{
+    (void)state;
+    enum { LEG = 256, ACROSS = 40, DOWN = 30 };
+    const qtri_texture t = chain(7, 7, false);
+    canvas c = canvas_new(&qtri_xrgb8888, ACROSS, DOWN);
+    for (int n = 0; n < 16; n++) {
+        const int level = n / 8;
+        const bool is_beyond = n & 1, is_v = n & 2, is_down = n & 4;
+        const double step = ldexp(sqrt(2), level) * (is_beyond ? 1 + exp2(-13) : 1 - exp2(-14));
+        const int64_t far = (int64_t)ldexp(step * LEG, 32 - 7);
+        qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(LEG << 8, 0), screen_at(0, LEG << 8)};
+        qtri_material m = plain_material();
+        *(is_v ? &v[is_down ? 2 : 1].v_q32 : &v[is_down ? 2 : 1].u_q32) = far;
+        m.texture = &t;
+        m.texture_mode = QTRI_REPLACE;
+        canvas_clear(&c);
+        draw_by_pipeline(&c.surface, &m, v);
+        for (int32_t i = 0; i < ACROSS * DOWN; i++) {
+            assert_int_equal(stored_pixel(&c.surface, i % ACROSS, i / ACROSS) >> 20,
+                             level + is_beyond);
+        }
+    }
+    canvas_free(&c);
+}
+
 /* ---- A step that turns round ---- */
 
 /* A vertex with u and v, in textures, of 1/w and of what they are times that. */
@@ -297,6 +327,7 @@ static void turns_at_one_end(void **state)
     enum { ACROSS = 4 * WIDTH, DOWN = HEIGHT };
     worst w = {0};
     canvas c = canvas_new(&qtri_xrgb8888, ACROSS, DOWN);
+    canvas tiles = canvas_new(&qtri_xrgb8888, ACROSS, DOWN);
     uint64_t seed = 904;
     const double fall = 0.5 / DOWN; /* of q, a row */
     for (int n = 0; n < 24; n++) {
@@ -319,9 +350,18 @@ static void turns_at_one_end(void **state)
         m.depth_compare = QTRI_LESS;
         canvas_clear(&c);
         draw_by_pipeline(&c.surface, &m, v);
+        canvas_clear(&tiles);
+        for (int32_t at = 0; at < ACROSS; at += 29) { /* pieces before a tile are passed over */
+            qtri_surface part = tiles.surface;
+            part.scissor.x0 = at;
+            part.scissor.x1 = at + 29;
+            draw_by_pipeline(&part, &m, v);
+        }
+        assert_memory_equal(c.memory, tiles.memory, c.bytes);
         look_at(&w, &c, v, &t, true);
     }
     canvas_free(&c);
+    canvas_free(&tiles);
     print_worst("turning", &w);
     assert_true(w.pixels > 60000 && w.level < 0.03 && w.own < 0.4);
 }
@@ -435,6 +475,63 @@ static void floors_that_hardly_lean(void **state)
     canvas_free(&c[1]);
     print_worst("floors", &w);
     assert_true(w.pixels > 80000 && w.level < 0.03 && w.place < 4.1);
+}
+
+/* Colours along a row that has one level are stepped no further than they are exact: a white
+   texture of levels leaves them as they are. */
+static void colors_of_long_rows_are_exact(void **state)
+{
+    (void)state;
+    enum { ACROSS = 4 * WIDTH, DOWN = HEIGHT };
+    static uint32_t white[1 << 12];
+    static const void *const levels[5] = {white, white, white, white, white};
+    canvas c = canvas_new(&qtri_xrgb8888, ACROSS, DOWN);
+    uint64_t seed = 905;
+    double most = 0;
+    for (size_t i = 0; i < LENGTH_OF(white); i++) {
+        white[i] = 0xFFFFFF;
+    }
+    for (int n = 0; n < 40; n++) {
+        const qtri_texture t = {.texels = white,
+                                .format = &qtri_texel_xrgb8888,
+                                .filter = &qtri_mipmapped,
+                                .width_log2 = 6,
+                                .height_log2 = 6,
+                                .levels = levels,
+                                .level_count = 5};
+        qtri_material m = plain_material();
+        qtri_screen_vertex v[3] = {divided(0, 0, 1, 0, 0), divided(ACROSS, 0, 1, 1 + n % 7, 0),
+                                   divided(0, DOWN, 0.5, 0, 3)};
+        for (int i = 0; i < 9; i++) {
+            v[i / 3].color_8p16[i % 3] = random_in(&seed, 0, 255) << 16;
+        }
+        m.texture = &t;
+        m.texture_mode = QTRI_MODULATE;
+        m.shading = QTRI_SMOOTH;
+        m.depth_compare = QTRI_LESS;
+        canvas_clear(&c);
+        draw_by_pipeline(&c.surface, &m, v);
+        for (int32_t i = 0; i < ACROSS * DOWN; i++) {
+            const int32_t x = i % ACROSS, y = i / ACROSS;
+            if (stored_depth(&c.surface, x, y) == 65535) {
+                continue;
+            }
+            const double down = (y + .5) / DOWN, right = (x + .5) / ACROSS;
+            const double share[3] = {(1 - down - right) / (1 - down / 2), right / (1 - down / 2),
+                                     down / 2 / (1 - down / 2)};
+            for (int k = 0; k < 3; k++) {
+                double is = 0;
+                for (int j = 0; j < 3; j++) {
+                    is += share[j] * (v[j].color_8p16[k] >> 16);
+                }
+                most =
+                    fmax(most, fabs((stored_pixel(&c.surface, x, y) >> (16 - 8 * k) & 255) - is));
+            }
+        }
+    }
+    print_message("colours off by %.3f\n", most);
+    assert_true(most < 1.25);
+    canvas_free(&c);
 }
 
 /* ---- Bilinear ---- */
@@ -700,6 +797,8 @@ int main(void)
         cmocka_unit_test(filters_in_levels),
         cmocka_unit_test(draws_batches),
         cmocka_unit_test(does_without),
+        cmocka_unit_test(levels_begin_at_the_root_of_two),
+        cmocka_unit_test(colors_of_long_rows_are_exact),
         cmocka_unit_test(drawn_with_copies),
     };
     return cmocka_run_group_tests_name("core mipmaps", tests, NULL, NULL);
