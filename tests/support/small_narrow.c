@@ -25,7 +25,8 @@
 #define qtri_small_set_linear_texture narrow_small_set_linear_texture
 #define qtri_small_set_light          narrow_small_set_light
 #define qtri_small_set_curves         narrow_small_set_curves
-#define qtri_small_set_level          narrow_small_set_level
+#define qtri_small_set_level          narrow_small_find_level
+#define qtri_small_find_level         narrow_small_find_level
 #define qtri_small_set_light_curve    narrow_small_set_light_curve
 #define qtri_small_set_weights        narrow_small_set_weights
 
