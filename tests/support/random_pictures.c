@@ -389,7 +389,7 @@ uint32_t random_by_fours(random_states *w, uint32_t hash, random_draw *draw)
     surface_at(w, &surface, w->memory, &qtri_rgb565, &qtri_depth_linear16, 0);
     surface.scissor.x0 = random_below(w, 9);
     surface.scissor.x1 -= random_below(w, 9);
-    for (int32_t i = 0; i < LENGTH_OF(compares); i++) {
+    for (size_t i = 0; i < LENGTH_OF(compares); i++) {
         qtri_surface_clear(&surface, random_rgb(w));
         lay_depths(w, &surface, v);
         w->material.depth_compare = compares[i];
