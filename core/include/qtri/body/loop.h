@@ -63,7 +63,7 @@ QTRI_BODY void qtri_pixel_alone(const qtri_options *o, qtri_pixel_body *pixel, q
 QTRI_BODY void qtri_pixels_by_fours(const qtri_options *o, qtri_pixel_body *pixel,
                                     qtri_pixel_walk *w, int32_t count)
 {
-    const int32_t together = qtri_unrolled(o, false);
+    const int32_t together = QTRI_BODY_UNROLLS > 2 ? 8 : 2; /* even: words stay where they begin */
     if (count > 0 && ((uintptr_t)w->pixel & 2) != 0) {
         qtri_pixel_alone(o, pixel, w, false);
         count--;
