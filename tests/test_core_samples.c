@@ -257,8 +257,8 @@ static void random_curved_triangle(qtri_screen_vertex v[3], uint64_t *seed)
         const int32_t y = random_in(seed, -reach, reach);
         v[i] = screen_at(WIDTH * 128 + x, HEIGHT * 128 + y);
         v[i].inv_w_q31 = random_flag(seed) ? q + (uint32_t)part : q - (uint32_t)part;
-        v[i].u_q32 = (int64_t)(128 * 65536 + random_in(seed, -texels << 16, texels << 16)) << 8;
-        v[i].v_q32 = (int64_t)(128 * 65536 + random_in(seed, -texels << 16, texels << 16)) << 8;
+        v[i].u_q32 = (int64_t)(128 * 65536 + random_in(seed, -texels * 65536, texels * 65536)) << 8;
+        v[i].v_q32 = (int64_t)(128 * 65536 + random_in(seed, -texels * 65536, texels * 65536)) << 8;
     }
 }
 

@@ -30,7 +30,7 @@ static const struct {
         [SCENE_KIND_LINES] = {{{36, 499}, {18.6, 217}}, 15},
     },
     {
-        [SCENE_KIND_FLAT] = {{{8.6, 0}, {8.4, 0}}, 15},
+        [SCENE_KIND_FLAT] = {{{8.6, 0}, {7.4, 0}}, 15},
         [SCENE_KIND_SMOOTH] = {{{16.7, 0}, {12.4, 0}}, 25},
         [SCENE_KIND_TEXTURED] = {{{40, 0}, {24, 0}}, 60},
         [SCENE_KIND_LINES] = {{{36, 499}, {18.6, 217}}, 15},
