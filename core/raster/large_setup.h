@@ -140,7 +140,7 @@ static inline void qtri_large_clamp_chord(const qtri_large_attribute *a, uint32_
     const int32_t from = qtri_hold32((int32_t)*at, min, max);
     const int32_t end = from + (int32_t)*step * (count - 1);
     const int32_t to = qtri_hold32(end, min, max);
-    if (to != end) { /* rare: of one pixel `end` is `from`, which is held */
+    if (to != end && count > 1) { /* rare */
         *step = (uint32_t)qtri_divide32(to - from, (uint32_t)count - 1);
     }
     *at = (uint32_t)from;
