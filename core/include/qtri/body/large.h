@@ -48,7 +48,7 @@ extern const qtri_large_packing qtri_packing_weights; /* of texels: lanes of 9.7
 typedef struct qtri_large_input {
     qtri_draw_state *state;
     const qtri_point *const *p;
-    int64_t area;   /* qtri_triangle_area() of these, not 0 */
+    int64_t area;   /* twice that of these, signed, not 0 */
     uint32_t color; /* 0x00RRGGBB */
     const struct qtri_large_vertex *v;
     uint32_t depth_16p16[3]; /* of the vertices, as the material shifts it */
@@ -161,7 +161,7 @@ typedef struct qtri_large {
 
     const qtri_options *options;
     int32_t corner_x[3], corner_y[3]; /* of the vertices, 24.8 */
-    int64_t area;                     /* qtri_triangle_area() of these */
+    int64_t area;                     /* twice that of these, signed */
     qtri_large_weights weights;
     int32_t plane_y;        /* of planes' rows */
     qtri_large_ramp ramp_z; /* 16.16 with QTRI_DEPTH_HALF; it may be out of range */
