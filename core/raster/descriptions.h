@@ -42,7 +42,7 @@ typedef struct qtri_level_ops {
     void (*set_level)(qtri_large *t, uint32_t level);
 } qtri_level_ops;
 
-uint32_t qtri_texel_between(const qtri_pixel_walk *w, bool *drawn);         /* texel_filter.c */
+uint32_t qtri_texel_between(const qtri_pixel_walk *w, bool *drawn);         /* bilinear_any.c */
 extern const qtri_level_ops qtri_levels;                                    /* in mipmap.c */
 bool qtri_small_find_level(const qtri_small_place *p, const qtri_small *t); /* small_texture.c */
 

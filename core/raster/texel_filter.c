@@ -1,16 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What is between four texels, for the generic pipeline; and with alpha. */
-#define QTRI_PIPELINE_IS_ANY
-#define QTRI_PIPELINE_IS_ANY_BY_ASKS
-#include "qtri/body/texel.h"
+/* What is between four texels with alpha. */
+#include "qtri/body/state.h"
 
 #include "../bits/bits.h"
-#include "descriptions.h"
-
-uint32_t qtri_texel_between(const qtri_pixel_walk *w, bool *drawn)
-{
-    return qtri_texel_bilinear(&w->state->options, w, drawn);
-}
 
 /* Shares of a pixel's texels, of their sum, times how opaque they are: 2^30 at most in all. */
 typedef struct shares {

@@ -138,6 +138,33 @@ QTRI_BODY_PART bool qtri_door_is_open(const qtri_options *o, const qtri_pixel_wa
     return qtri_pixel_alpha(o, w, texel) > 16u * step[(w->y & 3) * 4 + (w->x & 3)] + 8;
 }
 
+/* The texel at the walk's coordinates; *drawn becomes false where it is not to be seen. */
+QTRI_BODY uint32_t qtri_texel_at(const qtri_options *o, const qtri_pixel_walk *w, bool *drawn)
+{
+    uint32_t texel;
+    if (o->bilinear) {
+#ifdef QTRI_PIPELINE_IS_ANY_BY_ASKS /* which programs without a filter link, too */
+        texel = w->state->between(w, drawn);
+#else
+        texel = qtri_texel_bilinear(o, w, drawn);
+#endif
+    } else {
+        const uint32_t number = qtri_texel_column(o, w, w->u) + qtri_texel_row(o, w, w->v);
+        const uint32_t stored = qtri_texel_stored(o, w, number);
+        if (o->key) {
+            const uint32_t mask = o->texel == QTRI_TEXEL_XRGB8888 ? 0xFFFFFFu
+                                  : o->texel == QTRI_OTHER_TEXEL  ? w->state->key_mask
+                                                                  : UINT32_MAX;
+            *drawn = (stored & mask) != w->state->key;
+        }
+        texel = qtri_texel_color(o, w, stored);
+    }
+    if (o->alpha_test && texel < w->state->alpha_least) {
+        *drawn = false;
+    }
+    return texel;
+}
+
 /* Pixel and loop ------------------------------------------------------------------------------- */
 
 /* How many pixels a loop may have: in one file of all, and in the generic pipeline, one. */

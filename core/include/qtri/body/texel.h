@@ -152,33 +152,6 @@ QTRI_BODY uint32_t qtri_texel_bilinear(const qtri_options *o, const qtri_pixel_w
                               : qtri_texel_mean(qtri_kind_of(o), t, along, across);
 }
 
-/* The texel at the walk's coordinates; *drawn becomes false where it is not to be seen. */
-QTRI_BODY uint32_t qtri_texel_at(const qtri_options *o, const qtri_pixel_walk *w, bool *drawn)
-{
-    uint32_t texel;
-    if (o->bilinear) {
-#ifdef QTRI_PIPELINE_IS_ANY_BY_ASKS /* which programs without a filter link, too */
-        texel = w->state->between(w, drawn);
-#else
-        texel = qtri_texel_bilinear(o, w, drawn);
-#endif
-    } else {
-        const uint32_t number = qtri_texel_column(o, w, w->u) + qtri_texel_row(o, w, w->v);
-        const uint32_t stored = qtri_texel_stored(o, w, number);
-        if (o->key) {
-            const uint32_t mask = o->texel == QTRI_TEXEL_XRGB8888 ? 0xFFFFFFu
-                                  : o->texel == QTRI_OTHER_TEXEL  ? w->state->key_mask
-                                                                  : UINT32_MAX;
-            *drawn = (stored & mask) != w->state->key;
-        }
-        texel = qtri_texel_color(o, w, stored);
-    }
-    if (o->alpha_test && texel < w->state->alpha_least) {
-        *drawn = false;
-    }
-    return texel;
-}
-
 /* NOLINTEND(clang-analyzer-core.NullDereference) */
 
 #endif
