@@ -120,13 +120,6 @@ QTRI_BODY uint32_t qtri_body_shift(uint32_t x, uint32_t by)
 #define QTRI_BODY_ASSUME(x) ((void)0)
 #endif
 
-/* What mostly holds. */
-#if defined(__GNUC__)
-#define QTRI_BODY_LIKELY(x) __builtin_expect(x, 1)
-#else
-#define QTRI_BODY_LIKELY(x) (x)
-#endif
-
 /* Keeps a branch a branch. */
 #if defined(__GNUC__)
 #define QTRI_BODY_BRANCH() __asm__ volatile("")

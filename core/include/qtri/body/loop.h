@@ -88,11 +88,11 @@ QTRI_BODY void qtri_pixels_by_fours(const qtri_options *o, qtri_pixel_body *pixe
     }
 }
 
-/* `count` pixels of a row, 0 or less: none. */
+/* Pixels of a row, one after the other. */
 #ifdef QTRI_PIPELINE_IS_ANY_LOOP
 /* The generic pipeline has loops of its own. */
-QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
-                                bool bent, int32_t count)
+QTRI_BODY void qtri_pixels_singly(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                                  bool bent, int32_t count)
 {
     (void)o;
     (void)pixel;
@@ -102,14 +102,10 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, q
 }
 #elif QTRI_BODY_UNROLLS <= 2
 /* Where code is to be small: two pixels at a time, after one where the count is odd. */
-QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
-                                bool bent, int32_t count)
+QTRI_BODY void qtri_pixels_singly(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                                  bool bent, int32_t count)
 {
     const bool in_pairs = qtri_unrolled(o, bent) == 2;
-    if (qtri_draws_quads(o)) {
-        qtri_pixels_by_fours(o, pixel, w, count);
-        return;
-    }
     if (count > 0 && (!in_pairs || (count & 1) != 0)) {
         do { /* GCC does not turn loops round by itself */
             qtri_pixel_alone(o, pixel, w, bent);
@@ -126,14 +122,10 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, q
     }
 }
 #else
-QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
-                                bool bent, int32_t count)
+QTRI_BODY void qtri_pixels_singly(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                                  bool bent, int32_t count)
 {
     const int together = qtri_unrolled(o, bent);
-    if (qtri_draws_quads(o)) {
-        qtri_pixels_by_fours(o, pixel, w, count);
-        return;
-    }
     if (together > 1) {
         /* Where the sign tells the end, one instruction counts and compares; on Armv6-M GCC 12 then
            moves what copies of textures step from register to register. */
@@ -157,5 +149,16 @@ QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, q
     }
 }
 #endif
+
+/* `count` pixels of a row, 0 or less: none. */
+QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                                bool bent, int32_t count)
+{
+    if (qtri_draws_quads(o)) {
+        qtri_pixels_by_fours(o, pixel, w, count);
+    } else {
+        qtri_pixels_singly(o, pixel, w, bent, count);
+    }
+}
 
 #endif
