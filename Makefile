@@ -271,7 +271,7 @@ test-math-targets: ## Compare checksums of the mathematics: x86-64, Arm, RISC-V,
 	@JOBS=$(JOBS) sh tests/test_math_targets.sh
 
 # Checking -----------------------------------------------------------------------------------------
-# Each gate is a script of its name in tests/check/ and prints `check: NAME ok` or its findings.
+# Each gate is a script of its name in tests/check/ and prints `check: NAME ok` and its seconds, or its findings.
 
 # What keeps one processor alone for long is not left for the end.
 GATES := check-format check-packages check-cppcheck check-warnings check-headers check-levels \

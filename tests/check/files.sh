@@ -20,11 +20,13 @@ need()
     done
 }
 
-# The gate's last word: finish STATUS, 0 where nothing was found.
+# The gate's last word and the seconds it took, waiting included: finish STATUS, 0 where nothing was found.
+gate_began=$(date +%s)
 finish()
 {
-    [ "$1" = 0 ] || { echo "check: $gate FAILED"; exit 1; }
-    echo "check: $gate ok"
+    took="$(($(date +%s) - gate_began)) s"
+    [ "$1" = 0 ] || { echo "check: $gate FAILED ($took)"; exit 1; }
+    echo "check: $gate ok ($took)"
 }
 
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
