@@ -24,7 +24,7 @@ LONGEST      := test_tools_command test_tools_assets test_core_stroke test_scene
                 test_verify_math test_panel_show test_core_depth
 TESTS        ?= $(LONGEST) $(filter-out $(LONGEST),$(basename $(notdir $(wildcard tests/test_*.c))))
 FUZZERS      ?= $(basename $(notdir $(wildcard tests/fuzz_*.c)))
-FUZZ_SECONDS ?= 30
+FUZZ_SECONDS ?= 15
 TEST_SECONDS ?= 300
 
 LIBRARY_SOURCES := $(wildcard core/*/*.c port/panels/*.c)
@@ -51,9 +51,15 @@ include host/assets/assets.mk
 # Header dependencies, from every compiler that can write them.
 DEPENDENCIES := $(shell $(CC) -MMD -MP -MF /dev/null -c -o /dev/null -x c /dev/null 2>/dev/null && echo -MMD -MP)
 
+# The plain build is compiled with these, which `make check` makes errors (check-warnings): so nothing is compiled twice.
+WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla -Wundef -Wcast-qual \
+            -Wwrite-strings $(if $(findstring clang,$(CC)),,-Wdouble-promotion)
+$(BUILD)/obj/%.o: INCLUDES += $(if $(filter build,$(BUILD)),$(WARNINGS) $(WERROR))
+check check-warnings: export WERROR := -Werror
+
 SANITIZE := -O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
             -fsanitize=address,undefined,float-cast-overflow
-SANITIZE_THREADS := -O1 -g1 -fsanitize=thread
+SANITIZE_THREADS := -O0 -g1 -fsanitize=thread
 SANITIZE_MEMORY  := -O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=memory
 # Core is built for it as by any C99 compiler: an empty line of assembly would count as a use of room to spare.
 PLAIN_C99 := -U__GNUC__ -fno-strict-aliasing
@@ -70,7 +76,7 @@ MORE_WHEN_PLAIN   = $(filter $(SLOW_TO_SANITIZE) \
                     $(basename $(notdir $(shell grep -lwE 'random_cases|repeats|IS_SANITIZED|SANITIZED' tests/test_*.c))),$(TESTS))
 
 # Cores that multiply 32 by 32 bits to 32 and do not divide, see core/bits/bits.h.
-NARROW := -O1 -DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0
+NARROW := -DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0
 
 # In front of a command: a short line in its place, or the command itself with V=1; neither with -s.
 run = $(if $(V),,@$(if $(findstring s,$(firstword -$(MAKEFLAGS))),,echo '$1' && ))
@@ -139,7 +145,7 @@ test: ## Run every test program under the address and undefined-behaviour saniti
 
 # What `make check` runs of the tests besides: other builds, fuzzing, emulated boards.
 .PHONY: test-others test-more
-test-others: ## Run the tests of other builds: plain, narrow, memory, threads, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
+test-others: ## Run the tests of other builds: plain, narrow, threads, fuzzed, on boards; FUZZ_SECONDS=600 fuzzes longer
 	@rm -rf build/results
 	@status=0; \
 	for step in test-more test-fuzz; do \
@@ -149,7 +155,7 @@ test-others: ## Run the tests of other builds: plain, narrow, memory, threads, f
 	sh tests/check/total.sh $$status
 
 # One emulator after the other leaves processors idle: these run beside each other.
-TOGETHER := test-memory test-narrow test-threads $(if $(wildcard port/boards/boards.mk),test-boards) \
+TOGETHER := test-narrow test-threads $(if $(wildcard port/boards/boards.mk),test-boards) \
             $(if $(wildcard port/examples/examples.mk),test-examples test-rp2040) test-math-targets
 
 .PHONY: test-plain
@@ -168,17 +174,16 @@ test-sanitized: ## Run them under the address and undefined-behaviour sanitizers
 test-threads: ## Run the tests that have threads under the thread sanitizer
 	@$(MAKE) -s $(PARALLEL) BUILD=build/threads CFLAGS='$(SANITIZE_THREADS)' $(UNOPTIMIZED) TESTS='$(filter %_threads,$(TESTS))' test-plain
 
-# Only what runs code of core and port: cmocka and libm know nothing of this sanitizer, clang's alone.
-.PHONY: test-memory
-test-memory: ## Run the tests of core and panels under clang's sanitizer for memory that was never written
-	@if sh tests/check/have_memory.sh; then \
-	    $(MAKE) -s $(PARALLEL) BUILD=build/memory CC=clang CFLAGS='$(SANITIZE_MEMORY)' CORE_FLAGS='$(PLAIN_C99)' $(UNOPTIMIZED_TEST) \
-	        TESTS='$(filter-out $(SLOW_IN_MEMORY),$(filter test_core_% test_panel_%,$(TESTS)))' test-plain; \
-	fi
-
+# The code of small cores, and whether it reads what was never written: one build asks both. Only what runs code of core
+# and port: cmocka and libm know nothing of this sanitizer, clang's alone.
 .PHONY: test-narrow
-test-narrow: ## Run the tests of core with the code of cores that have no long multiply and no divide
-	@$(MAKE) -s $(PARALLEL) BUILD=build/narrow CFLAGS='$(NARROW)' TESTS='$(filter test_core_%,$(TESTS))' test-plain
+test-narrow: ## Run the tests of core and panels with the code of cores without long multiply and divide, under clang's sanitizer for memory never written
+	@if sh tests/check/have_memory.sh; then \
+	    $(MAKE) -s $(PARALLEL) BUILD=build/narrow CC=clang CFLAGS='$(SANITIZE_MEMORY) $(NARROW)' CORE_FLAGS='$(PLAIN_C99)' $(UNOPTIMIZED_TEST) \
+	        TESTS='$(filter-out $(SLOW_IN_MEMORY),$(filter test_core_% test_panel_%,$(TESTS)))' test-plain; \
+	else \
+	    $(MAKE) -s $(PARALLEL) BUILD=build/narrow CFLAGS='-O1 $(NARROW)' TESTS='$(filter test_core_%,$(TESTS))' test-plain; \
+	fi
 
 .PHONY: test-fuzz fuzzers
 test-fuzz: ## Run the fuzz targets under both sanitizers, FUZZ_SECONDS each, with clang

@@ -12,7 +12,7 @@ SIZE_FLAGS    := $(filter-out -g,$(SCENE_FLAGS))
 SIZE_SINGLE_VARIANTS := $(filter cortex-m0plus-Os cortex-m3-Os,$(SIZE_VARIANTS))
 SIZE_SINGLE          := $(SIZE_DIR)/dist/single/qtri.c
 
-$(SIZE_SINGLE): $(wildcard core/*/*.[ch] core/*/*.inc core/include/*.h core/include/qtri/*.h port/panels/*.[ch] port/include/qtri_port/*.h \
+$(SIZE_SINGLE): $(wildcard core/*/*.[ch] core/*/*.inc core/include/*.h core/include/qtri/*.h core/include/qtri/body/*.h port/panels/*.[ch] port/include/qtri_port/*.h \
                 port/packages/dist.sh port/packages/amalgamate.awk)
 	@sh port/packages/dist.sh $(SIZE_DIR)/dist >/dev/null
 

@@ -5,5 +5,5 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 echo 'int main(void) { return 0; }' >"$work/empty.c"
 command -v clang >/dev/null && clang -fsanitize=memory -o "$work/empty" "$work/empty.c" 2>/dev/null && "$work/empty" && exit 0
-echo "test-memory: skipped: no clang with -fsanitize=memory (make setup-all)"
+echo "test-narrow: without a sanitizer: no clang with -fsanitize=memory (make setup-all)"
 exit 1

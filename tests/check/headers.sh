@@ -33,21 +33,20 @@ for count in 16 17; do
     done
 done
 
-# The address of every function that both a header and an object name; a header without extern "C" does not link.
-for file in $(c_files core port/panels | grep '\.c$'); do
-    gcc -std=c99 -Icore/include -Iport/include -c -o "$work/$(echo "$file" | tr / -).o" "$file" || status=1
-done
+# The address of every function that both a header and the library name; a header without extern "C" does not link.
+library=${BUILD:-build}/libqtri.a
+alone make -s -j "$jobs" MAKEFLAGS= "$library" >"$work/log" 2>&1 || { cat "$work/log"; finish 1; }
 {
     for header in $headers; do
         echo "#include \"$header\""
     done
     echo 'static const void *volatile sink; int main() {'
-    nm -g --defined-only "$work"/*.o | awk 'NF == 3 { print $3 }' | sort -u >"$work/defined"
+    nm -g --defined-only "$library" | awk 'NF == 3 { print $3 }' | sort -u >"$work/defined"
     cat $(c_files core/include port/include) | tr -c 'A-Za-z0-9_' '\n' | sort -u >"$work/words"
     comm -12 "$work/defined" "$work/words" | sed 's/.*/sink = (const void *)\&&;/'
     echo '}'
 } >"$work/all.cc"
 g++ -std=c++11 -Icore/include -Iport/include -c -o "$work/all.oo" "$work/all.cc" &&
-    g++ -o "$work/all" "$work/all.oo" "$work"/*.o || status=1
+    g++ -o "$work/all" "$work/all.oo" "$library" || status=1
 grep -q sink.=. "$work/all.cc" || { echo "no public function found"; status=1; }
 finish $status

@@ -6,7 +6,7 @@ gate=options
 . tests/check/files.sh
 need gcc
 
-flags='-std=c99 -O1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wundef -Werror -Icore/include'
+flags='-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wundef -Werror -Icore/include'
 all=$(sed -n 's/^#define QTRI_WITH_\([A-Z0-9_]*\) 1$/\1/p' core/include/qtri/config.h)
 [ -n "$all" ] || { echo "no option found"; finish 1; }
 work=$(mktemp -d) || exit 1

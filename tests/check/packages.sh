@@ -73,12 +73,12 @@ if has arm-none-eabi-gcc "the command of port/README.md"; then
     [ -z "$missing" ] || fail "port/README.md: its command's objects lack $missing"
 fi
 
-# The amalgamation ------------------------------------------------------------------------------------------------------
+# The amalgamation, whose pictures check-same compares -----------------------------------------------------------------
 
 quiet dist sh port/packages/dist.sh "$work/dist" || finish 1
 single=$work/dist/single
 flags='-std=c99 -Wall -Wextra -Wpedantic -Werror'
-quiet "amalgamation, gcc" gcc $flags -O1 -c -o "$single/qtri.o" "$single/qtri.c" || finish 1
+quiet "amalgamation, gcc" gcc $flags -c -o "$single/qtri.o" "$single/qtri.c" || finish 1
 quiet "amalgamation, gcc -Os" gcc $flags -Os -fsyntax-only "$single/qtri.c"
 quiet "amalgamation, application" gcc $flags -I"$single" -o "$single/app" tests/packages/consumer.c "$single/qtri.o" &&
     same "amalgamation" "$single/app"
@@ -87,28 +87,15 @@ has tcc "amalgamation" && quiet "amalgamation, tcc" tcc -std=c99 -c -o "$single/
 if has arm-none-eabi-gcc "amalgamation"; then
     quiet "amalgamation, Cortex-M4" arm-none-eabi-gcc $flags -Os -mcpu=cortex-m4 -mthumb -ffreestanding -fsyntax-only "$single/qtri.c"
     # Constants without a name share one section: with the address of one, an application would link what it does not use.
-    for level in "-O2 $flags" "-Os -std=c99"; do
-        quiet "amalgamation, Cortex-M0+, $level" arm-none-eabi-gcc $level -mcpu=cortex-m0plus -mthumb -ffreestanding \
-            -ffunction-sections -fdata-sections -c -o "$single/arm.o" "$single/qtri.c"
-        held=$(arm-none-eabi-objdump -r -j .rodata "$single/arm.o" | awk '/R_ARM/ { print $3 }')
-        [ -z "$held" ] || fail "amalgamation, $level: a constant without a name holds the address of $held"
-    done
+    object=build/bench/size/cortex-m0plus-Os/qtri.o held=
+    quiet "amalgamation, Cortex-M0+" alone make -s MAKEFLAGS= $object &&
+        held=$(arm-none-eabi-objdump -r -j .rodata $object | awk '/R_ARM/ { print $3 }')
+    [ -z "$held" ] || fail "amalgamation: a constant without a name holds the address of $held"
 fi
 has g++ "amalgamation as C++" && echo '#include "qtri.h"' >"$work/one.cc" &&
     quiet "amalgamation, C++" g++ -std=c++11 -Wall -Wextra -Werror -fsyntax-only -I"$single" "$work/one.cc"
 stray=$(nm -g --defined-only "$single/qtri.o" | awk '$3 !~ /^(qtri|q16)_/ { print $3 }')
 [ -z "$stray" ] || fail "amalgamation: exports $stray"
-
-# The demo's pictures, by the command with this library in place of its own.
-quiet "amalgamation, command" gcc -o "$single/qtri" build/obj/host/tools/main.o build/libqtri-host.a "$single/qtri.o" -lm $(make -s host-libs) &&
-    for scene in host/scenes/*.scene; do
-        name=$(basename "$scene" .scene)
-        build/qtri render --allow-files "$scene" -o "$work/$name.make" >/dev/null 2>&1 && "$single/qtri" render --allow-files "$scene" -o "$work/$name.single" >/dev/null 2>&1 ||
-            fail "amalgamation: $scene is not drawn"
-        for picture in "$work/$name.make"*; do
-            cmp -s "$picture" "$(echo "$picture" | sed 's/\.make/.single/')" || fail "amalgamation: $scene is drawn otherwise"
-        done
-    done
 
 # The Arduino library: src/ is the only folder that is searched ---------------------------------------------------------
 

@@ -20,7 +20,7 @@ sh port/packages/dist.sh "$work/dist" >"$work/log" 2>&1 || { cat "$work/log"; fi
 # NAME LIBRARY COMMAND...: how each builds, the slowest first. `one` is the library as one file, `all` its own files,
 # `make` what make has built, with which all are compared; `linux` the library of test-boards; `board` the library of the benchmarks for a core of that name, by
 # clang as one file, and the program a firmware.
-usual='cortex-m0plus-Os cortex-m4 gcc-O3 32-bit-O2 big-endian-O2 clang-Os gcc-Os tcc'
+usual='cortex-m0plus-Os cortex-m4 32-bit-O2 big-endian-O2 clang-Os gcc-Os tcc'
 cat >"$work/list" <<'END'
 make make gcc -O2
 cortex-m0plus-Os board arm-none-eabi-gcc -mcpu=cortex-m0plus -Os

@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # gcc and clang compile every file of the host as strict C99 without a warning, and the cross compiler the firmware of
-# the boards. gcc compiles for real, at -O2: some of its warnings come from the optimizer. None of clang's does.
-# tests/prove/*_values.c are Frama-C's.
+# the boards. The plain build is gcc's, at -O2, as some of its warnings come from the optimizer; what was built before told
+# its warnings then. Tests are compiled without optimisation here. tests/prove/*_values.c are Frama-C's.
 gate=warnings
 . tests/check/files.sh
 need gcc clang arm-none-eabi-gcc
 
-flags='-std=c99 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
+flags='-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
        -Wundef -Wcast-qual -Wwrite-strings -Werror'
 includes='-Icore/include -Iport/include -Icore -Ihost -Itests/packages/pico -Itests/packages/stm32
           -Itests/packages/esp_idf -Itests/packages/zephyr -Itests/packages/lvgl'
@@ -20,8 +20,10 @@ compile()
 
 status=0
 # -Wdouble-promotion is gcc's alone: clang also takes NAN and INFINITY, and a double in a long double, for promotions.
-c_files core port/panels port/examples host tests | grep -v '^tests/fuzz_\|^tests/prove/[a-z]*_values' |
-    compile gcc -c -o /dev/null -Wdouble-promotion $includes || status=1
+make -s -k -j "$jobs" MAKEFLAGS= WERROR=-Werror all || status=1
+c_files port/examples host | grep -v '^host/\(assets\|io\|panels\|reference\|tools\)/' |
+    compile gcc -O2 -c -o /dev/null -Wdouble-promotion $includes || status=1
+c_files tests | grep -v '^tests/fuzz_\|^tests/prove/[a-z]*_values' | compile gcc -c -o /dev/null -Wdouble-promotion $includes || status=1
 c_files core port/panels port/examples host tests | grep -v '^tests/prove/[a-z]*_values' | compile clang -fsyntax-only $includes || status=1
-c_files port/boards | compile arm-none-eabi-gcc -c -o /dev/null -ffreestanding -mcpu=cortex-m3 -mthumb -Icore/include -Iport/include || status=1
+c_files port/boards | compile arm-none-eabi-gcc -O2 -c -o /dev/null -ffreestanding -mcpu=cortex-m3 -mthumb -Icore/include -Iport/include || status=1
 finish $status
