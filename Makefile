@@ -20,11 +20,13 @@ JOBS   ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 MODELS ?= $(wildcard ../shared/models)
 # What `make test` runs, the longest first, so that no processor waits for one of them at the end; how long it fuzzes
 # each target, and when it takes a program for hung.
-LONGEST      := test_tools_command test_tools_assets test_core_stroke test_scene_random test_core_pictures test_panel_bus \
-                test_verify_math test_panel_show test_core_depth
+LONGEST      := test_tools_command test_tools_assets test_scene_wrong_texels test_core_stroke test_scene_random \
+                test_core_pictures test_panel_bus test_verify_math test_panel_show test_core_depth
 TESTS        ?= $(LONGEST) $(filter-out $(LONGEST),$(basename $(notdir $(wildcard tests/test_*.c))))
 FUZZERS      ?= $(basename $(notdir $(wildcard tests/fuzz_*.c)))
 FUZZ_SECONDS ?= 15
+# Fuzzing for hours pays for a minute of optimizing (make fuzz).
+FUZZ_LEVEL   ?= -O0
 TEST_SECONDS ?= 300
 
 LIBRARY_SOURCES := $(wildcard core/*/*.c port/panels/*.c)
@@ -188,7 +190,7 @@ test-narrow: ## Run the tests of core and panels with the code of cores without 
 .PHONY: test-fuzz fuzzers
 test-fuzz: ## Run the fuzz targets under both sanitizers, FUZZ_SECONDS each, with clang
 	@if sh tests/check/have_fuzzer.sh; then \
-	    $(MAKE) -s $(PARALLEL) BUILD=build/fuzz CC=clang CFLAGS='$(SANITIZE) -fsanitize=fuzzer-no-link' $(UNOPTIMIZED) fuzzers; \
+	    $(MAKE) -s $(PARALLEL) BUILD=build/fuzz CC=clang CFLAGS='$(SANITIZE) $(FUZZ_LEVEL) -fsanitize=fuzzer-no-link' $(UNOPTIMIZED) fuzzers; \
 	fi
 	@FUZZ_SECONDS=$(FUZZ_SECONDS) sh tests/check/run_fuzzers.sh $(FUZZERS)
 
@@ -221,7 +223,7 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
 
 .PHONY: fuzz
 fuzz: ## Fuzz for hours: FUZZ_SECONDS=3600 FUZZERS="fuzz_draw fuzz_math"; what is reached stays in build/fuzz/corpus
-	@$(ALIVE) fuzz $(MAKE) -s test-fuzz FUZZ_SECONDS=$(if $(filter command%,$(origin FUZZ_SECONDS)),$(FUZZ_SECONDS),600)
+	@$(ALIVE) fuzz $(MAKE) -s test-fuzz FUZZ_LEVEL=-O1 FUZZ_SECONDS=$(if $(filter command%,$(origin FUZZ_SECONDS)),$(FUZZ_SECONDS),600)
 
 .PHONY: corpus
 corpus: ## Keep in tests/corpus what fuzzing has found to reach, the smallest inputs

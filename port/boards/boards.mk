@@ -96,6 +96,9 @@ endef
 $(foreach t,$(BOARD_TARGETS) $(DISPLAY_TARGETS) $(RP2040_TARGET),$(eval $(call \
     board_rules,$t,$(call board_of,$t),$(call core_cc,$(call core_of,$t)))))
 
+# What this one adds, pointers of 64 bits, needs no optimizer.
+$(BOARD_DIR)/linux_arm64/%.o: private BOARD_EXTRA := -O0
+
 # The host's programs: board_host prints the checksums, show_BOARD draws what a display must show.
 BOARD_HOST := $(BOARD_DIR)/host/board_host
 SHOW_HOSTS := $(foreach t,$(DISPLAY_TARGETS),$(BOARD_DIR)/host/show_$(call board_of,$t))

@@ -38,11 +38,23 @@ core_libraries()
         { cat "$work/log"; return 1; }
 }
 
+# The plain library, compiled where it is not there.
+plain_library()
+{
+    locked plain make -s -j "$jobs" MAKEFLAGS= "${BUILD:-build}/libqtri.a" >"$work/log" 2>&1 || { cat "$work/log"; return 1; }
+}
+
 # Runs a make of the benchmarks when no other gate does: they share objects.
-alone() {
+alone() { locked bench "$@"; }
+
+# Runs a command when none other runs by this name: locked NAME COMMAND...
+locked()
+{
+    lock=${BUILD:-build}/$1.lock
+    shift
     mkdir -p "${BUILD:-build}"
     if command -v flock >/dev/null 2>&1; then
-        flock "${BUILD:-build}/bench.lock" "$@"
+        flock "$lock" "$@"
     else
         "$@"
     fi

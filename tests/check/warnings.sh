@@ -20,7 +20,7 @@ compile()
 
 status=0
 # -Wdouble-promotion is gcc's alone: clang also takes NAN and INFINITY, and a double in a long double, for promotions.
-make -s -k -j "$jobs" MAKEFLAGS= WERROR=-Werror all || status=1
+locked plain env MAKEFLAGS= make -s -k -j "$jobs" WERROR=-Werror all || status=1
 c_files port/examples host | grep -v '^host/\(assets\|io\|panels\|reference\|tools\)/' |
     compile gcc -O2 -c -o /dev/null -Wdouble-promotion $includes || status=1
 c_files tests | grep -v '^tests/fuzz_\|^tests/prove/[a-z]*_values' | compile gcc -c -o /dev/null -Wdouble-promotion $includes || status=1
