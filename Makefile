@@ -65,8 +65,6 @@ SANITIZE_THREADS := -O0 -g1 -fsanitize=thread
 SANITIZE_MEMORY  := -O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=memory
 # Core is built for it as by any C99 compiler: an empty line of assembly would count as a use of room to spare.
 PLAIN_C99 := -U__GNUC__ -fno-strict-aliasing
-# Minutes there: what the first draws the others draw too, and of the mathematics it is proved (make prove).
-SLOW_IN_MEMORY := test_core_perspective test_core_vec test_core_mat
 
 # Minutes to compile there: the pipelines' other tests draw by the same body. For threads and fuzzing what makes
 # pipelines is compiled without optimisation, for other sanitizers those of tests that draw little by them.
@@ -182,7 +180,7 @@ test-threads: ## Run the tests that have threads under the thread sanitizer
 test-narrow: ## Run the tests of core and panels with the code of cores without long multiply and divide, under clang's sanitizer for memory never written
 	@if sh tests/check/have_memory.sh; then \
 	    $(MAKE) -s $(PARALLEL) BUILD=build/narrow CC=clang CFLAGS='$(SANITIZE_MEMORY) $(NARROW)' CORE_FLAGS='$(PLAIN_C99)' $(UNOPTIMIZED_TEST) \
-	        TESTS='$(filter-out $(SLOW_IN_MEMORY),$(filter test_core_% test_panel_%,$(TESTS)))' test-plain; \
+	        TESTS='$(filter test_core_% test_panel_%,$(TESTS))' test-plain; \
 	else \
 	    $(MAKE) -s $(PARALLEL) BUILD=build/narrow CFLAGS='-O1 $(NARROW)' TESTS='$(filter test_core_%,$(TESTS))' test-plain; \
 	fi
