@@ -57,6 +57,9 @@ DEPENDENCIES := $(shell $(CC) -MMD -MP -MF /dev/null -c -o /dev/null -x c /dev/n
 WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla -Wundef -Wcast-qual \
             -Wwrite-strings $(if $(findstring clang,$(CC)),,-Wdouble-promotion)
 $(BUILD)/obj/%.o: INCLUDES += $(if $(filter build,$(BUILD)),$(WARNINGS) $(WERROR))
+.PHONY: warnings
+warnings:
+	@echo '$(WARNINGS)'
 check check-warnings: export WERROR := -Werror
 
 SANITIZE := -O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all \

@@ -26,7 +26,7 @@ build()
 build fault tests/check/checked.c -DQTRI_CHECKED -DQTRI_FAULT=checked_fault -DQTRI_MISSING=checked_missing || finish 1
 "$work/fault/program" >"$work/mistakes" || { cat "$work/mistakes"; status=1; }
 build checked tests/check/options.c -DQTRI_CHECKED || finish 1
-plain_library || finish 1
+plain_build "$build/libqtri.a" || finish 1
 gcc $flags -o "$work/plain" tests/check/options.c "$build/libqtri.a" && "$work/plain" >"$work/wanted" || status=1
 "$work/checked/program" >"$work/got" || status=1
 cmp "$work/wanted" "$work/got" || status=1

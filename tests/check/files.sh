@@ -38,14 +38,14 @@ core_libraries()
         { cat "$work/log"; return 1; }
 }
 
-# The plain library, compiled where it is not there.
-plain_library()
+# What make compiles for this computer, where it is not there: plain_build [OPTION] TARGET...
+plain_build()
 {
-    locked plain make -s -j "$jobs" MAKEFLAGS= "${BUILD:-build}/libqtri.a" >"$work/log" 2>&1 || { cat "$work/log"; return 1; }
+    locked plain env MAKEFLAGS= make -s -j "$jobs" "$@" >"$work/plain.log" 2>&1 || { cat "$work/plain.log"; return 1; }
 }
 
-# Runs a make of the benchmarks when no other gate does: they share objects.
-alone() { locked bench "$@"; }
+# Runs a make of the benchmarks when no other gate does: they share objects, those of the plain build among them.
+alone() { plain_build all && locked bench "$@"; }
 
 # Runs a command when none other runs by this name: locked NAME COMMAND...
 locked()

@@ -16,8 +16,7 @@ library=$(pwd)/${BUILD:-build}/bench/scenes/cortex-m0plus-Os/libqtri.a
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 status=0
-warnings='-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla -Wundef -Wcast-qual
-          -Wwrite-strings -Werror'
+warnings="$(make -s warnings CC=clang) -Werror"
 
 # compile FOLDER COMMAND...: an object of every file that standard input names
 compile()

@@ -35,7 +35,7 @@ done
 
 # The address of every function that both a header and the library name; a header without extern "C" does not link.
 library=${BUILD:-build}/libqtri.a
-plain_library || finish 1
+plain_build "$library" || finish 1
 {
     for header in $headers; do
         echo "#include \"$header\""

@@ -31,7 +31,7 @@ quiet()
     "$@" >"$work/$log" 2>&1 || { tail -20 "$work/$log"; fail "$log"; return 1; }
 }
 
-quiet library locked plain make -s all || finish 1
+plain_build all || finish 1
 gcc -std=c99 -Icore/include -Iport/include -o "$work/plain" tests/packages/consumer.c build/libqtri.a || finish 1
 expected=$("$work/plain") || fail "the application itself"
 [ "$(build/qtri --version)" = "qtri $(sh port/packages/version.sh)" ] || fail "qtri --version"

@@ -7,8 +7,10 @@ gate=warnings
 . tests/check/files.sh
 need gcc clang arm-none-eabi-gcc
 
-flags='-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
-       -Wundef -Wcast-qual -Wwrite-strings -Werror'
+# clang has no -Wdouble-promotion here: it also takes NAN and INFINITY, and a double in a long double, for promotions.
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+flags="-std=c99 $(make -s warnings CC=clang) -Werror"
 includes='-Icore/include -Iport/include -Icore -Ihost -Itests/packages/pico -Itests/packages/stm32
           -Itests/packages/esp_idf -Itests/packages/zephyr -Itests/packages/lvgl'
 
@@ -19,8 +21,7 @@ compile()
 }
 
 status=0
-# -Wdouble-promotion is gcc's alone: clang also takes NAN and INFINITY, and a double in a long double, for promotions.
-locked plain env MAKEFLAGS= make -s -k -j "$jobs" WERROR=-Werror all || status=1
+plain_build -k WERROR=-Werror all || status=1
 c_files port/examples host | grep -v '^host/\(assets\|io\|panels\|reference\|tools\)/' |
     compile gcc -O2 -c -o /dev/null -Wdouble-promotion $includes || status=1
 c_files tests | grep -v '^tests/fuzz_\|^tests/prove/[a-z]*_values' | compile gcc -c -o /dev/null -Wdouble-promotion $includes || status=1
