@@ -66,6 +66,16 @@ QTRI_BODY uint32_t qtri_body_shift(uint32_t x, uint32_t by)
 #endif
 }
 
+/* `count` bits of x from bit `from` on: two shifts on Armv6-M, where GCC 12 would load a mask. */
+QTRI_BODY uint32_t qtri_body_bits(uint32_t x, uint32_t from, uint32_t count)
+{
+    x <<= 32 - from - count;
+#if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
+    QTRI_BODY_BARRIER(x);
+#endif
+    return x >> (32 - count);
+}
+
 /* A function of its own. */
 #if defined(__GNUC__)
 #define QTRI_BODY_ALONE static __attribute__((noinline))

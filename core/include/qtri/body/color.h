@@ -36,7 +36,7 @@ QTRI_BODY uint32_t qtri_join_565(uint32_t lanes, uint32_t green)
 
 QTRI_BODY uint32_t qtri_green_888(uint32_t c)
 {
-    return c >> 8 & 255;
+    return qtri_body_bits(c, 8, 8);
 }
 
 /* c a + o b, to nearest; a + b <= 256. Alpha is not kept. */
@@ -158,9 +158,13 @@ QTRI_BODY uint32_t qtri_pixel_565_to_888(uint32_t c)
 /* To nearest: c 31 / 255 = (c 249 + 1014) / 2^11 and c 63 / 255 = (c 253 + 505) / 2^10. */
 QTRI_BODY uint32_t qtri_pixel_888_to_565(uint32_t c)
 {
-    const uint32_t lanes = (c & QTRI_BODY_LANES_888) * 249u + 1014u * 0x10001u; /* 16 bits each */
-    return (lanes >> 16 & 0xF800u) | (qtri_green_888(c) * 253u + 505) >> 10 << 5 |
-           (lanes >> 11 & 31);
+    uint32_t factor = 249;
+    QTRI_BODY_BARRIER(factor); /* or GCC 12 shifts and adds in place of products */
+    const uint32_t lanes = (c & QTRI_BODY_LANES_888) * factor + 1014u * 0x10001u; /* 16 bits each */
+    factor += 253 - 249;
+    QTRI_BODY_BARRIER(factor);
+    return lanes >> 27 << 11 | (qtri_body_bits(c, 8, 8) * factor + 505) >> 10 << 5 |
+           qtri_body_bits(lanes, 11, 5);
 }
 
 /* .299 R + .587 G + .114 B, to nearest. */
@@ -210,14 +214,24 @@ QTRI_BODY void qtri_save(uint32_t bytes, uint8_t *at, uint32_t word)
 }
 /* NOLINTEND(clang-analyzer-core.NullDereference) */
 
+/* The two low bytes exchanged; GCC 12 does not see the instruction for it in every pixel. */
 QTRI_BODY uint32_t qtri_swap_16(uint32_t c)
 {
+#ifdef __GNUC__
+    return __builtin_bswap16((uint16_t)c);
+#else
     return (c >> 8 & 0xFFu) | (c & 0xFFu) << 8;
+#endif
 }
 
+/* The three low bytes the other way round. */
 QTRI_BODY uint32_t qtri_swap_red_blue(uint32_t c)
 {
+#ifdef __GNUC__
+    return __builtin_bswap32(c) >> 8;
+#else
     return (c >> 16 & 0xFFu) | (c & 0xFF00u) | (c & 0xFFu) << 16;
+#endif
 }
 
 #endif

@@ -312,7 +312,6 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
 {
     if (qtri_large_has_pieces(o)) {
         qtri_large_begin_pieces(t);
-        w->axis = qtri_large_job_of(t)->axis;
     }
     if (qtri_is_textured(o)) {
         qtri_large_set_texture(t);
@@ -341,6 +340,9 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
         qtri_draw_state_set_table(t->state);
     }
     qtri_walk_begin(o, w, t->state);
+    if (qtri_is_textured(o)) {
+        qtri_walk_set_axes(o, w, qtri_large_job_of(t)->axis);
+    }
     w->z_step = t->z_step;
     if (!qtri_varies(o)) {
         w->color = qtri_walk_color(o, t->state->surface, t->in->color);
@@ -379,6 +381,7 @@ QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_large *t, qtri_pixel_
         QTRI_RARELY();
         qtri_large_set_level(t, piece->level);
         qtri_walk_set_texture(o, w);
+        qtri_walk_set_axes(o, w, qtri_large_job_of(t)->axis);
     }
     if (qtri_is_textured(o)) {
         w->u = piece->u;

@@ -184,15 +184,19 @@ QTRI_BODY bool qtri_is_short(const qtri_options *o)
     return false;
 #else
     return !(o->bilinear || (qtri_is_textured(o) && qtri_varies(o)) || o->fog ||
-             qtri_reads_pixel(o) || qtri_needs_place(o) || o->key || o->alpha_test);
+             qtri_reads_pixel(o) || qtri_needs_place(o) || o->alpha_test);
 #endif
 }
 
-/* How many pixels a loop has: short ones gain by it, where pieces are not short themselves. */
+/* How many pixels a loop has: short ones gain by it, where pieces are not short themselves, and where
+   there are registers: on Armv6-M texels that are converted or clamped leave none. */
 QTRI_BODY int qtri_unrolled(const qtri_options *o, bool bent)
 {
-    const int most = bent || (qtri_is_textured(o) && !QTRI_LONG_MULTIPLY) ? 4 : 8;
-    if (!qtri_is_short(o) || (QTRI_BODY_UNROLLS == 2 && (bent || o->shade == QTRI_TINT))) {
+    const bool has_few = !QTRI_LONG_MULTIPLY && qtri_is_textured(o);
+    const int most = bent || has_few ? 4 : 8;
+    if (!qtri_is_short(o) || (QTRI_BODY_UNROLLS == 2 && (bent || o->shade == QTRI_TINT)) ||
+        (has_few && (qtri_kind_of(o) != QTRI_IN_565 || o->wrap_u == QTRI_CLAMP ||
+                     o->wrap_v == QTRI_CLAMP))) {
         return 1;
     }
     return most < QTRI_BODY_UNROLLS ? most : QTRI_BODY_UNROLLS;
@@ -405,6 +409,22 @@ QTRI_BODY void qtri_walk_set_texture(const qtri_options *o, qtri_pixel_walk *w)
     w->rows =
         (o->large_texture ? 0 : (((uint32_t)1 << height_log2) - 1) << ((16 + width_log2) & 31)) |
         w->u_shift;
+}
+
+/* How coordinates of a triangle are clamped, after qtri_walk_set_texture(). */
+QTRI_BODY void qtri_walk_set_axes(const qtri_options *o, qtri_pixel_walk *w,
+                                  const qtri_clamp_axis axis[2])
+{
+    if (o->wrap_u == QTRI_CLAMP) {
+        w->u_shift = axis[0].shift;
+        w->u_first = axis[0].first;
+        w->u_mask = axis[0].mask;
+    }
+    if (o->wrap_v == QTRI_CLAMP) {
+        w->v_shift = axis[1].shift;
+        w->v_first = axis[1].first;
+        w->v_mask = axis[1].mask;
+    }
 }
 
 /* What a draw call's state says to all rows. */

@@ -385,7 +385,7 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_pixel_body *p
         if (!qtri_small_samples_curves(o, &values, &curves, &p, t, has_curved_light)) {
             return false;
         }
-        w.axis = curves.axis;
+        qtri_walk_set_axes(o, &w, curves.axis);
         is_curved = curves.is_curved;
     }
     if (p.cut) {

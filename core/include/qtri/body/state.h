@@ -122,8 +122,9 @@ typedef struct qtri_pixel_walk {
     /* Constant along a row. */
     const qtri_draw_state *state;
     const void *texels;
-    const qtri_clamp_axis *axis;                 /* of u and v */
     uint32_t rows, u_shift, v_shift, width_log2; /* rows: mask of v, times the width << 16 */
+    uint32_t u_mask, v_mask; /* of clamped axes, as their qtri_clamp_axis has them */
+    int32_t u_first, v_first;
     uint32_t color; /* of the triangle: of the kind; where nothing else is done, as it is stored */
     uint32_t red, green, blue, half; /* lit texture: weights of the state, the half that rounds */
     const uint16_t *table;

@@ -12,22 +12,23 @@
 /* NOLINTBEGIN(clang-analyzer-core.NullDereference): texels and axes of a texture are set by
    qtri_walk_begin() and set-up; without a texture nothing here is called */
 
-QTRI_BODY uint32_t qtri_clamped(const qtri_clamp_axis *axis, uint32_t at)
+QTRI_BODY uint32_t qtri_clamped(uint32_t at, uint32_t shift, int32_t first, uint32_t mask)
 {
-    const int32_t i = ((int32_t)at >> axis->shift) - axis->first;
-    return i < 0 ? 0 : (uint32_t)i > axis->mask ? axis->mask : (uint32_t)i;
+    const int32_t i = ((int32_t)at >> shift) - first;
+    return (uint32_t)i <= mask ? (uint32_t)i : i < 0 ? 0 : mask;
 }
 
 QTRI_BODY uint32_t qtri_texel_column(const qtri_options *o, const qtri_pixel_walk *w, uint32_t u)
 {
-    return o->wrap_u == QTRI_CLAMP ? qtri_clamped(&w->axis[0], u) : qtri_body_shift(u, w->rows);
+    return o->wrap_u == QTRI_CLAMP ? qtri_clamped(u, w->u_shift, w->u_first, w->u_mask)
+                                   : qtri_body_shift(u, w->rows);
 }
 
 /* The row's first texel. */
 QTRI_BODY uint32_t qtri_texel_row(const qtri_options *o, const qtri_pixel_walk *w, uint32_t v)
 {
     if (o->wrap_v == QTRI_CLAMP) {
-        return qtri_clamped(&w->axis[1], v) << w->width_log2;
+        return qtri_clamped(v, w->v_shift, w->v_first, w->v_mask) << w->width_log2;
     }
     return o->large_texture ? v >> w->v_shift << w->width_log2 : (v & w->rows) >> 16;
 }
@@ -124,14 +125,12 @@ QTRI_BODY uint32_t qtri_texel_fraction(uint32_t at, uint32_t shift)
 
 QTRI_BODY uint32_t qtri_texel_bilinear(const qtri_options *o, const qtri_pixel_walk *w, bool *drawn)
 {
-    const uint32_t u_shift = o->wrap_u == QTRI_CLAMP ? w->axis[0].shift : w->u_shift;
-    const uint32_t v_shift = o->wrap_v == QTRI_CLAMP ? w->axis[1].shift : w->v_shift;
-    const uint32_t along = qtri_texel_fraction(w->u, u_shift);
-    const uint32_t across = qtri_texel_fraction(w->v, v_shift);
+    const uint32_t along = qtri_texel_fraction(w->u, w->u_shift);
+    const uint32_t across = qtri_texel_fraction(w->v, w->v_shift);
     const uint32_t column = qtri_texel_column(o, w, w->u);
     const uint32_t row = qtri_texel_row(o, w, w->v);
-    const uint32_t next_column = qtri_texel_column(o, w, w->u + ((uint32_t)1 << u_shift));
-    const uint32_t next_row = qtri_texel_row(o, w, w->v + ((uint32_t)1 << v_shift));
+    const uint32_t next_column = qtri_texel_column(o, w, w->u + ((uint32_t)1 << w->u_shift));
+    const uint32_t next_row = qtri_texel_row(o, w, w->v + ((uint32_t)1 << w->v_shift));
     uint32_t t[4];
     t[0] = qtri_texel_stored(o, w, column + row);
     t[1] = qtri_texel_stored(o, w, next_column + row);
