@@ -47,8 +47,8 @@ static void check_scene(const struct scene *scene)
     require(scene->width >= 1 && scene->width <= SCENE_MAX_SIZE);
     require(scene->height >= 1 && scene->height <= SCENE_MAX_SIZE);
     require((scene->texture.width > 0) == (scene->texture.rgb != NULL));
-    require(scene->texel_format <= SCENE_TEXEL_GRAY8);
-    if (scene->texel_format == SCENE_TEXEL_PALETTE) {
+    require(scene->texel_format <= SCENE_TEXEL_ALPHA8);
+    if (scene_texel_has_palette(scene->texel_format)) {
         struct palette palette;
         size_t count = (size_t)scene->texture.width * (size_t)scene->texture.height;
         require(palette_make(&palette, scene->texture.rgb, count, NULL));

@@ -486,7 +486,7 @@ static void a_flat_picture_stays_flat(void **state)
 static void errors_of_formats(void **state)
 {
     (void)state;
-    static const int most[TEXTURE_FORMATS] = {4, 60, 255, 0};
+    static const int most[TEXTURE_FORMATS] = {4, 60, 255, 0, 64};
     struct image image = noise(64, 64);
     for (int i = 0; i < TEXTURE_FORMATS; i++) {
         struct texture_options options = {.format = (enum texture_format)i};

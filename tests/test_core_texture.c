@@ -226,19 +226,17 @@ static void stays_inside(void **state)
     static const struct {
         const qtri_texel_format *format;
         uint8_t size;
-    } texels_of[] = {{&qtri_texel_rgb565, 2},
-                     {&qtri_texel_xrgb8888, 4},
-                     {&qtri_texel_checker, 0},
-                     {&qtri_texel_palette8, 1},
-                     {&qtri_texel_gray8, 1}};
+    } texels_of[] = {{&qtri_texel_rgb565, 2},     {&qtri_texel_xrgb8888, 4},
+                     {&qtri_texel_checker, 0},    {&qtri_texel_palette8, 1},
+                     {&qtri_texel_palette565, 1}, {&qtri_texel_gray8, 1}};
     static const int8_t sides[] = {0, 1, 5, 10};
-    static const qtri_rgb palette[256];
+    static const uint16_t palette[256 * sizeof(qtri_rgb) / sizeof(uint16_t)];
     uint64_t seed = 730;
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    for (int n = 0; n < 5 * 16 * 20; n++) {
-        qtri_texture texture = {.format = texels_of[n % 5].format,
-                                .width_log2 = (uint8_t)sides[n / 5 % 4],
-                                .height_log2 = (uint8_t)sides[n / 20 % 4],
+    for (int n = 0; n < 6 * 16 * 20; n++) {
+        qtri_texture texture = {.format = texels_of[n % 6].format,
+                                .width_log2 = (uint8_t)sides[n / 6 % 4],
+                                .height_log2 = (uint8_t)sides[n / 24 % 4],
                                 .wrap_u = (qtri_wrap)random_in(&seed, 0, 1),
                                 .wrap_v = (qtri_wrap)random_in(&seed, 0, 1),
                                 .filter = &qtri_bilinear,
@@ -246,7 +244,7 @@ static void stays_inside(void **state)
                                 .has_key = random_flag(&seed),
                                 .key = 1};
         size_t count = (size_t)1 << (texture.width_log2 + texture.height_log2);
-        void *texels = texels_of[n % 5].size ? calloc(count, texels_of[n % 5].size) : NULL;
+        void *texels = texels_of[n % 6].size ? calloc(count, texels_of[n % 6].size) : NULL;
         texture.texels = texels;
         qtri_material m = plain_material();
         qtri_screen_vertex v[3];

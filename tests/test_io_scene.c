@@ -523,10 +523,11 @@ static void texture_state(void **state)
 {
     (void)state;
     static const char *const formats[] = {
-        [SCENE_TEXEL_XRGB8888] = "xrgb8888", [SCENE_TEXEL_RGB565] = "rgb565",
-        [SCENE_TEXEL_PALETTE] = "palette",   [SCENE_TEXEL_GRAY8] = "gray8",
-        [SCENE_TEXEL_ARGB4444] = "argb4444", [SCENE_TEXEL_ARGB1555] = "argb1555",
-        [SCENE_TEXEL_ARGB8888] = "argb8888", [SCENE_TEXEL_ALPHA8] = "alpha8",
+        [SCENE_TEXEL_XRGB8888] = "xrgb8888",     [SCENE_TEXEL_RGB565] = "rgb565",
+        [SCENE_TEXEL_PALETTE] = "palette",       [SCENE_TEXEL_GRAY8] = "gray8",
+        [SCENE_TEXEL_PALETTE565] = "palette565", [SCENE_TEXEL_ARGB4444] = "argb4444",
+        [SCENE_TEXEL_ARGB1555] = "argb1555",     [SCENE_TEXEL_ARGB8888] = "argb8888",
+        [SCENE_TEXEL_ALPHA8] = "alpha8",
     };
     for (size_t i = 0; i < ARRAY_LENGTH(formats); i++) {
         char text[200];
@@ -781,7 +782,7 @@ static void value_errors(void **state)
         {"texfilter linear", "'linear' is unknown here: texfilter nearest|bilinear [mipmaps]"},
         {"texfilter nearest mips", "'mips' is unknown here: texfilter nearest|bilinear [mipmaps]"},
         {"texformat cmyk", "'cmyk' is unknown here: texformat xrgb8888|rgb565|palette|gray8|"
-                           "argb4444|argb1555|argb8888|alpha8"},
+                           "palette565|argb4444|argb1555|argb8888|alpha8"},
         {"texkey on", "'on' is unknown here: texkey off or texkey r g b"},
         {"texkey 1 2 256", "texkey: '256' is not a whole number in 0..255"},
         {"texkey 1 2", "wrong number of values (2) for texkey off or texkey r g b"},

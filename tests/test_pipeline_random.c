@@ -81,6 +81,7 @@ const qtri_texel_format random_texels = {&qtri_colors_888, 0xFFFFFF, has_texels,
                                          fetch_words,      NULL,     QTRI_NO_TEXEL};
 
 static const qtri_rgb palette[256] = {{1, 2, 3}, {255, 255, 255}, {200, 10, 90}, {9, 99, 255}};
+static const uint16_t palette565[256] = {0x0001, 0xFFFF, 0xC84B, 0x0B1F};
 
 static struct world {
     qtri_vec3 positions[VERTICES];
@@ -179,6 +180,7 @@ static void make_texture(const qtri_options *o)
                                                        &qtri_texel_xrgb8888,
                                                        &qtri_texel_gray8,
                                                        &qtri_texel_palette8,
+                                                       &qtri_texel_palette565,
                                                        &qtri_texel_checker,
                                                        &qtri_texel_argb8888,
                                                        &qtri_texel_argb4444,
@@ -203,7 +205,7 @@ static void make_texture(const qtri_options *o)
     }
     w.texture.levels = w.levels;
     w.texture.level_count = LEVELS;
-    w.texture.palette = palette;
+    w.texture.palette = o->texel == QTRI_TEXEL_PALETTE565 ? (const void *)palette565 : palette;
     w.texture.has_key = o->key;
     w.texture.key = w.texels[0] & stored_bits(o->texel);
 }

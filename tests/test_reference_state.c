@@ -262,6 +262,7 @@ static void texel_formats(void **state)
         double color[3];
     } formats[] = {{"xrgb8888", {200, 101, 50}},
                    {"palette", {200, 101, 50}},
+                   {"palette565", {24 * 255 / 31., 25 * 255 / 63., 6 * 255 / 31.}},
                    {"rgb565", {24 * 255 / 31., 25 * 255 / 63., 6 * 255 / 31.}},
                    {"gray8", {125, 125, 125}}}; /* 124.787 */
     for (size_t n = 0; n < ARRAY_LENGTH(formats); n++) {
@@ -282,12 +283,13 @@ static void keys_leave_holes(void **state)
     (void)state;
     static const char *const filters[] = {"nearest", "bilinear"};
     static const char *const keys[] = {"xrgb8888\ntexkey 100 0 0", "palette\ntexkey 100 0 0",
-                                       "rgb565\ntexkey 97 1 3", "gray8\ntexkey 0 51 0"};
-    for (int n = 0; n < 8; n++) {
+                                       "palette565\ntexkey 100 0 0", "rgb565\ntexkey 97 1 3",
+                                       "gray8\ntexkey 0 51 0"};
+    for (int n = 0; n < 10; n++) {
         char text[200];
         snprintf(text, sizeof text,
                  "clear 0 0 1\ntexture 4 4 4 100 0 0 0 0 0\ntexfilter %s\ntexformat %s",
-                 filters[n / 4], keys[n % 4]);
+                 filters[n / 5], keys[n % 5]);
         struct reference_image image = textured_quad(text, 0, 1);
         for (int y = 0; y < 8; y++) {
             for (int x = 0; x < 8; x++) {

@@ -38,7 +38,7 @@ static void repaint(uint32_t seed, struct scene *scene)
     const struct scene_texture *texture = &scene->texture;
     size_t width = (size_t)texture->width;
     size_t count = width * (size_t)texture->height;
-    bool gradient = seed % 4 == 3 && scene->texel_format != SCENE_TEXEL_PALETTE;
+    bool gradient = seed % 4 == 3 && !scene_texel_has_palette(scene->texel_format);
     if (count == 0 || seed % 2 == 0) {
         return;
     }

@@ -456,9 +456,9 @@ static void previews(void **state)
 static void textures(void **state)
 {
     (void)state;
-    static const char *const formats[] = {"rgb565", "palette", "gray8", "xrgb8888"};
+    static const char *const formats[] = {"rgb565", "palette", "gray8", "xrgb8888", "palette565"};
     assert_int_equal(run("mesh gear -o gear.h --preview gear.ppm"), 0);
-    for (size_t i = 0; i < 4; i++) {
+    for (size_t i = 0; i < 5; i++) {
         char line[256];
         snprintf(line, sizeof line,
                  "texture gear.ppm -o wall.h --format %s --size 32x16 --dither%s", formats[i],

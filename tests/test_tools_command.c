@@ -246,8 +246,8 @@ static void neighbours(void **state)
 static void textures(void **state)
 {
     (void)state;
-    static const char *const formats[] = {"xrgb8888", "rgb565", "palette", "gray8"};
-    for (int n = 0; n < 16; n++) {
+    static const char *const formats[] = {"xrgb8888", "rgb565", "palette", "palette565", "gray8"};
+    for (int n = 0; n < 20; n++) {
         char text[1024];
         snprintf(text, sizeof text,
                  "viewport 90 70\ndepth less\ntexture 8 16 4 255 40 0 20 90 200\n"
@@ -255,7 +255,7 @@ static void textures(void **state)
                  "tri -.9 -.5 .3 1 1 0 0  .5 -.9 .3 1 0 1 0  0 .8 .3 1 0 0 1\n"
                  "trit -1 -1 0 1 1 .5 0 -.4 -.3   1.8 -1 .2 2 0 1 1 1.1 -.2"
                  "   0 1 0 1 1 1 1 .3 1.4\n",
-                 formats[n % 4], n / 4 % 2 ? "bilinear" : "nearest", n / 8 ? "20 90 200" : "off");
+                 formats[n % 5], n / 5 % 2 ? "bilinear" : "nearest", n / 10 ? "20 90 200" : "off");
         write_file("t.scene", text);
         assert_int_equal(run("render t.scene -o t --dump"), 0);
         assert_int_equal(run("render t.scene -o expected --dump --reference --snap 8"), 0);

@@ -72,6 +72,12 @@ static void decode_palette(uint32_t *texel, const qtri_texture *texture, int32_t
     QTRI_EACH_WORD(texel, count, number, qtri_pixel_rgb_to_888(&palette[number]))
 }
 
+static void decode_palette565(uint32_t *texel, const qtri_texture *texture, int32_t count)
+{
+    const uint16_t *palette = texture->palette;
+    QTRI_EACH_WORD(texel, count, number, palette[number])
+}
+
 static bool needs_nothing(const qtri_texture *texture)
 {
     (void)texture;
@@ -115,6 +121,8 @@ const qtri_texel_format qtri_texel_gray8 = {&qtri_colors_888, UINT32_MAX,  has_t
                                             fetch_8,          decode_gray, QTRI_TEXEL_GRAY8};
 const qtri_texel_format qtri_texel_palette8 = {
     &qtri_colors_888, UINT32_MAX, has_palette, fetch_8, decode_palette, QTRI_TEXEL_PALETTE8};
+const qtri_texel_format qtri_texel_palette565 = {
+    &qtri_colors_565, UINT32_MAX, has_palette, fetch_8, decode_palette565, QTRI_TEXEL_PALETTE565};
 const qtri_texel_format qtri_texel_checker = {&qtri_colors_888, UINT32_MAX,     needs_nothing,
                                               fetch_checker,    decode_checker, QTRI_TEXEL_CHECKER};
 const qtri_texel_format qtri_texel_argb4444 = {&qtri_colors_888, 0xFFFF,      has_texels,

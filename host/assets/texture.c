@@ -8,8 +8,13 @@
 
 #include "../io/mipmap.h"
 
-const char *const texture_format_names[TEXTURE_FORMATS] = {"rgb565", "palette", "gray8",
-                                                           "xrgb8888"};
+const char *const texture_format_names[TEXTURE_FORMATS] = {"rgb565", "palette", "gray8", "xrgb8888",
+                                                           "palette565"};
+
+static bool has_palette(const struct texture *texture)
+{
+    return texture->format == TEXTURE_PALETTE || texture->format == TEXTURE_PALETTE565;
+}
 
 void texture_free(struct texture *texture)
 {
@@ -24,14 +29,29 @@ static uint32_t level(int value, int steps)
     return (uint32_t)((value * steps + 127) / 255);
 }
 
+uint32_t texture_rgb565(const int color[3])
+{
+    return level(color[0], 31) << 11 | level(color[1], 63) << 5 | level(color[2], 31);
+}
+
+/* As the core widens it to 8 bits a channel. */
+static void from_rgb565(uint32_t texel, int color[3])
+{
+    int r = (int)(texel >> 11), g = (int)(texel >> 5 & 63), b = (int)(texel & 31);
+    color[0] = r << 3 | r >> 2;
+    color[1] = g << 2 | g >> 4;
+    color[2] = b << 3 | b >> 2;
+}
+
 static uint32_t encode(const struct texture *texture, const int color[3])
 {
     switch (texture->format) {
     case TEXTURE_RGB565:
-        return level(color[0], 31) << 11 | level(color[1], 63) << 5 | level(color[2], 31);
+        return texture_rgb565(color);
     case TEXTURE_GRAY8:
         return (uint32_t)(299 * color[0] + 587 * color[1] + 114 * color[2] + 500) / 1000;
     case TEXTURE_PALETTE:
+    case TEXTURE_PALETTE565:
         return (uint32_t)texture_nearest_color(texture->palette, texture->has_key ? 1 : 0,
                                                texture->palette_count, color);
     default:
@@ -39,27 +59,23 @@ static uint32_t encode(const struct texture *texture, const int color[3])
     }
 }
 
-/* As the core widens texels to 8 bits a channel. */
 static void decode(const struct texture *texture, uint32_t texel, int color[3])
 {
     if (texture->format == TEXTURE_RGB565) {
-        int r = (int)(texel >> 11), g = (int)(texel >> 5 & 63), b = (int)(texel & 31);
-        color[0] = r << 3 | r >> 2;
-        color[1] = g << 2 | g >> 4;
-        color[2] = b << 3 | b >> 2;
+        from_rgb565(texel, color);
         return;
     }
     for (int c = 0; c < 3; c++) {
-        color[c] = texture->format == TEXTURE_GRAY8     ? (int)texel
-                   : texture->format == TEXTURE_PALETTE ? texture->palette[texel][c]
-                                                        : (int)(texel >> (16 - 8 * c) & 255);
+        color[c] = texture->format == TEXTURE_GRAY8 ? (int)texel
+                   : has_palette(texture)           ? texture->palette[texel][c]
+                                                    : (int)(texel >> (16 - 8 * c) & 255);
     }
 }
 
 /* A texel that is to be seen must not be the key's: the nearest other one. */
 static uint32_t keep_off_key(const struct texture *texture, uint32_t texel)
 {
-    if (!texture->has_key || texel != texture->key || texture->format == TEXTURE_PALETTE) {
+    if (!texture->has_key || texel != texture->key || has_palette(texture)) {
         return texel;
     }
     uint32_t step = texture->format == TEXTURE_RGB565 ? 1U << 5 : 1U;
@@ -207,6 +223,14 @@ static bool make_palette(struct texture *texture, const struct texture_options *
     memcpy(texture->palette[0], options->key, 3);
     memcpy(texture->palette[first], colors, (size_t)(256 - first) * 3);
     texture->palette_count = count + first;
+    for (int i = 0; i < 256 && texture->format == TEXTURE_PALETTE565; i++) {
+        uint8_t *entry = texture->palette[i];
+        int color[3] = {entry[0], entry[1], entry[2]};
+        from_rgb565(texture_rgb565(color), color);
+        for (int c = 0; c < 3; c++) {
+            entry[c] = (uint8_t)color[c];
+        }
+    }
     return count > 0;
 }
 
@@ -218,12 +242,11 @@ static bool fill(struct texture *texture, const struct texture_options *options,
     texture->texels =
         calloc(texture_level_at(texture, texture->level_count + 1), sizeof *texture->texels);
     if (texture->texels == NULL ||
-        (texture->format == TEXTURE_PALETTE && !make_palette(texture, options, image))) {
+        (has_palette(texture) && !make_palette(texture, options, image))) {
         return false;
     }
     texture->has_key = options->has_key;
-    texture->key =
-        options->has_key && texture->format != TEXTURE_PALETTE ? encode(texture, key) : 0;
+    texture->key = options->has_key && !has_palette(texture) ? encode(texture, key) : 0;
     return convert(texture, options, image, texture->texels) &&
            convert_levels(texture, options, image);
 }
@@ -258,8 +281,10 @@ static size_t texel_bytes(const struct texture *texture)
 size_t texture_flash_bytes(const struct texture *texture)
 {
     return texture_level_at(texture, texture->level_count + 1) * texel_bytes(texture) +
-           (texture->format == TEXTURE_PALETTE ? 768U : 0U) + 52U +
-           4U * (size_t)texture->level_count;
+           (texture->format == TEXTURE_PALETTE      ? 768U
+            : texture->format == TEXTURE_PALETTE565 ? 512U
+                                                    : 0U) +
+           52U + 4U * (size_t)texture->level_count;
 }
 
 bool texture_picture(const struct texture *texture, struct picture *picture)

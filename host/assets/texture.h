@@ -19,13 +19,14 @@ enum texture_format {
     TEXTURE_PALETTE,
     TEXTURE_GRAY8,
     TEXTURE_XRGB8888,
+    TEXTURE_PALETTE565, /* chosen as TEXTURE_PALETTE's, then rounded */
     TEXTURE_FORMATS
 };
 extern const char *const texture_format_names[TEXTURE_FORMATS];
 
 struct texture_options {
     enum texture_format format;
-    bool dither;       /* error diffusion, for rgb565 and palette */
+    bool dither;       /* error diffusion, for rgb565 and palettes */
     bool mipmaps;      /* levels down to a width of two texels: see io/mipmap.h */
     bool has_key;      /* texels that are less than half opaque are the key's */
     uint8_t key[3];    /* its colour; texels of the picture that have it are the key's too */
@@ -35,9 +36,9 @@ struct texture_options {
 struct texture {
     enum texture_format format;
     int width, height;
-    uint32_t *texels; /* as they are stored; levels behind each other */
-    int level_count;  /* besides the first */
-    uint8_t palette[256][3];
+    uint32_t *texels;        /* as they are stored; levels behind each other */
+    int level_count;         /* besides the first */
+    uint8_t palette[256][3]; /* as the core shows it */
     int palette_count;
     bool has_key;
     uint32_t key;          /* the stored texel */
@@ -47,6 +48,9 @@ struct texture {
         double rms;   /* of all channels */
     } error;
 };
+
+/* A colour of RGB565 for one of 8 bits a channel, to nearest. */
+uint32_t texture_rgb565(const int color[3]);
 
 /* The power of two nearest to a side, in proportion, 1..TEXTURE_MAX_SIDE. */
 int texture_nearest_side(int side);

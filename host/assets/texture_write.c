@@ -13,6 +13,7 @@ static const struct {
     [TEXTURE_PALETTE] = {"uint8_t", "qtri_texel_palette8", 2, 16},
     [TEXTURE_GRAY8] = {"uint8_t", "qtri_texel_gray8", 2, 16},
     [TEXTURE_XRGB8888] = {"uint32_t", "qtri_texel_xrgb8888", 8, 8},
+    [TEXTURE_PALETTE565] = {"uint8_t", "qtri_texel_palette565", 2, 16},
 };
 
 static void write_texels(const struct texture *texture, const char *name, FILE *out)
@@ -39,10 +40,17 @@ static void write_levels(const struct texture *texture, const char *name, FILE *
 
 static void write_palette(const struct texture *texture, const char *name, FILE *out)
 {
-    fprintf(out, "static const qtri_rgb %s_palette[256] = {", name);
+    const bool is_565 = texture->format == TEXTURE_PALETTE565;
+    fprintf(out, "static const %s %s_palette[256] = {", is_565 ? "uint16_t" : "qtri_rgb", name);
     for (int i = 0; i < 256; i++) {
         const uint8_t *c = texture->palette[i];
-        fprintf(out, "%s{%d, %d, %d},", i % 5 == 0 ? "\n    " : " ", c[0], c[1], c[2]);
+        const int color[3] = {c[0], c[1], c[2]};
+        fputs(i % (is_565 ? 12 : 5) == 0 ? "\n    " : " ", out);
+        if (is_565) {
+            fprintf(out, "0x%04" PRIX32 ",", texture_rgb565(color));
+        } else {
+            fprintf(out, "{%d, %d, %d},", c[0], c[1], c[2]);
+        }
     }
     fputs("\n};\n\n", out);
 }
@@ -51,7 +59,7 @@ static void write_palette(const struct texture *texture, const char *name, FILE 
 void texture_write_data(const struct texture *texture, const char *name, const char *linkage,
                         FILE *out)
 {
-    bool palette = texture->format == TEXTURE_PALETTE;
+    bool palette = texture->format == TEXTURE_PALETTE || texture->format == TEXTURE_PALETTE565;
     write_texels(texture, name, out);
     if (palette) {
         write_palette(texture, name, out);

@@ -184,17 +184,24 @@ enum scene_antialias {
 };
 
 /* What the texture's 8-bit colours are stored as. Each renderer converts them: to the nearest level
-   of RGB565, to .299 r + .587 g + .114 b, rounded, for GRAY8. A palette holds them as they are. */
+   of RGB565, to .299 r + .587 g + .114 b, rounded, for GRAY8. A palette holds them as they are, or
+   as RGB565 does. */
 enum scene_texel_format {
     SCENE_TEXEL_XRGB8888,
     SCENE_TEXEL_RGB565,
     SCENE_TEXEL_PALETTE,
     SCENE_TEXEL_GRAY8,
+    SCENE_TEXEL_PALETTE565,
     SCENE_TEXEL_ARGB4444, /* from here on with alpha: see scene_texel_has_alpha */
     SCENE_TEXEL_ARGB1555,
     SCENE_TEXEL_ARGB8888,
     SCENE_TEXEL_ALPHA8
 };
+
+static inline bool scene_texel_has_palette(enum scene_texel_format format)
+{
+    return format == SCENE_TEXEL_PALETTE || format == SCENE_TEXEL_PALETTE565;
+}
 
 static inline bool scene_texel_has_alpha(enum scene_texel_format format)
 {
@@ -296,7 +303,8 @@ struct scene {
     bool texture_keyed;     /* `texkey`: texels stored as texture_key would be are not drawn */
     uint8_t texture_key[3]; /* 8 bits a channel */
     int least_alpha;        /* `alphatest`: texels of less are not drawn, 0..255 */
-    enum scene_texel_format texel_format; /* PALETTE: the parser guarantees 256 colours at most */
+    enum scene_texel_format
+        texel_format; /* of palettes the parser guarantees 256 colours at most */
     struct scene_texture texture;
     int32_t depth_near, depth_far; /* `depthrange`, 0..1 each, either order */
     struct scene_light light;

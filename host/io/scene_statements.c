@@ -62,7 +62,7 @@ static const struct scene_statement statements[] = {
     {"texmode",     "replace|modulate", "w", scene_store, SCENE(texture_mode)},
     {"texwrap",     "repeat|clamp [repeat|clamp]", "w?w", scene_statement_texwrap, 0},
     {"texfilter",   "nearest|bilinear [mipmaps]", "w?w", scene_statement_texfilter, 0},
-    {"texformat",   "xrgb8888|rgb565|palette|gray8|argb4444|argb1555|argb8888|alpha8", "w", scene_statement_texformat, 0},
+    {"texformat",   "xrgb8888|rgb565|palette|gray8|palette565|argb4444|argb1555|argb8888|alpha8", "w", scene_statement_texformat, 0},
     {"texalpha",    "off", "w", scene_statement_texalpha, SCENE_OF_NOTHING},
     {"texalpha",    "FILE.ppm", "t", scene_statement_texalpha, SCENE_OF_FILE},
     {"texalpha",    "A B", "2b", scene_statement_texalpha, SCENE_OF_CHECKERS},

@@ -219,7 +219,7 @@ static void finish_pixel(const struct scene *scene, const struct palette *palett
 {
     long least = LONG_MAX;
     memcpy(rgb, scene->texture_keyed && rgba[3] < 128 ? scene->texture_key : rgba, 3);
-    if (scene->texel_format != SCENE_TEXEL_PALETTE || (scene->texture_keyed && rgba[3] < 128)) {
+    if (!scene_texel_has_palette(scene->texel_format) || (scene->texture_keyed && rgba[3] < 128)) {
         return;
     }
     for (int i = 0; i < palette->count; i++) {
@@ -276,7 +276,7 @@ bool scene_make_texture(struct scene_parser *parser)
     if (!make_texels(parser) || !make_alpha(parser)) {
         return false;
     }
-    if (scene->texel_format == SCENE_TEXEL_PALETTE) {
+    if (scene_texel_has_palette(scene->texel_format)) {
         size_t count = (size_t)scene->texture.width * (size_t)scene->texture.height;
         if (!palette_make(&palette, scene->texture.rgb, count, NULL)) {
             return text_error_set(parser->error, parser->name, parser->texformat_line,

@@ -2,6 +2,7 @@
 #include "texture.h"
 
 #include <math.h>
+#include <string.h>
 
 /* The texels that are looked at: the whole texture, or one of its levels. */
 struct sheet {
@@ -25,6 +26,7 @@ static void store(enum scene_texel_format format, const uint8_t rgb[3], double s
     for (int c = 0; c < 3; c++) {
         switch (format) {
         case SCENE_TEXEL_RGB565:
+        case SCENE_TEXEL_PALETTE565:
             stored[c] = level(rgb[c], c == 1 ? 63.0 : 31.0);
             break;
         case SCENE_TEXEL_ARGB4444:
@@ -69,14 +71,17 @@ static bool texel_at(const struct sheet *sheet, double column, double row, doubl
     const struct scene *scene = sheet->scene;
     size_t x = wrap(column, sheet->width, scene->texture_clamp[0]);
     size_t y = wrap(row, sheet->height, scene->texture_clamp[1]);
+    const uint8_t *rgb = &sheet->rgb[3 * (y * (size_t)sheet->width + x)];
     double key[3];
 
-    store(scene->texel_format, &sheet->rgb[3 * (y * (size_t)sheet->width + x)], color);
+    store(scene->texel_format, rgb, color);
     color[3] = 255.0;
     if (sheet->alpha != NULL)
         color[3] = store_alpha(scene->texel_format, sheet->alpha[y * (size_t)sheet->width + x]);
     if (!scene->texture_keyed)
         return true;
+    if (scene->texel_format == SCENE_TEXEL_PALETTE565) /* entries are compared, not their colours */
+        return memcmp(rgb, scene->texture_key, 3) != 0;
     store(scene->texel_format, scene->texture_key, key);
     return color[0] != key[0] || color[1] != key[1] || color[2] != key[2];
 }

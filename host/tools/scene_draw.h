@@ -28,6 +28,7 @@ struct scene_resources {
     struct scene_parts *meshes; /* one for each of scene->meshes */
     void *texels;               /* NULL when texturing is off */
     qtri_rgb palette[256];      /* what texture.palette points at: resources must not be moved */
+    uint16_t palette565[256];   /* or this */
     qtri_texture texture;
     const void *levels[SCENE_MAX_LEVELS], *mask_levels[SCENE_MAX_LEVELS];
     uint8_t *mask_texels; /* NULL without a colour key or alpha */

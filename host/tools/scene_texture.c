@@ -44,6 +44,7 @@ static bool make_palette(struct scene_resources *resources, const struct scene *
         const uint8_t *color = palette.color[i];
         qtri_rgb rgb = {color[0], color[1], color[2]};
         resources->palette[i] = rgb;
+        resources->palette565[i] = (uint16_t)texel_of(SCENE_TEXEL_RGB565, color, 0);
     }
     int key = palette_find(&palette, scene->texture_key);
     resources->texture.has_key = scene->texture_keyed && key >= 0;
@@ -91,7 +92,7 @@ static void make_levels(struct scene_resources *resources, const struct scene *s
         const size_t count =
             (size_t)mipmap_side(from->width, i + 1) * (size_t)mipmap_side(from->height, i + 1);
         resources->levels[i] = at;
-        if (scene->texel_format != SCENE_TEXEL_PALETTE) {
+        if (!scene_texel_has_palette(scene->texel_format)) {
             store_texels(at, scene->texel_format, from->level[i],
                          from->alpha != NULL ? from->level_alpha[i] : NULL, count);
         } else {
@@ -183,6 +184,7 @@ bool scene_texture_create(struct scene_resources *resources, const struct scene 
         [SCENE_TEXEL_RGB565] = {&qtri_texel_rgb565, sizeof(uint16_t)},
         [SCENE_TEXEL_PALETTE] = {&qtri_texel_palette8, sizeof(uint8_t)},
         [SCENE_TEXEL_GRAY8] = {&qtri_texel_gray8, sizeof(uint8_t)},
+        [SCENE_TEXEL_PALETTE565] = {&qtri_texel_palette565, sizeof(uint8_t)},
         [SCENE_TEXEL_ARGB4444] = {&qtri_texel_argb4444, sizeof(uint16_t)},
         [SCENE_TEXEL_ARGB1555] = {&qtri_texel_argb1555, sizeof(uint16_t)},
         [SCENE_TEXEL_ARGB8888] = {&qtri_texel_argb8888, sizeof(uint32_t)},
@@ -204,8 +206,10 @@ bool scene_texture_create(struct scene_resources *resources, const struct scene 
     texture->wrap_u = scene->texture_clamp[0] ? QTRI_CLAMP : QTRI_REPEAT;
     texture->wrap_v = scene->texture_clamp[1] ? QTRI_CLAMP : QTRI_REPEAT;
     texture->filter = scene->texture_bilinear ? &qtri_bilinear : NULL;
-    texture->palette = resources->palette;
-    if (scene->texel_format != SCENE_TEXEL_PALETTE) {
+    texture->palette = scene->texel_format == SCENE_TEXEL_PALETTE565
+                           ? (const void *)resources->palette565
+                           : resources->palette;
+    if (!scene_texel_has_palette(scene->texel_format)) {
         make_texels(resources, scene, count);
     } else if (!make_palette(resources, scene, count)) {
         return false;

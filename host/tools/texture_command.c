@@ -19,9 +19,10 @@ static const char usage[] =
     "a\n"
     "glTF or GLB model with pictures inside; - is standard input, -o - standard output.\n"
     "\n"
-    "  --format FORMAT  rgb565 (default), palette (256 colours), gray8 or xrgb8888\n"
+    "  --format FORMAT  rgb565 (default), palette (256 colours), palette565 (256\n"
+    "                   of RGB565: faster on such displays), gray8 or xrgb8888\n"
     "  --size WxH       powers of two up to 1024 (default: those nearest to the picture's sides)\n"
-    "  --dither         spread rounding errors over neighbours: rgb565 and palette\n"
+    "  --dither         spread rounding errors over neighbours: rgb565 and palettes\n"
     "  --mipmaps        levels of half the size each, down to 2 texels, for &qtri_mipmapped\n"
     "  --key RRGGBB     the colour that is not drawn; pixels that are less than half opaque get "
     "it\n"
@@ -128,7 +129,7 @@ static void report(const struct options *options, const struct texture *texture,
 {
     fprintf(out, "%s: %d x %d, %s", options->name, texture->width, texture->height,
             texture_format_names[texture->format]);
-    if (texture->format == TEXTURE_PALETTE) {
+    if (texture->palette_count > 0) {
         fprintf(out, " of %d colours", texture->palette_count);
     }
     if (texture->level_count > 0) {

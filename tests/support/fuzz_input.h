@@ -189,10 +189,12 @@ static inline void build_transform(struct reader *r, qtri_transform *t)
 }
 
 static const qtri_rgb palette[256] = {{1, 2, 3}, {255, 255, 255}};
+static const uint16_t palette565[256] = {0x0001, 0xFFFF};
 
-static const qtri_texel_format *const texel_formats[6] = {&qtri_texel_rgb565,  &qtri_texel_xrgb8888,
-                                                          &qtri_texel_checker, &qtri_texel_palette8,
-                                                          &qtri_texel_gray8,   NULL};
+static const qtri_texel_format *const texel_formats[7] = {
+    &qtri_texel_rgb565,    &qtri_texel_xrgb8888, &qtri_texel_checker,
+    &qtri_texel_palette8,  &qtri_texel_gray8,    NULL,
+    &qtri_texel_palette565};
 
 static const qtri_format *const surface_formats[6] = {
     &qtri_rgb565, &qtri_xrgb8888, &qtri_gray8, &qtri_rgb565_swapped, &qtri_rgb888, &qtri_bgr888};
@@ -250,7 +252,7 @@ static inline qtri_material build_material(struct reader *r, qtri_texture *textu
     m.depth_compare = (qtri_compare)take_choice(r, 9);
     m.depth_read_only = take_byte(r) % 4 == 0;
     take(r, &m.color, sizeof m.color);
-    texture->format = texel_formats[take_byte(r) % 6];
+    texture->format = texel_formats[take_byte(r) % 7];
     texture->texels = take_byte(r) % 16 ? texels : NULL;
     texture->width_log2 = take_byte(r) % 4; /* 8 x 8 texels of memory */
     texture->height_log2 = take_byte(r) % 4;
@@ -267,7 +269,9 @@ static inline qtri_material build_material(struct reader *r, qtri_texture *textu
     }
     texture->levels = holes % 16 == 5 ? NULL : levels;
     texture->level_count = holes >> 4;
-    texture->palette = take_byte(r) % 16 ? palette : NULL;
+    texture->palette = take_byte(r) % 16 == 0                      ? NULL
+                       : texture->format == &qtri_texel_palette565 ? (const void *)palette565
+                                                                   : palette;
     texture->has_key = take_byte(r) % 2;
     texture->key = take_byte(r) % 8 ? take_byte(r) : (uint32_t)take_int(r);
     m.texture = take_byte(r) % 2 ? texture : NULL;

@@ -68,6 +68,7 @@ static qtri_light_color random_light_color(random_states *w)
 }
 
 static const qtri_rgb palette[256] = {{1, 2, 3}, {255, 255, 255}, {200, 10, 90}, {9, 99, 255}};
+static const uint16_t palette565[256] = {0x0001, 0xFFFF, 0xC84B, 0x0B1F};
 
 static void random_fog(random_states *w)
 {
@@ -113,9 +114,9 @@ static uint32_t random_halves(random_states *w)
 static void random_texture(random_states *w)
 {
     static const qtri_texel_format *const formats[] = {
-        &qtri_texel_rgb565,   &qtri_texel_xrgb8888, &qtri_texel_checker,
-        &qtri_texel_palette8, &qtri_texel_gray8,    &qtri_texel_argb4444,
-        &qtri_texel_argb1555, &qtri_texel_argb8888, &qtri_texel_alpha8};
+        &qtri_texel_rgb565,     &qtri_texel_xrgb8888, &qtri_texel_checker,  &qtri_texel_palette8,
+        &qtri_texel_palette565, &qtri_texel_gray8,    &qtri_texel_argb4444, &qtri_texel_argb1555,
+        &qtri_texel_argb8888,   &qtri_texel_alpha8};
     static const qtri_filter *const filters[] = {NULL, &qtri_bilinear, &qtri_mipmapped,
                                                  &qtri_mipmapped_bilinear};
     uint8_t *bytes = (uint8_t *)w->texels; /* each written by itself: the same in any byte order */
@@ -126,7 +127,7 @@ static void random_texture(random_states *w)
     }
     key = w->texels[0];
     const int32_t kind = random_below(w, LENGTH_OF(formats));
-    if (formats[kind] == &qtri_texel_palette8) {
+    if (formats[kind] == &qtri_texel_palette8 || formats[kind] == &qtri_texel_palette565) {
         for (size_t i = 0; i < sizeof w->texels; i++) {
             bytes[i] = (uint8_t)random_below(w, 4);
         }
@@ -150,7 +151,8 @@ static void random_texture(random_states *w)
     w->texture.wrap_u = (qtri_wrap)random_below(w, 2);
     w->texture.wrap_v = (qtri_wrap)random_below(w, 2);
     w->texture.filter = filters[random_below(w, 4)];
-    w->texture.palette = palette;
+    w->texture.palette =
+        formats[kind] == &qtri_texel_palette565 ? (const void *)palette565 : palette;
     w->texture.has_key = random_one_in(w, 4);
     w->texture.key = key;
     for (size_t i = 0; i < LENGTH_OF(w->levels); i++) {

@@ -311,7 +311,7 @@ static const char *either(struct writer *w, const char *first, const char *secon
 static void put_texture(struct writer *w)
 {
     static const int side[] = {1, 2, 8, 16, 64, 256};
-    static const char *const format[] = {"xrgb8888", "rgb565", "palette", "gray8"};
+    static const char *const format[] = {"xrgb8888", "rgb565", "palette", "gray8", "palette565"};
     int width = side[pick(w, 6)];
     int height = side[pick(w, 6)];
     int smaller = width < height ? width : height;

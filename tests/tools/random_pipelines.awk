@@ -18,7 +18,7 @@ function options(i,    format, texel, text)
     if (i in fixed) return ".compare = QTRI_LESS, .depth = QTRI_" (i == 6 ? "LINEAR24, " : "LINEAR16, ") fixed[i]
     plain = i % 2
     format = one_of("RGB565 RGB565 RGB565 RGB565_SWAPPED RGB565_EXACT RGB888 BGR888 XRGB8888 XRGB8888 GRAY8 DEPTH_ONLY")
-    texel = one_of("- - - RGB565 RGB565 RGB565 XRGB8888 GRAY8 PALETTE8 CHECKER ARGB8888 ARGB4444 ARGB1555 ALPHA8")
+    texel = one_of("- - - RGB565 RGB565 RGB565 XRGB8888 GRAY8 PALETTE8 PALETTE565 CHECKER ARGB8888 ARGB4444 ARGB1555 ALPHA8")
     text = ".format = QTRI_" format
     samples = !plain && format !~ /EXACT|BGR|ONLY/ && below(2) == 0
     if (samples) text = text ", .samples = 4"

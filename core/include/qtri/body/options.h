@@ -93,8 +93,9 @@ QTRI_BODY qtri_color_kind qtri_kind_of(const qtri_options *o)
     return (qtri_color_kind)(o->asks & 3);
 #else
     if (qtri_stores_565(o)) {
-        return (o->texel == QTRI_NO_TEXEL || o->texel == QTRI_TEXEL_RGB565) && !o->fog &&
-                       !o->vertex_alpha && o->fragment == NULL &&
+        return (o->texel == QTRI_NO_TEXEL || o->texel == QTRI_TEXEL_RGB565 ||
+                o->texel == QTRI_TEXEL_PALETTE565) &&
+                       !o->fog && !o->vertex_alpha && o->fragment == NULL &&
                        (!o->covered || o->blend == QTRI_STORE)
                    ? QTRI_IN_565
                    : QTRI_IN_888;

@@ -188,15 +188,15 @@ QTRI_BODY bool qtri_is_short(const qtri_options *o)
 #endif
 }
 
-/* How many pixels a loop has: short ones gain by it, where pieces are not short themselves, and where
-   there are registers: on Armv6-M texels that are converted or clamped leave none. */
+/* How many pixels a loop has: short ones gain by it, where pieces are not short themselves, and
+   where there are registers: on Armv6-M texels that are converted or clamped leave none. */
 QTRI_BODY int qtri_unrolled(const qtri_options *o, bool bent)
 {
     const bool has_few = !QTRI_LONG_MULTIPLY && qtri_is_textured(o);
     const int most = bent || has_few ? 4 : 8;
     if (!qtri_is_short(o) || (QTRI_BODY_UNROLLS == 2 && (bent || o->shade == QTRI_TINT)) ||
-        (has_few && (qtri_kind_of(o) != QTRI_IN_565 || o->wrap_u == QTRI_CLAMP ||
-                     o->wrap_v == QTRI_CLAMP))) {
+        (has_few &&
+         (qtri_kind_of(o) != QTRI_IN_565 || o->wrap_u == QTRI_CLAMP || o->wrap_v == QTRI_CLAMP))) {
         return 1;
     }
     return most < QTRI_BODY_UNROLLS ? most : QTRI_BODY_UNROLLS;
@@ -402,6 +402,9 @@ QTRI_BODY void qtri_walk_set_texture(const qtri_options *o, qtri_pixel_walk *w)
     const uint32_t width_log2 = qtri_texture_width_log2(o, state);
     const uint32_t height_log2 = qtri_texture_height_log2(o, state);
     w->texels = o->mipmapped ? state->level_texture.texels : state->texture->texels;
+    if (o->texel == QTRI_TEXEL_PALETTE8 || o->texel == QTRI_TEXEL_PALETTE565) {
+        w->palette = state->texture->palette;
+    }
     w->width_log2 = width_log2;
     w->u_shift = (32u - width_log2) & 31;
     w->v_shift = (o->large_texture ? 32u - height_log2 : 16u + width_log2) & 31;

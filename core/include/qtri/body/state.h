@@ -121,7 +121,7 @@ typedef struct qtri_pixel_walk {
 
     /* Constant along a row. */
     const qtri_draw_state *state;
-    const void *texels;
+    const void *texels, *palette;
     uint32_t rows, u_shift, v_shift, width_log2; /* rows: mask of v, times the width << 16 */
     uint32_t u_mask, v_mask; /* of clamped axes, as their qtri_clamp_axis has them */
     int32_t u_first, v_first;

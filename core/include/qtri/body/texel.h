@@ -58,6 +58,9 @@ QTRI_BODY uint32_t qtri_texel_stored(const qtri_options *o, const qtri_pixel_wal
 QTRI_BODY uint32_t qtri_texel_color(const qtri_options *o, const qtri_pixel_walk *w, uint32_t t)
 {
     switch (o->texel) {
+    case QTRI_TEXEL_PALETTE565:
+        t = ((const uint16_t *)w->palette)[t];
+        return qtri_kind_of(o) == QTRI_IN_565 ? t : qtri_pixel_565_to_888(t);
     case QTRI_TEXEL_RGB565:
         return qtri_kind_of(o) == QTRI_IN_565 ? t : qtri_pixel_565_to_888(t);
     case QTRI_TEXEL_XRGB8888:
@@ -65,7 +68,7 @@ QTRI_BODY uint32_t qtri_texel_color(const qtri_options *o, const qtri_pixel_walk
     case QTRI_TEXEL_GRAY8:
         return t * 0x010101u;
     case QTRI_TEXEL_PALETTE8:
-        return qtri_pixel_rgb_to_888(&w->state->texture->palette[t]);
+        return qtri_pixel_rgb_to_888((const qtri_rgb *)w->palette + t);
     case QTRI_TEXEL_CHECKER:
         return qtri_pixel_rgb_to_888(&w->state->texture->color[t & 1]);
     case QTRI_TEXEL_ARGB4444:
