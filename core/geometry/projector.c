@@ -100,14 +100,6 @@ void qtri_projector_point(const qtri_projector *projector, const qtri_vec3 *p,
     set_coordinates(out, sum);
 }
 
-/* t w / 2^bits, truncated, for |t| < 2^61 and |t w / 2^bits| < 2^62; 16 <= bits <= 32. */
-static int64_t scale_translation(int64_t t, q16 w, int32_t bits)
-{
-    uint64_t size =
-        qtri_mul_high64(qtri_magnitude64(t) << 2, (uint64_t)qtri_magnitude32(w) << (62 - bits));
-    return (t < 0) == (w < 0) ? (int64_t)size : -(int64_t)size;
-}
-
 void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *const p[], int count,
                            qtri_clip_vertex out[])
 {
@@ -123,7 +115,8 @@ void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *con
         int64_t sum[4];
         for (int axis = 0; axis < 4; axis++) {
             const qtri_row *row = &projector->row.wide[axis];
-            int64_t t = scale_translation(row->t, p[i]->w, 16 + extra); /* <= |t| */
+            /* t w / 2^(16 + extra), truncated: |w| <= 2^(16 + extra), so <= |t| */
+            int64_t t = qtri_mul_q62(row->t, qtri_shift_left64(p[i]->w, 46 - extra));
             sum[axis] = row_sum(row, 0, p[i]->x, p[i]->y, p[i]->z) >> extra;
             sum[axis] = (sum[axis] + t) >> projector->shift[axis];
         }
