@@ -363,10 +363,8 @@ static int32_t fold(folded *out, const qtri_row *row, const int32_t origin[3], q
     out->exponent = row->exponent + 16;
     for (int i = 0; i < 3; i++) {
         out->m[i] = qtri_mul_s32(row->m[i], extent);
+        out->t += qtri_mul_s32(row->m[i], origin[i]);
         sum += qtri_magnitude32(row->m[i]); /* <= 3 2^30 */
-        if (origin[i] != 0) {               /* 2 % of an empty draw call on a Cortex-M0+ */
-            out->t += qtri_mul_s32(row->m[i], origin[i]);
-        }
     }
     const uint64_t size = qtri_mul_u32(sum, qtri_magnitude32(extent)) + qtri_magnitude64(out->t);
     return size == 0 ? INT32_MAX : out->exponent + qtri_clz64(size) - 35;
