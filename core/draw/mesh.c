@@ -143,10 +143,11 @@ static void draw_triangles(const qtri_mesh_job *draw)
 }
 
 /* Those of a mesh whose back faces are culled, no vertex outside, by a pipeline. */
-static inline void draw_whole_of(const qtri_mesh_job *draw, bool narrow)
+QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw)
 {
     qtri_small t = draw->primitive.to.solid.small;
     bool (*const by)(qtri_small *) = t.state->small;
+    const bool narrow = qtri_mesh_has_bytes(draw->mesh);
     const uint32_t count = draw->mesh->vertex_count;
     const uint32_t size = narrow ? 3 : 6;
     const uint8_t *triangle = qtri_mesh_triangle(draw->mesh, 0, narrow);
@@ -156,20 +157,9 @@ static inline void draw_whole_of(const qtri_mesh_job *draw, bool narrow)
         uint32_t index[3];
         qtri_vertex *vertex[3];
         qtri_mesh_indices(index, triangle, narrow);
-        if (qtri_mesh_find(vertex, draw->vertices, count, index, vertex_size) &&
-            !qtri_mesh_draw_small(by, &t, triangle, index, vertex) &&
-            !qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)) {
-            qtri_mesh_draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
+        if (qtri_mesh_find(vertex, draw->vertices, count, index, vertex_size)) {
+            qtri_mesh_draw_front(draw, by, &t, triangle, index, vertex);
         }
-    }
-}
-
-QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw)
-{
-    if (qtri_mesh_has_bytes(draw->mesh)) {
-        draw_whole_of(draw, true);
-    } else {
-        draw_whole_of(draw, false);
     }
 }
 

@@ -540,9 +540,7 @@ QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw, const uint16_t 
         qtri_vertex *vertex[3];
         qtri_mesh_indices(index, triangle, narrow);
         qtri_mesh_get(vertex, vertices, index, qtri_vertex_size());
-        if (!qtri_mesh_draw_small(by, &t, triangle, index, vertex)) {
-            qtri_mesh_draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
-        }
+        qtri_mesh_draw_front(draw, by, &t, triangle, index, vertex);
     }
 }
 

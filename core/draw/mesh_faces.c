@@ -45,30 +45,15 @@ QTRI_NOINLINE static bool begin(qtri_mesh_faces *faces, const qtri_mesh_job *dra
     return true;
 }
 
-static inline uint16_t *list_seen(const qtri_eye *eye, const qtri_face8 *plane, uint32_t entry,
-                                  uint16_t *out)
-{
-    if (!qtri_eye_is_behind(eye, plane)) {
-        *out++ = (uint16_t)entry;
-    }
-    return out;
-}
-
 /* The triangles of planes that may be seen, as qtri_mesh_faces.list has them; returns its end. */
 QTRI_NOINLINE static uint16_t *find_seen(const qtri_eye *from, const qtri_face8 *plane,
                                          const qtri_face8 *end, uint16_t *out)
 {
-    enum { STEP = QTRI_FACES_STEP };
     const qtri_eye eye = *from;
-    uint32_t entry = 0;
-    for (; !QTRI_BODY_IS_SMALL && end - plane >= 4; plane += 4, entry += 4 * STEP) {
-        out = list_seen(&eye, &plane[0], entry, out);
-        out = list_seen(&eye, &plane[1], entry + STEP, out);
-        out = list_seen(&eye, &plane[2], entry + 2 * STEP, out);
-        out = list_seen(&eye, &plane[3], entry + 3 * STEP, out);
-    }
-    for (; plane != end; plane++, entry += STEP) {
-        out = list_seen(&eye, plane, entry, out);
+    for (uint32_t entry = 0; plane != end; plane++, entry += QTRI_FACES_STEP) {
+        if (!qtri_eye_is_behind(&eye, plane)) {
+            *out++ = (uint16_t)entry;
+        }
     }
     return out;
 }
@@ -212,27 +197,25 @@ QTRI_NOINLINE static void draw_listed(const qtri_mesh_faces *faces, const qtri_m
     }
 }
 
-/* Triangles of a list of faces, indices of 16 bits. */
+/* Triangles of a list of faces, no vertex outside, back faces being culled. */
 QTRI_NOINLINE static void draw_listed_fronts(const qtri_mesh_faces *faces,
                                              const qtri_mesh_job *draw)
 {
     qtri_small t = draw->primitive.to.solid.small;
     bool (*const by)(qtri_small *) = t.state->small;
     const uint32_t size = qtri_vertex_size();
+    const bool narrow = qtri_mesh_has_bytes(draw->mesh);
     const uint8_t *triangles = faces->triangles;
     const uint16_t *end = faces->end;
     qtri_vertex *vertices = draw->vertices;
     qtri_mesh_set_lit(&t, draw);
     for (const uint16_t *at = faces->list; at != end; at++) {
-        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, false);
+        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, narrow);
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, false);
+        qtri_mesh_indices(index, triangle, narrow);
         qtri_mesh_get(vertex, vertices, index, size);
-        if (!qtri_mesh_draw_small(by, &t, triangle, index, vertex) &&
-            !qtri_triangle_is_back(&t.v[0]->at, &t.v[1]->at, &t.v[2]->at)) {
-            qtri_mesh_draw_large(draw, triangle, t.v[0], t.v[1], t.v[2]);
-        }
+        qtri_mesh_draw_front(draw, by, &t, triangle, index, vertex);
     }
 }
 
@@ -242,14 +225,13 @@ QTRI_NOINLINE static bool draw_all(qtri_mesh_job *draw)
     if (!begin(&faces, draw)) {
         return false;
     }
-    const bool simple =
-        draw->primitive.material->cull == QTRI_CULL_BACK && !qtri_mesh_has_bytes(draw->mesh);
+    const bool back_only = draw->primitive.material->cull == QTRI_CULL_BACK;
     draw->lit = true;
     while (next(&faces, draw)) {
-        if (!simple || !faces.inside) {
-            draw_listed(&faces, draw);
-        } else {
+        if (back_only && faces.inside) {
             draw_listed_fronts(&faces, draw);
+        } else {
+            draw_listed(&faces, draw);
         }
     }
     return true;
