@@ -10,31 +10,18 @@
 
 /* ---- Set-up ---- */
 
-/* Vertices from which on a look at eight corners pays. */
-enum { WORTH_A_BOX = 64 };
-
 /* Whether the mesh cannot touch the surface: not its rows, for a band. */
 static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
 {
-    const qtri_mesh *mesh = draw->mesh;
-    qtri_box box = mesh->bounds;
-    if ((box.half.x | box.half.y | box.half.z) == 0) {
-        if (mesh->positions16 == NULL || mesh->vertex_count < WORTH_A_BOX) {
-            return false;
-        }
-        box.center = mesh->origin; /* the cube that 16 bits span */
-        box.half.x = mesh->extent;
-        box.half.y = mesh->extent;
-        box.half.z = mesh->extent;
-    }
-    if (box.half.x == INT32_MAX) {
-        return false; /* of wide lines, whose reach does not count in any space */
+    const qtri_box *box = &draw->mesh->bounds;
+    if ((box->half.x | box->half.y | box->half.z) == 0 || box->half.x == INT32_MAX) {
+        return false; /* unknown, or of wide lines, whose reach does not count in any space */
     }
     const qtri_rect bounds = qtri_surface_bounds(surface);
     const int32_t more = draw->primitive.material->fill != NULL; /* lines reach out of their mesh */
     const int32_t low[2] = {bounds.x0 - more, bounds.y0 - more};
     const int32_t high[2] = {bounds.x1 + more, bounds.y1 + more};
-    return qtri_projector_misses(&draw->primitive.projector, &box, low, high);
+    return qtri_projector_misses(&draw->primitive.projector, box, low, high);
 }
 
 /* Without vertices every index is past the end; the arrays of what is empty may be NULL. */
