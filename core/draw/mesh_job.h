@@ -321,33 +321,6 @@ static inline uint32_t qtri_band_of(const qtri_band_divider *divider, uint32_t r
     return (row * divider->inverse) >> divider->shift; /* < 2^13 (2^14 + 1) */
 }
 
-/*
- * Notes of triangles, for wireframes: which edges one draws, and whether it is seen. Where every
- * vertex has a slot, each has the notes of QTRI_NOTES triangles, in place of its index.
- */
-enum {
-    QTRI_EDGE_AB = 1,
-    QTRI_EDGE_BC = 2,
-    QTRI_EDGE_CA = 4,
-    QTRI_EDGES_SEEN = 8,
-    QTRI_EDGES_ALL = 15,
-    QTRI_NOTE_BITS = 4,
-    QTRI_NOTES = 16 / QTRI_NOTE_BITS
-};
-
-/* How many triangles have notes: all but in a mesh with few vertices. */
-static inline uint32_t qtri_mesh_noted(const qtri_mesh *mesh)
-{
-    return mesh->triangle_count / QTRI_NOTES < mesh->vertex_count ? mesh->triangle_count
-                                                                  : mesh->vertex_count * QTRI_NOTES;
-}
-
-static inline uint32_t qtri_mesh_note(const qtri_mesh_job *draw, uint32_t number)
-{
-    return draw->vertices[number / QTRI_NOTES].index >> number % QTRI_NOTES * QTRI_NOTE_BITS &
-           QTRI_EDGES_ALL;
-}
-
 /* The place of a vertex, where the job's illumination counts from. */
 QTRI_IN_PLACE void qtri_lit_vertex_place(qtri_lit_point *point, const qtri_mesh_job *draw,
                                          uint32_t index)

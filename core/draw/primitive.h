@@ -53,6 +53,9 @@ struct qtri_by_pixel {
                 const qtri_rgb *color);
 };
 
+extern const qtri_pipeline qtri_pipeline_by_pixel, qtri_pipeline_texture_by_pixel;
+extern const qtri_pipeline *const qtri_pipelines_by_pixel[]; /* these, and NULL */
+
 /* That of a material that draws solid triangles; NULL: they are lit by vertex or by face. */
 static inline const qtri_by_pixel *qtri_by_pixel_of(const qtri_material *material)
 {
