@@ -120,9 +120,8 @@ static void draw_triangles(const qtri_mesh_job *draw)
     for (; triangle != end; triangle += size) {
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        if (qtri_mesh_find(vertex, draw->vertices, draw->mesh->vertex_count, index,
-                           qtri_vertex_size()) &&
+        if (qtri_mesh_find(index, vertex, draw->vertices, draw->mesh->vertex_count, triangle,
+                           narrow) &&
             !qtri_mesh_turned_away(draw, vertex[0], vertex[1], vertex[2])) {
             qtri_mesh_draw_seen(draw, triangle, vertex);
         }
@@ -133,19 +132,16 @@ static void draw_triangles(const qtri_mesh_job *draw)
 QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw)
 {
     qtri_small t = draw->primitive.to.solid.small;
-    bool (*const by)(qtri_small *) = t.state->small;
     const bool narrow = qtri_mesh_has_bytes(draw->mesh);
     const uint32_t count = draw->mesh->vertex_count;
     const uint32_t size = narrow ? 3 : 6;
     const uint8_t *triangle = qtri_mesh_triangle(draw->mesh, 0, narrow);
     const uint8_t *end = triangle + draw->mesh->triangle_count * size;
-    const uint32_t vertex_size = qtri_vertex_size();
     for (; triangle != end; triangle += size) {
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        if (qtri_mesh_find(vertex, draw->vertices, count, index, vertex_size)) {
-            qtri_mesh_draw_front(draw, by, &t, triangle, index, vertex);
+        if (qtri_mesh_find(index, vertex, draw->vertices, count, triangle, narrow)) {
+            qtri_mesh_draw_front(draw, &t, triangle, index, vertex);
         }
     }
 }

@@ -72,7 +72,6 @@ static inline qtri_vertex *meet(qtri_vertex *vertex, uint32_t index, qtri_vertex
 /* Notes the vertices of the list that have not been met. Triangles of none that is there go. */
 static inline uint32_t meet_each(qtri_mesh_faces *faces, const qtri_mesh_job *draw, bool narrow)
 {
-    const uint32_t size = qtri_vertex_size();
     const uint32_t count = draw->mesh->vertex_count;
     const uint8_t *triangles = faces->triangles;
     const uint16_t *end = faces->end;
@@ -82,8 +81,8 @@ static inline uint32_t meet_each(qtri_mesh_faces *faces, const qtri_mesh_job *dr
     for (const uint16_t *at = faces->list; at != end; at++) {
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, qtri_mesh_faces_triangle(triangles, *at, narrow), narrow);
-        if (!qtri_mesh_find(vertex, vertices, count, index, size)) {
+        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, narrow);
+        if (!qtri_mesh_find(index, vertex, vertices, count, triangle, narrow)) {
             continue;
         }
         *kept++ = *at;
@@ -128,8 +127,7 @@ QTRI_NOINLINE static bool is_back(const qtri_mesh_job *draw, const uint8_t *tria
 {
     uint32_t index[3];
     qtri_vertex *v[3];
-    qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(draw->mesh));
-    qtri_mesh_get(v, draw->vertices, index, qtri_vertex_size());
+    qtri_mesh_get(index, v, draw->vertices, triangle, qtri_mesh_has_bytes(draw->mesh));
     return qtri_mesh_turned_away(draw, v[0], v[1], v[2]);
 }
 
@@ -139,14 +137,13 @@ QTRI_NOINLINE static void find_front(const qtri_mesh_faces *faces, const qtri_me
 {
     const bool narrow = qtri_mesh_has_bytes(draw->mesh);
     const qtri_face8 *planes = &draw->mesh->faces.planes[first];
-    const uint32_t third = qtri_mesh_faces_third();
     const qtri_eye eye = faces->eye;
     uint32_t *front = draw->front + first / 32;
     for (uint32_t i = 0; i < count; i += 32) {
         front[i / 32] = 0;
     }
     for (const uint16_t *at = faces->list; at != faces->end; at++) {
-        const uint32_t number = qtri_mesh_faces_number(*at, third);
+        const uint32_t number = qtri_mesh_faces_number(*at);
         if (qtri_eye_is_before(&eye, &planes[number]) ||
             !is_back(draw, qtri_mesh_faces_triangle(faces->triangles, *at, narrow))) {
             front[number / 32] |= (uint32_t)1 << (number & 31);
@@ -188,9 +185,8 @@ QTRI_NOINLINE static void draw_listed(const qtri_mesh_faces *faces, const qtri_m
     for (const uint16_t *at = faces->list; at != faces->end; at++) {
         const uint8_t *triangle = qtri_mesh_faces_triangle(faces->triangles, *at, narrow);
         uint32_t index[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        qtri_vertex *const vertex[3] = {&draw->vertices[index[0]], &draw->vertices[index[1]],
-                                        &draw->vertices[index[2]]};
+        qtri_vertex *vertex[3];
+        qtri_mesh_get(index, vertex, draw->vertices, triangle, narrow);
         if (!qtri_mesh_turned_away(draw, vertex[0], vertex[1], vertex[2])) {
             qtri_mesh_draw_seen(draw, triangle, vertex);
         }
@@ -202,8 +198,6 @@ QTRI_NOINLINE static void draw_listed_fronts(const qtri_mesh_faces *faces,
                                              const qtri_mesh_job *draw)
 {
     qtri_small t = draw->primitive.to.solid.small;
-    bool (*const by)(qtri_small *) = t.state->small;
-    const uint32_t size = qtri_vertex_size();
     const bool narrow = qtri_mesh_has_bytes(draw->mesh);
     const uint8_t *triangles = faces->triangles;
     const uint16_t *end = faces->end;
@@ -213,9 +207,8 @@ QTRI_NOINLINE static void draw_listed_fronts(const qtri_mesh_faces *faces,
         const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, narrow);
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        qtri_mesh_get(vertex, vertices, index, size);
-        qtri_mesh_draw_front(draw, by, &t, triangle, index, vertex);
+        qtri_mesh_get(index, vertex, vertices, triangle, narrow);
+        qtri_mesh_draw_front(draw, &t, triangle, index, vertex);
     }
 }
 

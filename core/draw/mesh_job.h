@@ -166,8 +166,7 @@ void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices, qtri_v
                           qtri_vertex *b, qtri_vertex *c);
 
 /* The triangle with these indices, its vertices inside all planes. False: it is large. */
-QTRI_INLINE bool qtri_mesh_draw_small(bool (*small)(qtri_small *triangle), qtri_small *t,
-                                      const void *indices, const uint32_t index[3],
+QTRI_INLINE bool qtri_mesh_draw_small(qtri_small *t, const void *indices, const uint32_t index[3],
                                       qtri_vertex *const vertex[3])
 {
     t->indices = indices;
@@ -177,17 +176,15 @@ QTRI_INLINE bool qtri_mesh_draw_small(bool (*small)(qtri_small *triangle), qtri_
     t->v[0] = vertex[0];
     t->v[1] = vertex[1];
     t->v[2] = vertex[2];
-    return small(t);
+    return t->state->small(t);
 }
 
 /* Draws a triangle with its vertices inside all planes of a mesh whose back faces are culled: the
    pipeline asks whether a small one turns away. */
-QTRI_INLINE void qtri_mesh_draw_front(const qtri_mesh_job *draw,
-                                      bool (*small)(qtri_small *triangle), qtri_small *t,
-                                      const void *indices, const uint32_t index[3],
-                                      qtri_vertex *const vertex[3])
+QTRI_INLINE void qtri_mesh_draw_front(const qtri_mesh_job *draw, qtri_small *t, const void *indices,
+                                      const uint32_t index[3], qtri_vertex *const vertex[3])
 {
-    if (!qtri_mesh_draw_small(small, t, indices, index, vertex) &&
+    if (!qtri_mesh_draw_small(t, indices, index, vertex) &&
         !qtri_triangle_is_back(&t->v[0]->at, &t->v[1]->at, &t->v[2]->at)) {
         qtri_mesh_draw_large(draw, indices, t->v[0], t->v[1], t->v[2]);
     }
@@ -236,22 +233,13 @@ QTRI_INLINE void qtri_mesh_indices(uint32_t index[3], const void *triangle, bool
     index[2] = narrow ? bytes[2] : wide[2];
 }
 
-/* Opaque: GCC 12 would make shifts and sums of what is then one multiplication. */
-static inline uint32_t qtri_vertex_size(void)
-{
-    uint32_t size = sizeof(qtri_vertex);
-    QTRI_HOLD(size);
-    return size;
-}
-
-/*
- * The vertices with these indices, of a mesh that has a slot for each. `size`: qtri_vertex_size(),
- * from outside of the caller's loop.
- */
-QTRI_INLINE void qtri_mesh_get(qtri_vertex *vertex[3], qtri_vertex *vertices,
-                               const uint32_t index[3], uint32_t size)
+/* The vertices with these indices, of a mesh that has a slot for each. */
+QTRI_INLINE void qtri_mesh_get_vertices(qtri_vertex *vertex[3], qtri_vertex *vertices,
+                                        const uint32_t index[3])
 {
     uint8_t *first = (uint8_t *)vertices;
+    uint32_t size = sizeof(qtri_vertex);
+    QTRI_HOLD(size); /* one multiplication: GCC 12 would make shifts and sums of it */
     qtri_vertex *a = (qtri_vertex *)(void *)(first + index[0] * size);
     qtri_vertex *b = (qtri_vertex *)(void *)(first + index[1] * size);
     qtri_vertex *c = (qtri_vertex *)(void *)(first + index[2] * size);
@@ -263,14 +251,23 @@ QTRI_INLINE void qtri_mesh_get(qtri_vertex *vertex[3], qtri_vertex *vertices,
     vertex[2] = c;
 }
 
-/* False when one of them is not below `count`. */
-static inline bool qtri_mesh_find(qtri_vertex *vertex[3], qtri_vertex *vertices, uint32_t count,
-                                  const uint32_t index[3], uint32_t size)
+/* The indices and the vertices of the triangle at a place in the mesh. */
+QTRI_INLINE void qtri_mesh_get(uint32_t index[3], qtri_vertex *vertex[3], qtri_vertex *vertices,
+                               const void *triangle, bool narrow)
 {
+    qtri_mesh_indices(index, triangle, narrow);
+    qtri_mesh_get_vertices(vertex, vertices, index);
+}
+
+/* False when one of its indices is not below `count`. */
+QTRI_INLINE bool qtri_mesh_find(uint32_t index[3], qtri_vertex *vertex[3], qtri_vertex *vertices,
+                                uint32_t count, const void *triangle, bool narrow)
+{
+    qtri_mesh_indices(index, triangle, narrow);
     if (index[0] >= count || index[1] >= count || index[2] >= count) {
         return false;
     }
-    qtri_mesh_get(vertex, vertices, index, size);
+    qtri_mesh_get_vertices(vertex, vertices, index);
     return true;
 }
 

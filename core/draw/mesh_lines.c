@@ -262,7 +262,6 @@ QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, taker who, 
 {
     const qtri_mesh *mesh = draw->mesh;
     const uint32_t count = mesh->vertex_count;
-    const uint32_t vertex_size = qtri_vertex_size();
     const int step = (who == LAST ? -1 : 1) * (narrow ? 3 : 6);
     const bool tinted = is_tinted(draw);
     qtri_vertex *vertices = draw->vertices;
@@ -275,8 +274,7 @@ QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, taker who, 
     for (; rest > 0; rest--, triangle += step, number += who == LAST ? UINT32_MAX : 1) {
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        if (!qtri_mesh_find(vertex, vertices, count, index, vertex_size)) {
+        if (!qtri_mesh_find(index, vertex, vertices, count, triangle, narrow)) {
             continue;
         }
         if (!quick && !draws && !qtri_mesh_are_met(vertex)) {
@@ -301,7 +299,6 @@ QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, taker who, 
 QTRI_INLINE void draw_list(const qtri_mesh_job *draw, const qtri_mesh_faces *faces, bool narrow,
                            bool simple, bool quick)
 {
-    const uint32_t vertex_size = qtri_vertex_size();
     const bool tinted = is_tinted(draw);
     const uint8_t *triangles = faces->triangles;
     const uint16_t *end = faces->end;
@@ -310,8 +307,7 @@ QTRI_INLINE void draw_list(const qtri_mesh_job *draw, const qtri_mesh_faces *fac
         const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, narrow);
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        qtri_mesh_get(vertex, vertices, index, vertex_size);
+        qtri_mesh_get(index, vertex, vertices, triangle, narrow);
         const uint32_t edges = edges_of(draw, index, vertex, FIRST, simple);
         if (edges == 0) {
             continue;
@@ -327,7 +323,6 @@ QTRI_INLINE void draw_list(const qtri_mesh_job *draw, const qtri_mesh_faces *fac
 /* Draws those that have notes, by them. */
 QTRI_INLINE void draw_noted(const qtri_mesh_job *draw, bool narrow, bool simple)
 {
-    const uint32_t vertex_size = qtri_vertex_size();
     const int size = narrow ? 3 : 6;
     const bool tinted = is_tinted(draw);
     qtri_vertex *vertices = draw->vertices;
@@ -342,8 +337,7 @@ QTRI_INLINE void draw_noted(const qtri_mesh_job *draw, bool narrow, bool simple)
             }
             uint32_t index[3];
             qtri_vertex *vertex[3];
-            qtri_mesh_indices(index, triangle, narrow);
-            qtri_mesh_get(vertex, vertices, index, vertex_size);
+            qtri_mesh_get(index, vertex, vertices, triangle, narrow);
             if (simple && !QTRI_SHARE) {
                 draw_edges(draw, triangle, vertex, edges, tinted);
             } else {

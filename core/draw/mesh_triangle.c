@@ -240,7 +240,7 @@ QTRI_NOINLINE static void draw_solid(const qtri_mesh_job *draw, const void *indi
     qtri_vertex *const vertex[3] = {a, b, c};
     qtri_small t = draw->primitive.to.solid.small;
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-    if (!qtri_mesh_draw_small(t.state->small, &t, indices, index, vertex)) {
+    if (!qtri_mesh_draw_small(&t, indices, index, vertex)) {
         qtri_mesh_draw_large(draw, indices, a, b, c);
     }
 }
