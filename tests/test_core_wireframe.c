@@ -273,7 +273,7 @@ static void edges_once(void **state)
         qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
         int edges = 0;
         for (int bit = 0; bit < 16 * VERTICES; bit++) {
-            edges += bit % QTRI_NOTE_BITS < 3 && (vertices[bit / 16].index >> bit % 16 & 1) != 0;
+            edges += bit % 4 < 3 && (vertices[bit / 16].index >> bit % 16 & 1) != 0;
         }
         const bool every =
             s.material.depth_compare == QTRI_NOT_EQUAL && !s.material.depth_read_only;

@@ -190,13 +190,6 @@ QTRI_INLINE void note(const qtri_edge_axis *axis, uint32_t i, uint32_t code, int
     }
 }
 
-/* A function of its own: few pixels come here, and it leaves the registers of the others alone. */
-QTRI_NOINLINE static void note_other(const qtri_edge_axis *axis, uint32_t i, uint32_t code,
-                                     int32_t limit)
-{
-    note(axis, i, code, limit);
-}
-
 /*
  * Notes pixels k..end - 1 of the major axis. `at`: the edge's position on the minor axis at pixel
  * k, counted from axis->first, so that its upper half counts pairs p, q and its lower half is
@@ -226,7 +219,7 @@ QTRI_INLINE void walk(const qtri_edge_axis *axis, int32_t k, int32_t last, uint3
             }
             const uint32_t both = weights[w >> WEIGHT_SHIFT];
             if (both >> 8 != 0) {
-                note_other(axis, other, both >> 8 | (code ^ NOTE_AFTER), limit);
+                note(axis, other, both >> 8 | (code ^ NOTE_AFTER), limit);
             }
             if ((both & 0xFF) != 0) {
                 note(axis, i, (both & 0xFF) | code, limit);

@@ -233,34 +233,17 @@ bool qtri_clipped_is_back(const qtri_clip_vertex v[3])
     return sum.m > 0;
 }
 
-/* One that is clipped: lit before, where the stack is not deep. */
-typedef struct lit_triangle {
-    const qtri_mesh *mesh;
-    uint32_t index[3];
-    qtri_rgb color[3];
-} lit_triangle;
-
-static void set_attributes(const void *from, qtri_screen_vertex out[3])
+static void shade_clipped(const qtri_mesh_job *draw, const void *indices,
+                          const qtri_clip_vertex v[3], qtri_rgb color[3])
 {
-    const lit_triangle *triangle = from;
-    for (int i = 0; i < 3; i++) {
-        qtri_line_color_set(out[i].color_8p16, &triangle->color[i], QTRI_INTENSITY_ONE);
-        qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, triangle->mesh, triangle->index[i]);
-    }
-}
-
-static void draw_clipped(const qtri_mesh_job *draw, const void *indices, qtri_shape *shape)
-{
-    lit_triangle triangle;
-    triangle.mesh = draw->mesh;
-    qtri_mesh_indices(triangle.index, indices, qtri_mesh_has_bytes(draw->mesh));
-    const bool turned = is_two_sided(draw) && qtri_clipped_is_back(shape->clip);
+    const bool turned = is_two_sided(draw) && qtri_clipped_is_back(v);
     const qtri_by_pixel *by_pixel = qtri_by_pixel_of(draw->primitive.material);
+    uint32_t index[3];
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
     if (by_pixel != NULL) {
         by_pixel->note(draw, indices, turned);
     }
-    shade_side(draw, triangle.index, turned, triangle.color);
-    qtri_primitive_triangle(&draw->primitive, shape, set_attributes, &triangle);
+    shade_side(draw, index, turned, color);
 }
 
 static const qtri_light_model model = {
@@ -272,7 +255,7 @@ static const qtri_light_model model = {
     .find = find,
     .find_large = find_large,
     .shade = shade,
-    .clipped = draw_clipped,
+    .shade_clipped = shade_clipped,
 };
 
 enum qtri_error qtri_light_init(qtri_light *light, const qtri_light_source *sources, uint32_t count,

@@ -35,8 +35,9 @@ struct qtri_light_model {
     /* A triangle's colours; it is inside all planes. */
     void (*shade)(const qtri_mesh_job *draw, const uint32_t index[3], const qtri_vertex *a,
                   const qtri_vertex *b, const qtri_vertex *c, qtri_rgb color[3]);
-    /* Draws one that may cross planes. */
-    void (*clipped)(const qtri_mesh_job *draw, const void *indices, qtri_shape *shape);
+    /* Those of a triangle that may cross planes; by pixel its corners as well. */
+    void (*shade_clipped)(const qtri_mesh_job *draw, const void *indices,
+                          const qtri_clip_vertex v[3], qtri_rgb color[3]);
 };
 
 /* Whether a triangle that may cross planes shows its back. */

@@ -10,31 +10,18 @@
 
 /* ---- Set-up ---- */
 
-/* Vertices from which on a look at eight corners pays. */
-enum { WORTH_A_BOX = 64 };
-
 /* Whether the mesh cannot touch the surface: not its rows, for a band. */
 static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
 {
-    const qtri_mesh *mesh = draw->mesh;
-    qtri_box box = mesh->bounds;
-    if ((box.half.x | box.half.y | box.half.z) == 0) {
-        if (mesh->positions16 == NULL || mesh->vertex_count < WORTH_A_BOX) {
-            return false;
-        }
-        box.center = mesh->origin; /* the cube that 16 bits span */
-        box.half.x = mesh->extent;
-        box.half.y = mesh->extent;
-        box.half.z = mesh->extent;
-    }
-    if (box.half.x == INT32_MAX) {
-        return false; /* of wide lines, whose reach does not count in any space */
+    const qtri_box *box = &draw->mesh->bounds;
+    if ((box->half.x | box->half.y | box->half.z) == 0 || box->half.x == INT32_MAX) {
+        return false; /* unknown, or of wide lines, whose reach does not count in any space */
     }
     const qtri_rect bounds = qtri_surface_bounds(surface);
     const int32_t more = draw->primitive.material->fill != NULL; /* lines reach out of their mesh */
     const int32_t low[2] = {bounds.x0 - more, bounds.y0 - more};
     const int32_t high[2] = {bounds.x1 + more, bounds.y1 + more};
-    return qtri_projector_misses(&draw->primitive.projector, &box, low, high);
+    return qtri_projector_misses(&draw->primitive.projector, box, low, high);
 }
 
 /* Without vertices every index is past the end; the arrays of what is empty may be NULL. */
@@ -133,9 +120,8 @@ static void draw_triangles(const qtri_mesh_job *draw)
     for (; triangle != end; triangle += size) {
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        if (qtri_mesh_find(vertex, draw->vertices, draw->mesh->vertex_count, index,
-                           qtri_vertex_size()) &&
+        if (qtri_mesh_find(index, vertex, draw->vertices, draw->mesh->vertex_count, triangle,
+                           narrow) &&
             !qtri_mesh_turned_away(draw, vertex[0], vertex[1], vertex[2])) {
             qtri_mesh_draw_seen(draw, triangle, vertex);
         }
@@ -143,33 +129,20 @@ static void draw_triangles(const qtri_mesh_job *draw)
 }
 
 /* Those of a mesh whose back faces are culled, no vertex outside, by a pipeline. */
-static inline void draw_whole_of(const qtri_mesh_job *draw, bool narrow)
+QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw)
 {
     qtri_small t = draw->primitive.to.solid.small;
-    bool (*const by)(qtri_small *) = t.state->small;
+    const bool narrow = qtri_mesh_has_bytes(draw->mesh);
     const uint32_t count = draw->mesh->vertex_count;
     const uint32_t size = narrow ? 3 : 6;
     const uint8_t *triangle = qtri_mesh_triangle(draw->mesh, 0, narrow);
     const uint8_t *end = triangle + draw->mesh->triangle_count * size;
-    const uint32_t vertex_size = qtri_vertex_size();
     for (; triangle != end; triangle += size) {
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        if (qtri_mesh_find(vertex, draw->vertices, count, index, vertex_size) &&
-            !qtri_mesh_draw_small(by, &t, triangle, index, vertex) &&
-            !qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)) {
-            qtri_mesh_draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
+        if (qtri_mesh_find(index, vertex, draw->vertices, count, triangle, narrow)) {
+            qtri_mesh_draw_front(draw, &t, triangle, index, vertex);
         }
-    }
-}
-
-QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw)
-{
-    if (qtri_mesh_has_bytes(draw->mesh)) {
-        draw_whole_of(draw, true);
-    } else {
-        draw_whole_of(draw, false);
     }
 }
 

@@ -241,14 +241,12 @@ QTRI_NOINLINE static void see_complete(sorter *s)
     const uint32_t count = mesh->vertex_count;
     const bool narrow = qtri_mesh_has_bytes(mesh);
     const bool back_only = s->prepared->back_only;
-    const uint32_t vertex_size = qtri_vertex_size();
     const uint8_t *triangle = qtri_mesh_triangle(mesh, 0, narrow);
     for (uint32_t number = 0; number != mesh->triangle_count;
          number++, triangle += narrow ? 3 : 6) {
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        if (!qtri_mesh_find(vertex, vertices, count, index, vertex_size)) {
+        if (!qtri_mesh_find(index, vertex, vertices, count, triangle, narrow)) {
             continue;
         }
         if (!back_only) {
@@ -265,16 +263,13 @@ QTRI_NOINLINE static void see_complete(sorter *s)
 static inline void see_list(sorter *s, const qtri_mesh_faces *faces, uint32_t first, bool narrow,
                             bool simple)
 {
-    const uint32_t vertex_size = qtri_vertex_size();
-    const uint32_t third = qtri_mesh_faces_third();
     qtri_vertex *vertices = s->job->vertices;
     for (const uint16_t *at = faces->list; at != faces->end; at++) {
         const uint8_t *triangle = qtri_mesh_faces_triangle(faces->triangles, *at, narrow);
-        const uint32_t number = first + qtri_mesh_faces_number(*at, third);
+        const uint32_t number = first + qtri_mesh_faces_number(*at);
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        qtri_mesh_get(vertex, vertices, index, vertex_size);
+        qtri_mesh_get(index, vertex, vertices, triangle, narrow);
         if (simple ? qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
                    : qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
             continue;
@@ -481,10 +476,9 @@ bool qtri_prepared_fits(const qtri_prepared *prepared)
  */
 static bool find_triangle(const qtri_mesh_job *job, const void *triangle, qtri_vertex *vertex[3])
 {
-    const uint32_t count = job->mesh->vertex_count;
     uint32_t index[3];
-    qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(job->mesh));
-    return qtri_mesh_find(vertex, job->vertices, count, index, qtri_vertex_size()) &&
+    return qtri_mesh_find(index, vertex, job->vertices, job->mesh->vertex_count, triangle,
+                          qtri_mesh_has_bytes(job->mesh)) &&
            qtri_mesh_are_met(vertex);
 }
 
@@ -517,9 +511,8 @@ static void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, uint32_t 
     while (place != end) {
         const void *triangle = qtri_mesh_triangle(job->mesh, next_group(lists, &place), narrow);
         uint32_t index[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        qtri_vertex *const vertex[3] = {&job->vertices[index[0]], &job->vertices[index[1]],
-                                        &job->vertices[index[2]]};
+        qtri_vertex *vertex[3];
+        qtri_mesh_get(index, vertex, job->vertices, triangle, narrow);
         qtri_mesh_draw_seen(job, triangle, vertex);
     }
 }
@@ -531,18 +524,14 @@ QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw, const uint16_t 
     const bool narrow = qtri_mesh_has_bytes(draw->mesh);
     const uint8_t *triangles = qtri_mesh_triangle(draw->mesh, 0, narrow);
     qtri_small t = draw->primitive.to.solid.small;
-    bool (*const by)(qtri_small *) = t.state->small;
     qtri_vertex *vertices = draw->vertices;
     qtri_mesh_set_lit(&t, draw);
     while (place != end) {
         const uint8_t *triangle = triangles + next_group(lists, &place) * (narrow ? 3 : 6);
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        qtri_mesh_get(vertex, vertices, index, qtri_vertex_size());
-        if (!qtri_mesh_draw_small(by, &t, triangle, index, vertex)) {
-            qtri_mesh_draw_large(draw, triangle, vertex[0], vertex[1], vertex[2]);
-        }
+        qtri_mesh_get(index, vertex, vertices, triangle, narrow);
+        qtri_mesh_draw_front(draw, &t, triangle, index, vertex);
     }
 }
 

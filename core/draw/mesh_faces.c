@@ -45,30 +45,15 @@ QTRI_NOINLINE static bool begin(qtri_mesh_faces *faces, const qtri_mesh_job *dra
     return true;
 }
 
-static inline uint16_t *list_seen(const qtri_eye *eye, const qtri_face8 *plane, uint32_t entry,
-                                  uint16_t *out)
-{
-    if (!qtri_eye_is_behind(eye, plane)) {
-        *out++ = (uint16_t)entry;
-    }
-    return out;
-}
-
 /* The triangles of planes that may be seen, as qtri_mesh_faces.list has them; returns its end. */
 QTRI_NOINLINE static uint16_t *find_seen(const qtri_eye *from, const qtri_face8 *plane,
                                          const qtri_face8 *end, uint16_t *out)
 {
-    enum { STEP = QTRI_FACES_STEP };
     const qtri_eye eye = *from;
-    uint32_t entry = 0;
-    for (; !QTRI_BODY_IS_SMALL && end - plane >= 4; plane += 4, entry += 4 * STEP) {
-        out = list_seen(&eye, &plane[0], entry, out);
-        out = list_seen(&eye, &plane[1], entry + STEP, out);
-        out = list_seen(&eye, &plane[2], entry + 2 * STEP, out);
-        out = list_seen(&eye, &plane[3], entry + 3 * STEP, out);
-    }
-    for (; plane != end; plane++, entry += STEP) {
-        out = list_seen(&eye, plane, entry, out);
+    for (uint32_t entry = 0; plane != end; plane++, entry += QTRI_FACES_STEP) {
+        if (!qtri_eye_is_behind(&eye, plane)) {
+            *out++ = (uint16_t)entry;
+        }
     }
     return out;
 }
@@ -87,7 +72,6 @@ static inline qtri_vertex *meet(qtri_vertex *vertex, uint32_t index, qtri_vertex
 /* Notes the vertices of the list that have not been met. Triangles of none that is there go. */
 static inline uint32_t meet_each(qtri_mesh_faces *faces, const qtri_mesh_job *draw, bool narrow)
 {
-    const uint32_t size = qtri_vertex_size();
     const uint32_t count = draw->mesh->vertex_count;
     const uint8_t *triangles = faces->triangles;
     const uint16_t *end = faces->end;
@@ -97,8 +81,8 @@ static inline uint32_t meet_each(qtri_mesh_faces *faces, const qtri_mesh_job *dr
     for (const uint16_t *at = faces->list; at != end; at++) {
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, qtri_mesh_faces_triangle(triangles, *at, narrow), narrow);
-        if (!qtri_mesh_find(vertex, vertices, count, index, size)) {
+        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, narrow);
+        if (!qtri_mesh_find(index, vertex, vertices, count, triangle, narrow)) {
             continue;
         }
         *kept++ = *at;
@@ -143,8 +127,7 @@ QTRI_NOINLINE static bool is_back(const qtri_mesh_job *draw, const uint8_t *tria
 {
     uint32_t index[3];
     qtri_vertex *v[3];
-    qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(draw->mesh));
-    qtri_mesh_get(v, draw->vertices, index, qtri_vertex_size());
+    qtri_mesh_get(index, v, draw->vertices, triangle, qtri_mesh_has_bytes(draw->mesh));
     return qtri_mesh_turned_away(draw, v[0], v[1], v[2]);
 }
 
@@ -154,14 +137,13 @@ QTRI_NOINLINE static void find_front(const qtri_mesh_faces *faces, const qtri_me
 {
     const bool narrow = qtri_mesh_has_bytes(draw->mesh);
     const qtri_face8 *planes = &draw->mesh->faces.planes[first];
-    const uint32_t third = qtri_mesh_faces_third();
     const qtri_eye eye = faces->eye;
     uint32_t *front = draw->front + first / 32;
     for (uint32_t i = 0; i < count; i += 32) {
         front[i / 32] = 0;
     }
     for (const uint16_t *at = faces->list; at != faces->end; at++) {
-        const uint32_t number = qtri_mesh_faces_number(*at, third);
+        const uint32_t number = qtri_mesh_faces_number(*at);
         if (qtri_eye_is_before(&eye, &planes[number]) ||
             !is_back(draw, qtri_mesh_faces_triangle(faces->triangles, *at, narrow))) {
             front[number / 32] |= (uint32_t)1 << (number & 31);
@@ -203,36 +185,30 @@ QTRI_NOINLINE static void draw_listed(const qtri_mesh_faces *faces, const qtri_m
     for (const uint16_t *at = faces->list; at != faces->end; at++) {
         const uint8_t *triangle = qtri_mesh_faces_triangle(faces->triangles, *at, narrow);
         uint32_t index[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        qtri_vertex *const vertex[3] = {&draw->vertices[index[0]], &draw->vertices[index[1]],
-                                        &draw->vertices[index[2]]};
+        qtri_vertex *vertex[3];
+        qtri_mesh_get(index, vertex, draw->vertices, triangle, narrow);
         if (!qtri_mesh_turned_away(draw, vertex[0], vertex[1], vertex[2])) {
             qtri_mesh_draw_seen(draw, triangle, vertex);
         }
     }
 }
 
-/* Triangles of a list of faces, indices of 16 bits. */
+/* Triangles of a list of faces, no vertex outside, back faces being culled. */
 QTRI_NOINLINE static void draw_listed_fronts(const qtri_mesh_faces *faces,
                                              const qtri_mesh_job *draw)
 {
     qtri_small t = draw->primitive.to.solid.small;
-    bool (*const by)(qtri_small *) = t.state->small;
-    const uint32_t size = qtri_vertex_size();
+    const bool narrow = qtri_mesh_has_bytes(draw->mesh);
     const uint8_t *triangles = faces->triangles;
     const uint16_t *end = faces->end;
     qtri_vertex *vertices = draw->vertices;
     qtri_mesh_set_lit(&t, draw);
     for (const uint16_t *at = faces->list; at != end; at++) {
-        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, false);
+        const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, narrow);
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, false);
-        qtri_mesh_get(vertex, vertices, index, size);
-        if (!qtri_mesh_draw_small(by, &t, triangle, index, vertex) &&
-            !qtri_triangle_is_back(&t.v[0]->at, &t.v[1]->at, &t.v[2]->at)) {
-            qtri_mesh_draw_large(draw, triangle, t.v[0], t.v[1], t.v[2]);
-        }
+        qtri_mesh_get(index, vertex, vertices, triangle, narrow);
+        qtri_mesh_draw_front(draw, &t, triangle, index, vertex);
     }
 }
 
@@ -242,14 +218,13 @@ QTRI_NOINLINE static bool draw_all(qtri_mesh_job *draw)
     if (!begin(&faces, draw)) {
         return false;
     }
-    const bool simple =
-        draw->primitive.material->cull == QTRI_CULL_BACK && !qtri_mesh_has_bytes(draw->mesh);
+    const bool back_only = draw->primitive.material->cull == QTRI_CULL_BACK;
     draw->lit = true;
     while (next(&faces, draw)) {
-        if (!simple || !faces.inside) {
-            draw_listed(&faces, draw);
-        } else {
+        if (back_only && faces.inside) {
             draw_listed_fronts(&faces, draw);
+        } else {
+            draw_listed(&faces, draw);
         }
     }
     return true;

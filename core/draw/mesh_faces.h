@@ -36,21 +36,12 @@ static inline const uint8_t *qtri_mesh_faces_triangle(const uint8_t *triangles, 
     return &triangles[narrow ? entry / 2 : entry];
 }
 
-/*
- * How many triangles it is from the list's first; `third`: qtri_mesh_faces_third(), from outside of
- * the caller's loop.
- */
-static inline uint32_t qtri_mesh_faces_number(uint32_t entry, uint32_t third)
-{
-    return (entry / 2) * third;
-}
-
-/* 3 times that is 1 modulo 2^32. Opaque: GCC 12 would make shifts and sums of the product. */
-static inline uint32_t qtri_mesh_faces_third(void)
+/* How many triangles it is from the list's first: 3 times the factor is 1 modulo 2^32. */
+static inline uint32_t qtri_mesh_faces_number(uint32_t entry)
 {
     uint32_t third = 0xAAAAAAABu;
-    QTRI_HOLD(third);
-    return third;
+    QTRI_HOLD(third); /* GCC 12 would make shifts and sums of the product */
+    return (entry / 2) * third;
 }
 
 /* qtri_faces.culling. */

@@ -166,8 +166,7 @@ void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices, qtri_v
                           qtri_vertex *b, qtri_vertex *c);
 
 /* The triangle with these indices, its vertices inside all planes. False: it is large. */
-QTRI_INLINE bool qtri_mesh_draw_small(bool (*small)(qtri_small *triangle), qtri_small *t,
-                                      const void *indices, const uint32_t index[3],
+QTRI_INLINE bool qtri_mesh_draw_small(qtri_small *t, const void *indices, const uint32_t index[3],
                                       qtri_vertex *const vertex[3])
 {
     t->indices = indices;
@@ -177,7 +176,18 @@ QTRI_INLINE bool qtri_mesh_draw_small(bool (*small)(qtri_small *triangle), qtri_
     t->v[0] = vertex[0];
     t->v[1] = vertex[1];
     t->v[2] = vertex[2];
-    return small(t);
+    return t->state->small(t);
+}
+
+/* Draws a triangle with its vertices inside all planes of a mesh whose back faces are culled: the
+   pipeline asks whether a small one turns away. */
+QTRI_INLINE void qtri_mesh_draw_front(const qtri_mesh_job *draw, qtri_small *t, const void *indices,
+                                      const uint32_t index[3], qtri_vertex *const vertex[3])
+{
+    if (!qtri_mesh_draw_small(t, indices, index, vertex) &&
+        !qtri_triangle_is_back(&t->v[0]->at, &t->v[1]->at, &t->v[2]->at)) {
+        qtri_mesh_draw_large(draw, indices, t->v[0], t->v[1], t->v[2]);
+    }
 }
 
 static inline bool qtri_mesh_has_bytes(const qtri_mesh *mesh)
@@ -223,22 +233,13 @@ QTRI_INLINE void qtri_mesh_indices(uint32_t index[3], const void *triangle, bool
     index[2] = narrow ? bytes[2] : wide[2];
 }
 
-/* Opaque: GCC 12 would make shifts and sums of what is then one multiplication. */
-static inline uint32_t qtri_vertex_size(void)
-{
-    uint32_t size = sizeof(qtri_vertex);
-    QTRI_HOLD(size);
-    return size;
-}
-
-/*
- * The vertices with these indices, of a mesh that has a slot for each. `size`: qtri_vertex_size(),
- * from outside of the caller's loop.
- */
-QTRI_INLINE void qtri_mesh_get(qtri_vertex *vertex[3], qtri_vertex *vertices,
-                               const uint32_t index[3], uint32_t size)
+/* The vertices with these indices, of a mesh that has a slot for each. */
+QTRI_INLINE void qtri_mesh_get_vertices(qtri_vertex *vertex[3], qtri_vertex *vertices,
+                                        const uint32_t index[3])
 {
     uint8_t *first = (uint8_t *)vertices;
+    uint32_t size = sizeof(qtri_vertex);
+    QTRI_HOLD(size); /* one multiplication: GCC 12 would make shifts and sums of it */
     qtri_vertex *a = (qtri_vertex *)(void *)(first + index[0] * size);
     qtri_vertex *b = (qtri_vertex *)(void *)(first + index[1] * size);
     qtri_vertex *c = (qtri_vertex *)(void *)(first + index[2] * size);
@@ -250,14 +251,23 @@ QTRI_INLINE void qtri_mesh_get(qtri_vertex *vertex[3], qtri_vertex *vertices,
     vertex[2] = c;
 }
 
-/* False when one of them is not below `count`. */
-static inline bool qtri_mesh_find(qtri_vertex *vertex[3], qtri_vertex *vertices, uint32_t count,
-                                  const uint32_t index[3], uint32_t size)
+/* The indices and the vertices of the triangle at a place in the mesh. */
+QTRI_INLINE void qtri_mesh_get(uint32_t index[3], qtri_vertex *vertex[3], qtri_vertex *vertices,
+                               const void *triangle, bool narrow)
 {
+    qtri_mesh_indices(index, triangle, narrow);
+    qtri_mesh_get_vertices(vertex, vertices, index);
+}
+
+/* False when one of its indices is not below `count`. */
+QTRI_INLINE bool qtri_mesh_find(uint32_t index[3], qtri_vertex *vertex[3], qtri_vertex *vertices,
+                                uint32_t count, const void *triangle, bool narrow)
+{
+    qtri_mesh_indices(index, triangle, narrow);
     if (index[0] >= count || index[1] >= count || index[2] >= count) {
         return false;
     }
-    qtri_mesh_get(vertex, vertices, index, size);
+    qtri_mesh_get_vertices(vertex, vertices, index);
     return true;
 }
 
@@ -306,33 +316,6 @@ static inline void qtri_band_divider_init(qtri_band_divider *divider, uint32_t r
 static inline uint32_t qtri_band_of(const qtri_band_divider *divider, uint32_t row)
 {
     return (row * divider->inverse) >> divider->shift; /* < 2^13 (2^14 + 1) */
-}
-
-/*
- * Notes of triangles, for wireframes: which edges one draws, and whether it is seen. Where every
- * vertex has a slot, each has the notes of QTRI_NOTES triangles, in place of its index.
- */
-enum {
-    QTRI_EDGE_AB = 1,
-    QTRI_EDGE_BC = 2,
-    QTRI_EDGE_CA = 4,
-    QTRI_EDGES_SEEN = 8,
-    QTRI_EDGES_ALL = 15,
-    QTRI_NOTE_BITS = 4,
-    QTRI_NOTES = 16 / QTRI_NOTE_BITS
-};
-
-/* How many triangles have notes: all but in a mesh with few vertices. */
-static inline uint32_t qtri_mesh_noted(const qtri_mesh *mesh)
-{
-    return mesh->triangle_count / QTRI_NOTES < mesh->vertex_count ? mesh->triangle_count
-                                                                  : mesh->vertex_count * QTRI_NOTES;
-}
-
-static inline uint32_t qtri_mesh_note(const qtri_mesh_job *draw, uint32_t number)
-{
-    return draw->vertices[number / QTRI_NOTES].index >> number % QTRI_NOTES * QTRI_NOTE_BITS &
-           QTRI_EDGES_ALL;
 }
 
 /* The place of a vertex, where the job's illumination counts from. */

@@ -26,13 +26,34 @@
  * spot's edges that is one in a thousand.
  *
  * Where drawing is another matter, which edges triangles take is noted too: for four triangles in
- * each vertex, in the half-word that tells elsewhere whose vertex is in a slot (mesh_job.h). In a
+ * each vertex, in the half-word that tells elsewhere whose vertex is in a slot. In a
  * mesh of more than four triangles a vertex the last ones draw all their edges. Bands draw a
  * prepared mesh by its notes without writing to it, and every triangle with an edge is drawn in
  * every band that the edge touches.
  */
 #include "lights.h"
 #include "mesh_faces.h"
+
+/*
+ * Notes of triangles: which edges one draws, and whether it is seen. Where every vertex has a slot,
+ * each has the notes of NOTES triangles, in place of its index.
+ */
+enum {
+    EDGE_AB = 1,
+    EDGE_BC = 2,
+    EDGE_CA = 4,
+    EDGES_SEEN = 8,
+    EDGES_ALL = 15,
+    NOTE_BITS = 4,
+    NOTES = 16 / NOTE_BITS
+};
+
+/* How many triangles have notes: all but in a mesh with few vertices. */
+static uint32_t noted_count(const qtri_mesh *mesh)
+{
+    return mesh->triangle_count / NOTES < mesh->vertex_count ? mesh->triangle_count
+                                                             : mesh->vertex_count * NOTES;
+}
 
 /* Which of the triangles that have an edge take it, to draw it. */
 typedef enum taker { EVERY, FIRST, LAST } taker;
@@ -87,13 +108,13 @@ QTRI_INLINE uint32_t take_edges(qtri_vertex *a, qtri_vertex *b, qtri_vertex *c,
 {
     uint32_t edges = 0;
     if (takes_edge(a, b, index[0], index[1])) {
-        edges = QTRI_EDGE_AB;
+        edges = EDGE_AB;
     }
     if (takes_edge(b, c, index[1], index[2])) {
-        edges |= QTRI_EDGE_BC;
+        edges |= EDGE_BC;
     }
     if (takes_edge(c, a, index[2], index[0])) {
-        edges |= QTRI_EDGE_CA;
+        edges |= EDGE_CA;
     }
     return edges;
 }
@@ -182,13 +203,13 @@ QTRI_INLINE void draw_edges(const qtri_mesh_job *draw, const void *triangle,
     if (!qtri_vertices_are_lit(a, b, c)) {
         qtri_mesh_light_corners(draw, triangle, a, b, c);
     }
-    if ((edges & QTRI_EDGE_AB) != 0) {
+    if ((edges & EDGE_AB) != 0) {
         line->draw(line, a, b, NULL);
     }
-    if ((edges & QTRI_EDGE_BC) != 0) {
+    if ((edges & EDGE_BC) != 0) {
         line->draw(line, b, c, NULL);
     }
-    if ((edges & QTRI_EDGE_CA) != 0) {
+    if ((edges & EDGE_CA) != 0) {
         line->draw(line, c, a, NULL);
     }
 }
@@ -226,9 +247,9 @@ QTRI_INLINE uint32_t edges_of(const qtri_mesh_job *draw, const uint32_t index[3]
         return 0;
     }
     if (who == EVERY || !(simple || qtri_mesh_is_inside(a, b, c))) {
-        return QTRI_EDGES_ALL;
+        return EDGES_ALL;
     }
-    return QTRI_EDGES_SEEN | take_edges(a, b, c, index);
+    return EDGES_SEEN | take_edges(a, b, c, index);
 }
 
 /*
@@ -241,11 +262,10 @@ QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, taker who, 
 {
     const qtri_mesh *mesh = draw->mesh;
     const uint32_t count = mesh->vertex_count;
-    const uint32_t vertex_size = qtri_vertex_size();
     const int step = (who == LAST ? -1 : 1) * (narrow ? 3 : 6);
     const bool tinted = is_tinted(draw);
     qtri_vertex *vertices = draw->vertices;
-    uint32_t rest = (draws ? mesh->triangle_count : qtri_mesh_noted(mesh)) - number;
+    uint32_t rest = (draws ? mesh->triangle_count : noted_count(mesh)) - number;
     if (rest == 0) {
         return;
     }
@@ -254,8 +274,7 @@ QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, taker who, 
     for (; rest > 0; rest--, triangle += step, number += who == LAST ? UINT32_MAX : 1) {
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        if (!qtri_mesh_find(vertex, vertices, count, index, vertex_size)) {
+        if (!qtri_mesh_find(index, vertex, vertices, count, triangle, narrow)) {
             continue;
         }
         if (!quick && !draws && !qtri_mesh_are_met(vertex)) {
@@ -266,8 +285,8 @@ QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, taker who, 
             continue;
         }
         if (!draws) {
-            uint16_t *notes = &vertices[number / QTRI_NOTES].index;
-            *notes = (uint16_t)(*notes | edges << number % QTRI_NOTES * QTRI_NOTE_BITS);
+            uint16_t *notes = &vertices[number / NOTES].index;
+            *notes = (uint16_t)(*notes | edges << number % NOTES * NOTE_BITS);
         } else if (quick) {
             draw_edges(draw, triangle, vertex, edges, tinted);
         } else {
@@ -280,7 +299,6 @@ QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, taker who, 
 QTRI_INLINE void draw_list(const qtri_mesh_job *draw, const qtri_mesh_faces *faces, bool narrow,
                            bool simple, bool quick)
 {
-    const uint32_t vertex_size = qtri_vertex_size();
     const bool tinted = is_tinted(draw);
     const uint8_t *triangles = faces->triangles;
     const uint16_t *end = faces->end;
@@ -289,8 +307,7 @@ QTRI_INLINE void draw_list(const qtri_mesh_job *draw, const qtri_mesh_faces *fac
         const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, narrow);
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        qtri_mesh_indices(index, triangle, narrow);
-        qtri_mesh_get(vertex, vertices, index, vertex_size);
+        qtri_mesh_get(index, vertex, vertices, triangle, narrow);
         const uint32_t edges = edges_of(draw, index, vertex, FIRST, simple);
         if (edges == 0) {
             continue;
@@ -306,23 +323,21 @@ QTRI_INLINE void draw_list(const qtri_mesh_job *draw, const qtri_mesh_faces *fac
 /* Draws those that have notes, by them. */
 QTRI_INLINE void draw_noted(const qtri_mesh_job *draw, bool narrow, bool simple)
 {
-    const uint32_t vertex_size = qtri_vertex_size();
     const int size = narrow ? 3 : 6;
     const bool tinted = is_tinted(draw);
     qtri_vertex *vertices = draw->vertices;
-    const qtri_vertex *end = vertices + (qtri_mesh_noted(draw->mesh) + QTRI_NOTES - 1) / QTRI_NOTES;
+    const qtri_vertex *end = vertices + (noted_count(draw->mesh) + NOTES - 1) / NOTES;
     const uint8_t *first = qtri_mesh_triangle(draw->mesh, 0, narrow);
-    for (const qtri_vertex *at = vertices; at != end; at++, first += QTRI_NOTES * size) {
+    for (const qtri_vertex *at = vertices; at != end; at++, first += NOTES * size) {
         const uint8_t *triangle = first;
-        for (uint32_t notes = at->index; notes != 0; notes >>= QTRI_NOTE_BITS, triangle += size) {
-            const uint32_t edges = notes & QTRI_EDGES_ALL;
+        for (uint32_t notes = at->index; notes != 0; notes >>= NOTE_BITS, triangle += size) {
+            const uint32_t edges = notes & EDGES_ALL;
             if (edges == 0) {
                 continue;
             }
             uint32_t index[3];
             qtri_vertex *vertex[3];
-            qtri_mesh_indices(index, triangle, narrow);
-            qtri_mesh_get(vertex, vertices, index, vertex_size);
+            qtri_mesh_get(index, vertex, vertices, triangle, narrow);
             if (simple && !QTRI_SHARE) {
                 draw_edges(draw, triangle, vertex, edges, tinted);
             } else {
@@ -387,7 +402,7 @@ void qtri_wireframe_mesh(qtri_mesh_job *draw)
             look_at_any(draw, 0, LAST, simple, false);
             draw_noted(draw, qtri_mesh_has_bytes(mesh), false);
         }
-        number = qtri_mesh_noted(mesh); /* and those that have no notes */
+        number = noted_count(mesh); /* and those that have no notes */
         who = EVERY;
     }
     look_at_any(draw, number, who, simple, true);
@@ -396,13 +411,13 @@ void qtri_wireframe_mesh(qtri_mesh_job *draw)
 void qtri_wireframe_triangle(const qtri_mesh_job *draw, const void *triangle,
                              qtri_vertex *const vertex[3])
 {
-    uint32_t edges = QTRI_EDGES_ALL;
+    uint32_t edges = EDGES_ALL;
     if (draw->noted) {
         const bool narrow = qtri_mesh_has_bytes(draw->mesh);
         const uint8_t *first = qtri_mesh_triangle(draw->mesh, 0, narrow);
         const uint32_t number = (uint32_t)((const uint8_t *)triangle - first) / (narrow ? 3 : 6);
-        if (number < qtri_mesh_noted(draw->mesh)) {
-            edges = qtri_mesh_note(draw, number);
+        if (number < noted_count(draw->mesh)) {
+            edges = draw->vertices[number / NOTES].index >> number % NOTES * NOTE_BITS & EDGES_ALL;
         }
     }
     draw_inside(draw, triangle, vertex, edges); /* as qtri_fill promises: nothing calls itself */

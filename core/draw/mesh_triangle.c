@@ -63,10 +63,40 @@ uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex
     return draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE;
 }
 
-static void set_color(int32_t color_8p16[3], const qtri_mesh_job *draw, uint32_t index,
-                      uint32_t intensity_q15)
+/* A large triangle, or one that is clipped: lit before, where the stack is not deep. */
+typedef struct lit_triangle {
+    const qtri_mesh_job *draw;
+    uint32_t index[3];
+    uint32_t intensity_q15[3];
+    qtri_rgb color[3]; /* before that intensity, or in a view's lights */
+} lit_triangle;
+
+/* `face_q15`: where vertices are not lit. A view's lights have other colours. */
+static void set_colors(lit_triangle *triangle, qtri_vertex *const vertex[3], uint32_t face_q15)
 {
-    qtri_line_color_set(color_8p16, qtri_mesh_color(draw, index), intensity_q15);
+    const qtri_mesh_job *draw = triangle->draw;
+    for (int i = 0; i < 3; i++) {
+        triangle->intensity_q15[i] = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
+        triangle->color[i] = *qtri_mesh_color(draw, triangle->index[i]);
+    }
+}
+
+/* Its colours and texture coordinates: a qtri_attribute_source. */
+static void set_attributes(const void *from, qtri_screen_vertex out[3])
+{
+    const lit_triangle *triangle = from;
+    const qtri_mesh_job *draw = triangle->draw;
+    const bool is_lit = draw->primitive.material->fill == NULL &&
+                        qtri_is_lit(&draw->primitive.to.solid.state.options);
+    for (int i = 0; i < 3; i++) {
+        if (is_lit) {
+            out[i].color_8p16[0] = (int32_t)triangle->intensity_q15[i] * 510; /* 255.0 is 1 */
+            out[i].color_8p16[1] = out[i].color_8p16[2] = 0;
+        } else {
+            qtri_line_color_set(out[i].color_8p16, &triangle->color[i], triangle->intensity_q15[i]);
+        }
+        qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, triangle->index[i]);
+    }
 }
 
 /* ---- Large triangles ---- */
@@ -86,8 +116,8 @@ QTRI_NOINLINE static void place_late(const qtri_mesh_job *draw)
     late->is_set = true;
 }
 
-QTRI_NOINLINE static void set_rests(qtri_large_vertex v[3], const qtri_mesh_job *draw,
-                                    const uint32_t index[3], const qtri_point *const p[3])
+QTRI_NOINLINE static void set_rests(qtri_fan_vertex v[3], const qtri_mesh_job *draw,
+                                    const uint32_t index[3])
 {
     if (draw->late != NULL && !draw->late->is_set) {
         place_late(draw);
@@ -95,81 +125,29 @@ QTRI_NOINLINE static void set_rests(qtri_large_vertex v[3], const qtri_mesh_job 
     for (int i = 0; i < 3; i++) {
         qtri_clip_vertex clip;
         draw->positions->transform(&draw->primitive.projector, draw->mesh, index[i], &clip);
-        qtri_project_rest(v[i].rest, &clip, p[i], v[i].inv_w_q31);
+        qtri_project_rest(v[i].rest, &clip, &v[i].at, v[i].inv_w_q31);
     }
 }
 
-static void find_true_places(qtri_large_vertex v[3], const qtri_mesh_job *draw,
-                             const uint32_t index[3], const qtri_point *const p[3], int64_t area)
+/* The triangle as what clipping leaves of one: all of it. */
+static void set_fan(qtri_fan_vertex v[3], const qtri_mesh_job *draw, const uint32_t index[3],
+                    qtri_vertex *const vertex[3], int64_t area)
 {
-    const uint32_t depth_16p16[3] = {v[0].depth_16p16, v[1].depth_16p16, v[2].depth_16p16};
+    const qtri_point *const p[3] = {&v[0].at, &v[1].at, &v[2].at};
+    uint32_t depth_16p16[3];
+    for (int i = 0; i < 3; i++) {
+        v[i].at = vertex[i]->at;
+        v[i].depth_16p8 = vertex[i]->depth_16p8;
+        v[i].inv_w_q31 = vertex[i]->inv_w;
+        v[i].b1_q30 = (int32_t)(i == 1) << 30;
+        v[i].b2_q30 = (int32_t)(i == 2) << 30;
+        v[i].rest[0] = 0;
+        v[i].rest[1] = 0;
+        depth_16p16[i] = vertex[i]->depth_16p8 & ~0xFFu;
+    }
     if (qtri_rests_matter(&draw->primitive.to.solid.state, p, depth_16p16, area)) {
-        set_rests(v, draw, index, p);
+        set_rests(v, draw, index);
     }
-}
-
-/* Those of its vertices in a view's lights; by pixel, shares of corners. */
-static void set_lit_colors(qtri_large_vertex v[3], const qtri_draw_state *state)
-{
-    if (state->options.per_pixel) {
-        for (int i = 0; i < 3; i++) {
-            v[i].color_8p16[0] = (int32_t)(i == 1) << 30;
-            v[i].color_8p16[1] = (int32_t)(i == 2) << 30;
-            v[i].color_8p16[2] = 0;
-        }
-        return;
-    }
-    for (int i = 0; i < 3; i++) {
-        v[i].color_8p16[0] = (int32_t)(state->lit[i] & 0xFF0000u);
-        v[i].color_8p16[1] = (int32_t)(state->lit[i] << 8 & 0xFF0000u);
-        v[i].color_8p16[2] = (int32_t)(state->lit[i] << 16 & 0xFF0000u);
-    }
-}
-
-/* The triangle's colour, or those of its vertices in light. */
-static void set_colors(qtri_large_vertex v[3], const qtri_mesh_job *draw, const uint32_t index[3],
-                       qtri_vertex *const vertex[3], uint32_t face_q15)
-{
-    for (int i = 0; i < 3; i++) {
-        const uint32_t light_q15 = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
-        v[i].light_q15 = light_q15;
-        set_color(v[i].color_8p16, draw, index[i], light_q15);
-    }
-}
-
-static void set_place(qtri_large_vertex *out, const qtri_vertex *vertex)
-{
-    out->depth_16p16 = vertex->depth_16p8 & ~0xFFu;
-    out->inv_w_q31 = vertex->inv_w;
-    out->inv_w_exponent = (int32_t)(vertex->depth_16p8 & 0xFFu);
-    out->rest[0] = 0;
-    out->rest[1] = 0;
-}
-
-QTRI_NOINLINE static void draw_lit(const qtri_mesh_job *draw, const uint32_t index[3],
-                                   qtri_vertex *const vertex[3], const qtri_point *const p[3],
-                                   int64_t area, uint32_t face_q15)
-{
-    qtri_draw_state *state = draw->primitive.to.solid.small.state;
-    const uint8_t *alphas = state->alphas;
-    qtri_large_vertex v[3];
-    for (int i = 0; i < 3; i++) {
-        set_place(&v[i], vertex[i]);
-        if (state->texture != NULL) {
-            qtri_mesh_set_uv(&v[i].u_q32, &v[i].v_q32, draw->mesh, index[i]);
-        }
-        v[i].alpha_q16 =
-            state->options.vertex_alpha ? ((uint32_t)alphas[index[i]] << 16) / 255 : 65536;
-    }
-    if (state->is_lit || state->options.per_pixel) {
-        set_lit_colors(v, state);
-    } else {
-        set_colors(v, draw, index, vertex, face_q15);
-    }
-    find_true_places(v, draw, index, p, area);
-    qtri_large_triangle(state, p, area,
-                        qtri_color_word(v[qtri_provoking_of(draw->primitive.material)].color_8p16),
-                        v);
 }
 
 QTRI_NOINLINE void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices,
@@ -177,15 +155,27 @@ QTRI_NOINLINE void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *i
 {
     const qtri_point *const p[3] = {&a->at, &b->at, &c->at};
     qtri_vertex *const vertex[3] = {a, b, c};
+    qtri_draw_state *state = draw->primitive.to.solid.small.state;
     const int64_t area = qtri_triangle_area(p[0], p[1], p[2]);
-    uint32_t index[3];
-    if (area == 0 || qtri_is_beside(&draw->primitive.to.solid.state, p)) {
+    qtri_fan_vertex fan[3];
+    const qtri_fan_vertex *const piece[3] = {&fan[0], &fan[1], &fan[2]};
+    lit_triangle triangle;
+    if (area == 0 || qtri_is_beside(state, p)) {
         return;
     }
-    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-    draw_lit(draw, index, vertex, p, area,
-             draw->find_large_light != NULL ? draw->find_large_light(draw, indices, a, b, c)
-                                            : QTRI_INTENSITY_ONE);
+    triangle.draw = draw;
+    qtri_mesh_indices(triangle.index, indices, qtri_mesh_has_bytes(draw->mesh));
+    set_colors(&triangle, vertex,
+               draw->find_large_light != NULL ? draw->find_large_light(draw, indices, a, b, c)
+                                              : QTRI_INTENSITY_ONE);
+    for (int i = 0; i < 3 && state->is_lit && !state->options.per_pixel; i++) {
+        triangle.color[i] = qtri_lit_rgb(state->lit[i]);
+    }
+    for (int i = 0; i < 3; i++) {
+        state->alpha_index[i] = triangle.index[i];
+    }
+    set_fan(fan, draw, triangle.index, vertex, area);
+    qtri_primitive_piece(&draw->primitive, piece, area, set_attributes, &triangle);
 }
 
 void qtri_mesh_solid_init(qtri_mesh_job *draw, qtri_light_finder *light)
@@ -205,40 +195,18 @@ void qtri_mesh_solid_init(qtri_mesh_job *draw, qtri_light_finder *light)
 
 /* ---- Any triangle ---- */
 
-/* What light makes of the corners' colours. */
-static void light_triangle(uint32_t intensity_q15[3], const qtri_mesh_job *draw,
-                           const void *triangle, qtri_vertex *const vertex[3])
+/* What light makes of the corners of a triangle that is clipped. */
+static void light_clipped(lit_triangle *triangle, const void *indices, qtri_vertex *const vertex[3],
+                          const qtri_clip_vertex v[3])
 {
-    uint32_t face_q15 =
-        draw->lit_per_face ? qtri_mesh_light_face(draw, triangle) : QTRI_INTENSITY_ONE;
-    if (draw->lit_per_vertex) {
-        qtri_mesh_light_corners(draw, triangle, vertex[0], vertex[1], vertex[2]);
-    }
-    for (int i = 0; i < 3; i++) {
-        intensity_q15[i] = draw->lit_per_vertex ? vertex[i]->intensity_q15 : face_q15;
-    }
-}
-
-/* One that is clipped: lit before, where the stack is not deep. */
-typedef struct lit_triangle {
-    const qtri_mesh_job *draw;
-    const void *indices;
-    uint32_t intensity_q15[3];
-} lit_triangle;
-
-/* Its colours and texture coordinates. */
-static void set_attributes(const void *from, qtri_screen_vertex out[3])
-{
-    const lit_triangle *triangle = from;
     const qtri_mesh_job *draw = triangle->draw;
-    for (int i = 0; i < 3; i++) {
-        uint32_t index = qtri_mesh_index(draw->mesh, triangle->indices, i);
-        set_color(out[i].color_8p16, draw, index, triangle->intensity_q15[i]);
-        if (draw->primitive.material->fill == NULL &&
-            qtri_is_lit(&draw->primitive.to.solid.state.options)) {
-            out[i].color_8p16[0] = (int32_t)triangle->intensity_q15[i] * 510; /* 255.0 is 1 */
-        }
-        qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, index);
+    if (draw->lit_per_vertex) {
+        qtri_mesh_light_corners(draw, indices, vertex[0], vertex[1], vertex[2]);
+    }
+    set_colors(triangle, vertex,
+               draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE);
+    if (draw->lights != NULL) {
+        draw->lights->model->shade_clipped(draw, indices, v, triangle->color);
     }
 }
 
@@ -251,21 +219,16 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
     }
     qtri_shape shape;
     lit_triangle triangle;
-    for (int i = 0; i < 3; i++) {
-        draw->positions->transform(&draw->primitive.projector, draw->mesh,
-                                   qtri_mesh_index(draw->mesh, indices, i), &shape.clip[i]);
-    }
-    if (draw->primitive.material->fill == NULL) { /* whose alphas the vertices have */
-        qtri_mesh_indices(draw->primitive.to.solid.small.state->alpha_index, indices,
-                          qtri_mesh_has_bytes(draw->mesh));
-    }
-    if (draw->lights != NULL) {
-        draw->lights->model->clipped(draw, indices, &shape);
-        return;
-    }
     triangle.draw = draw;
-    triangle.indices = indices;
-    light_triangle(triangle.intensity_q15, draw, indices, vertex);
+    qtri_mesh_indices(triangle.index, indices, qtri_mesh_has_bytes(draw->mesh));
+    for (int i = 0; i < 3; i++) {
+        draw->positions->transform(&draw->primitive.projector, draw->mesh, triangle.index[i],
+                                   &shape.clip[i]);
+        if (draw->primitive.material->fill == NULL) { /* whose alphas the vertices have */
+            draw->primitive.to.solid.small.state->alpha_index[i] = triangle.index[i];
+        }
+    }
+    light_clipped(&triangle, indices, vertex, shape.clip);
     qtri_primitive_triangle(&draw->primitive, &shape, set_attributes, &triangle);
 }
 
@@ -277,7 +240,7 @@ QTRI_NOINLINE static void draw_solid(const qtri_mesh_job *draw, const void *indi
     qtri_vertex *const vertex[3] = {a, b, c};
     qtri_small t = draw->primitive.to.solid.small;
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-    if (!qtri_mesh_draw_small(t.state->small, &t, indices, index, vertex)) {
+    if (!qtri_mesh_draw_small(&t, indices, index, vertex)) {
         qtri_mesh_draw_large(draw, indices, a, b, c);
     }
 }

@@ -84,8 +84,8 @@ QTRI_INLINE bool find_vertices(const qtri_outline *outline, uint32_t triangle, u
 {
     const qtri_mesh *mesh = outline->mesh;
     const bool narrow = qtri_mesh_has_bytes(mesh);
-    qtri_mesh_indices(index, qtri_mesh_triangle(mesh, triangle, narrow), narrow);
-    return qtri_mesh_find(vertex, outline->vertices, mesh->vertex_count, index, qtri_vertex_size());
+    return qtri_mesh_find(index, vertex, outline->vertices, mesh->vertex_count,
+                          qtri_mesh_triangle(mesh, triangle, narrow), narrow);
 }
 
 /*

@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "per_pixel.h"
-
 #include "qtri/pipeline_make.h"
 
 #include "mesh_job.h"

@@ -301,7 +301,8 @@ static void set_vertex(qtri_large_vertex *out, const qtri_draw_state *state,
     for (int i = 0; i < 3; i++) {
         out->color_8p16[i] = from->color_8p16[i];
     }
-    out->light_q15 = (uint32_t)from->color_8p16[0] / 510; /* 255.0 is 1 */
+    /* 255.0 is 1: over 510, by 2^39 / 255, rounded up by less than 2^-32 of itself. */
+    out->light_q15 = qtri_mul_high32((uint32_t)from->color_8p16[0] >> 1, 0x80808081u) >> 7;
     if (state->options.per_pixel) {
         out->color_8p16[0] = v->b1_q30;
         out->color_8p16[1] = v->b2_q30;
@@ -329,21 +330,15 @@ QTRI_NOINLINE static uint32_t set_piece(qtri_large_vertex v[3], const qtri_primi
     return qtri_color_word(attributes[0].color_8p16);
 }
 
-/*
- * A triangle of what clipping left. With QTRI_LIGHT the light of a vertex is its color_8p16[0],
- * 255.0 being 1.
- */
-QTRI_NOINLINE static void draw_piece(const qtri_primitive *primitive,
-                                     const qtri_fan_vertex *const vertex[3], int64_t area,
-                                     qtri_attribute_source source, const void *from)
+QTRI_NOINLINE void qtri_primitive_piece(const qtri_primitive *primitive,
+                                        const qtri_fan_vertex *const vertex[3], int64_t area,
+                                        qtri_attribute_source source, const void *from)
 {
     qtri_draw_state *state = primitive->to.solid.small.state;
     const qtri_point *const p[3] = {&vertex[0]->at, &vertex[1]->at, &vertex[2]->at};
     qtri_large_vertex v[3];
-    if (!qtri_is_beside(state, p)) {
-        const uint32_t color = set_piece(v, primitive, vertex, source, from);
-        qtri_large_triangle(state, p, area, color, v);
-    }
+    const uint32_t color = set_piece(v, primitive, vertex, source, from);
+    qtri_large_triangle(state, p, area, color, v);
 }
 
 /*
@@ -381,7 +376,10 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
         if (area != 0 && (area ^ sum) >= 0) {
             piece[1] = &shape->fan[i - 1];
             piece[2] = &shape->fan[i];
-            draw_piece(primitive, piece, area, source, from);
+            const qtri_point *const p[3] = {&piece[0]->at, &piece[1]->at, &piece[2]->at};
+            if (!qtri_is_beside(primitive->to.solid.small.state, p)) {
+                qtri_primitive_piece(primitive, piece, area, source, from);
+            }
         }
     }
 }

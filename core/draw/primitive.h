@@ -53,6 +53,9 @@ struct qtri_by_pixel {
                 const qtri_rgb *color);
 };
 
+extern const qtri_pipeline qtri_pipeline_by_pixel, qtri_pipeline_texture_by_pixel;
+extern const qtri_pipeline *const qtri_pipelines_by_pixel[]; /* these, and NULL */
+
 /* That of a material that draws solid triangles; NULL: they are lit by vertex or by face. */
 static inline const qtri_by_pixel *qtri_by_pixel_of(const qtri_material *material)
 {
@@ -109,6 +112,13 @@ bool qtri_rests_matter(const qtri_draw_state *state, const qtri_point *const p[3
 
 /* Whether the triangle lies wholly on one side of what may be drawn. */
 bool qtri_is_beside(const qtri_draw_state *state, const qtri_point *const p[3]);
+
+/*
+ * Draws a triangle of what clipping left, or a whole one; twice its area. With QTRI_LIGHT the light
+ * of a vertex is its color_8p16[0], 255.0 being 1.
+ */
+void qtri_primitive_piece(const qtri_primitive *primitive, const qtri_fan_vertex *const vertex[3],
+                          int64_t area, qtri_attribute_source source, const void *from);
 
 /* 0..255.0 each, rounded: 0x00RRGGBB. */
 uint32_t qtri_color_word(const int32_t color_8p16[3]);

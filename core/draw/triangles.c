@@ -144,7 +144,7 @@ static void draw_visible(triangle_call *call, const qtri_corner *attributes)
         triangle->inside.uvs[i] = attributes[i].uv;
         v[i].intensity_q15 = QTRI_INTENSITY_ONE;
     }
-    if (!qtri_mesh_draw_small(small->state->small, small, indices, index, vertex)) {
+    if (!qtri_mesh_draw_small(small, indices, index, vertex)) {
         qtri_mesh_draw_large(&call->job, indices, vertex[0], vertex[1], vertex[2]);
     }
 }

@@ -34,12 +34,10 @@ unsigned qtri_clip_outcode(const qtri_clip_vertex *v)
     return outcode == 0 && v->w <= 0 ? QTRI_OUT_NEAR : outcode;
 }
 
-/* a + (b - a) t for |b - a| < 2^62 and t in [0, 1] as 62 bits, truncated towards a. */
-static int64_t interpolate(int64_t a, int64_t b, uint64_t t_q62)
+/* a + (b - a) t for |b - a| < 2^62 and t in [0, 1], truncated towards a. */
+QTRI_NOINLINE static int64_t interpolate(int64_t a, int64_t b, int64_t t_q62)
 {
-    int64_t difference = b - a;
-    int64_t step = (int64_t)qtri_mul_high64(qtri_magnitude64(difference) << 1, t_q62 << 1);
-    return difference < 0 ? a - step : a + step;
+    return a + qtri_mul_q62(b - a, t_q62);
 }
 
 /*
@@ -56,7 +54,7 @@ static void cut(qtri_clip_vertex *out, const qtri_clip_vertex *inside,
     qtri_wide_set(&t, in, 0);
     qtri_wide_set(&whole, in - distance(outside, plane), 0);
     qtri_wide_div_by(&t, &whole);
-    uint64_t t_q62 = (uint64_t)qtri_shift_round(t.m, t.e - 62); /* t < 1: e >= 62 */
+    int64_t t_q62 = qtri_shift_round(t.m, t.e - 62); /* t < 1: e >= 62 */
 
     out->x = interpolate(inside->x, outside->x, t_q62);
     out->y = interpolate(inside->y, outside->y, t_q62);

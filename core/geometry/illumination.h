@@ -129,35 +129,6 @@ static inline uint32_t qtri_shininess_at(const qtri_shininess *table, uint32_t t
     return value[0] - (((uint32_t)(value[0] - value[1]) * rest_q15) >> 15);
 }
 
-/* From here on the table is 0; 0 without one. */
-static inline uint32_t qtri_shininess_end_q29(const qtri_shininess *table)
-{
-    return table == NULL ? 0 : (uint32_t)table->count << table->shift;
-}
-
-/* 1 - a . b of two unit vectors: |a - b|^2 / 2. |a| + |b| < 4 in Q14. */
-static inline uint32_t qtri_apart_q29(const int32_t a[3], const int32_t b[3])
-{
-    const uint32_t x = (uint32_t)(a[0] - b[0]); /* squares fit 32 bits, unsigned */
-    const uint32_t y = (uint32_t)(a[1] - b[1]);
-    const uint32_t z = (uint32_t)(a[2] - b[2]);
-    return x * x + y * y + z * z;
-}
-
-static inline int32_t qtri_dot_q28(const int32_t a_q14[3], const int32_t b_q14[3])
-{
-    return a_q14[0] * b_q14[0] + a_q14[1] * b_q14[1] + a_q14[2] * b_q14[2];
-}
-
-/* sum += color share: 2^28 at most. */
-static inline void qtri_light_add(uint32_t sum_q24[3], const uint32_t color_q12[3],
-                                  uint32_t share_q12)
-{
-    sum_q24[0] += color_q12[0] * share_q12;
-    sum_q24[1] += color_q12[1] * share_q12;
-    sum_q24[2] += color_q12[2] * share_q12;
-}
-
 static inline uint32_t qtri_square_q28(const int32_t v_q14[3])
 {
     return (uint32_t)(v_q14[0] * v_q14[0]) + (uint32_t)(v_q14[1] * v_q14[1]) +

@@ -6,6 +6,36 @@
 #include "../math/q16_trig.h"
 #include "illumination.h"
 
+/* ---- What kinds of light share ---- */
+
+/* From here on the table is 0; 0 without one. */
+static inline uint32_t highlight_end_q29(const qtri_shininess *table)
+{
+    return table == NULL ? 0 : (uint32_t)table->count << table->shift;
+}
+
+/* 1 - a . b of two unit vectors: |a - b|^2 / 2. |a| + |b| < 4 in Q14. */
+static inline uint32_t distance_q29(const int32_t a[3], const int32_t b[3])
+{
+    const uint32_t x = (uint32_t)(a[0] - b[0]); /* squares fit 32 bits, unsigned */
+    const uint32_t y = (uint32_t)(a[1] - b[1]);
+    const uint32_t z = (uint32_t)(a[2] - b[2]);
+    return x * x + y * y + z * z;
+}
+
+static inline int32_t dot_q28(const int32_t a_q14[3], const int32_t b_q14[3])
+{
+    return a_q14[0] * b_q14[0] + a_q14[1] * b_q14[1] + a_q14[2] * b_q14[2];
+}
+
+/* sum += color share: 2^28 at most. */
+static inline void add_light(uint32_t sum_q24[3], const uint32_t color_q12[3], uint32_t share_q12)
+{
+    sum_q24[0] += color_q12[0] * share_q12;
+    sum_q24[1] += color_q12[1] * share_q12;
+    sum_q24[2] += color_q12[2] * share_q12;
+}
+
 /* ---- Directional lights ---- */
 
 /*
@@ -34,21 +64,21 @@ QTRI_NOINLINE static void add_highlight(const qtri_shine *at, qtri_lit_point *po
                                         uint32_t apart_q29)
 {
     const uint32_t power_q15 = qtri_shininess_at(point->by->shininess, apart_q29);
-    qtri_light_add(point->specular_q24, at->color_q12, power_q15 >> 3);
+    add_light(point->specular_q24, at->color_q12, power_q15 >> 3);
 }
 
 static void add_directional(const qtri_shine *first, const qtri_shine *end, qtri_lit_point *point)
 {
     const int32_t n[3] = {point->normal_q14[0], point->normal_q14[1], point->normal_q14[2]};
     uint32_t sum_q24[3] = {point->diffuse_q24[0], point->diffuse_q24[1], point->diffuse_q24[2]};
-    const uint32_t end_q29 = qtri_shininess_end_q29(point->by->shininess);
+    const uint32_t end_q29 = highlight_end_q29(point->by->shininess);
     for (const qtri_shine *at = first; at != end; at++) {
-        const int32_t cosine_q28 = qtri_dot_q28(n, at->at);
+        const int32_t cosine_q28 = dot_q28(n, at->at);
         if (cosine_q28 <= 0) {
             continue;
         }
-        qtri_light_add(sum_q24, at->color_q12, (uint32_t)cosine_q28 >> 16);
-        const uint32_t apart_q29 = qtri_apart_q29(n, at->of.half_q14);
+        add_light(sum_q24, at->color_q12, (uint32_t)cosine_q28 >> 16);
+        const uint32_t apart_q29 = distance_q29(n, at->of.half_q14);
         if (apart_q29 < end_q29) {
             add_highlight(at, point, apart_q29);
         }
@@ -129,7 +159,7 @@ QTRI_IN_PLACE bool find_way(light_way *way, const qtri_shine *source, const qtri
     way->direction_q14[0] = (d[0] * y_q14) >> down;
     way->direction_q14[1] = (d[1] * y_q14) >> down;
     way->direction_q14[2] = (d[2] * y_q14) >> down;
-    way->cosine_q28 = qtri_dot_q28(point->normal_q14, way->direction_q14);
+    way->cosine_q28 = dot_q28(point->normal_q14, way->direction_q14);
     if (way->cosine_q28 <= 0) {
         return false;
     }
@@ -187,7 +217,7 @@ QTRI_IN_PLACE uint32_t highlight_q15(const qtri_lit_point *point, const int32_t 
         return 0;
     }
     /* Most points are outside of a highlight: (n . h)^2 tells, while it is precise. */
-    const int32_t along_q15 = qtri_dot_q28(point->normal_q14, h) >> 14; /* <= |l + v| */
+    const int32_t along_q15 = dot_q28(point->normal_q14, h) >> 14; /* <= |l + v| */
     if (along_q15 <= 0 ||
         (square >> 28 != 0 &&
          (uint32_t)(along_q15 * along_q15) < (square >> 15) * point->by->shininess->least_q15)) {
@@ -202,7 +232,7 @@ QTRI_IN_PLACE uint32_t highlight_q15(const qtri_lit_point *point, const int32_t 
     h[0] = (h[0] * y_q15) >> down;
     h[1] = (h[1] * y_q15) >> down;
     h[2] = (h[2] * y_q15) >> down;
-    return qtri_shininess_at(point->by->shininess, qtri_apart_q29(point->normal_q14, h));
+    return qtri_shininess_at(point->by->shininess, distance_q29(point->normal_q14, h));
 }
 
 /* Adds what is reflected of it. */
@@ -210,13 +240,12 @@ QTRI_IN_PLACE void add_faded(qtri_lit_point *point, const qtri_shine *source, co
                              const light_fade *fade)
 {
     const uint32_t cosine_q15 = (uint32_t)way->cosine_q28 >> 13; /* <= 2^15 (1 + 2^-12) */
-    qtri_light_add(point->diffuse_q24, source->color_q12,
-                   (fade->mantissa * cosine_q15) >> fade->shift);
+    add_light(point->diffuse_q24, source->color_q12, (fade->mantissa * cosine_q15) >> fade->shift);
     if (point->by->shininess != NULL) {
         const uint32_t power_q15 = highlight_q15(point, way->direction_q14);
         if (power_q15 != 0) {
-            qtri_light_add(point->specular_q24, source->color_q12,
-                           (fade->mantissa * power_q15) >> fade->shift);
+            add_light(point->specular_q24, source->color_q12,
+                      (fade->mantissa * power_q15) >> fade->shift);
         }
     }
 }
@@ -323,7 +352,7 @@ static uint32_t cone_q15(const qtri_shine *source, const light_way *way)
 {
     const int32_t from[3] = {-way->direction_q14[0], -way->direction_q14[1],
                              -way->direction_q14[2]};
-    const uint32_t apart = qtri_apart_q29(from, source->axis_q14);
+    const uint32_t apart = distance_q29(from, source->axis_q14);
     if (apart >= source->outer_q29) {
         return 0;
     }

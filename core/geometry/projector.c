@@ -100,14 +100,6 @@ void qtri_projector_point(const qtri_projector *projector, const qtri_vec3 *p,
     set_coordinates(out, sum);
 }
 
-/* t w / 2^bits, truncated, for |t| < 2^61 and |t w / 2^bits| < 2^62; 16 <= bits <= 32. */
-static int64_t scale_translation(int64_t t, q16 w, int32_t bits)
-{
-    uint64_t size =
-        qtri_mul_high64(qtri_magnitude64(t) << 2, (uint64_t)qtri_magnitude32(w) << (62 - bits));
-    return (t < 0) == (w < 0) ? (int64_t)size : -(int64_t)size;
-}
-
 void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *const p[], int count,
                            qtri_clip_vertex out[])
 {
@@ -123,12 +115,31 @@ void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *con
         int64_t sum[4];
         for (int axis = 0; axis < 4; axis++) {
             const qtri_row *row = &projector->row.wide[axis];
-            int64_t t = scale_translation(row->t, p[i]->w, 16 + extra); /* <= |t| */
+            /* t w / 2^(16 + extra), truncated: |w| <= 2^(16 + extra), so <= |t| */
+            int64_t t = qtri_mul_q62(row->t, qtri_shift_left64(p[i]->w, 46 - extra));
             sum[axis] = row_sum(row, 0, p[i]->x, p[i]->y, p[i]->z) >> extra;
             sum[axis] = (sum[axis] + t) >> projector->shift[axis];
         }
         set_coordinates(&out[i], sum);
     }
+}
+
+/*
+ * Window depth in steps of 2^-8 from z in the scale of w_q32, |z_q31| <= w_q32 / 2: times the
+ * reciprocal, z / w in Q29.
+ */
+static inline uint32_t depth_of(const qtri_projector *projector, int32_t z_q31, int32_t reciprocal)
+{
+    int32_t ratio_q29 = qtri_mul_high_s32(z_q31, reciprocal); /* +-2^29 */
+    int32_t half = qtri_mul_high_s32(projector->depth_reach, ratio_q29 * 4);
+    return (projector->depth_center + (uint32_t)half * 2u) & ~0xFFu;
+}
+
+/* Plainly within the guard band: |x|, |y| <= 2^21. */
+static inline bool is_in_guard(int32_t x_24p8, int32_t y_24p8)
+{
+    const uint32_t reach = QTRI_SCREEN_MAX_24P8 / 2;
+    return (((uint32_t)x_24p8 + reach) | ((uint32_t)y_24p8 + reach)) < 2 * reach;
 }
 
 /* x / w times 2^31 over 2^15, for |x| <= 2^14 w: the mantissa that the reciprocal multiplies. */
@@ -172,7 +183,7 @@ void qtri_project(const qtri_projector *projector, const qtri_clip_vertex *v,
     int64_t z = v->z > w ? w : (v->z < -w ? -w : v->z);
     int32_t z_q31 = (int32_t)(qtri_shift_left64(z, zeros - 1) >> 32);
     int32_t least_q31 = -(int32_t)(w_q32 >> 1); /* z was rounded down, and w, too */
-    out->depth_16p16 = qtri_vertex_depth(projector, qtri_greatest32(z_q31, least_q31), reciprocal);
+    out->depth_16p16 = depth_of(projector, qtri_greatest32(z_q31, least_q31), reciprocal);
 }
 
 /*
@@ -296,8 +307,7 @@ QTRI_IN_PLACE bool place(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
     }
     out->at.x_24p8 = x >> FAST_BITS;
     out->at.y_24p8 = y >> FAST_BITS;
-    out->depth_16p8 =
-        qtri_vertex_depth(projector, z_q31, r) | (uint32_t)(zeros + projector->shift[3]);
+    out->depth_16p8 = depth_of(projector, z_q31, r) | (uint32_t)(zeros + projector->shift[3]);
     out->inv_w = (uint32_t)r;
     out->intensity_q15 = QTRI_VERTEX_UNLIT;
     return true;
@@ -370,10 +380,8 @@ static int32_t fold(folded *out, const qtri_row *row, const int32_t origin[3], q
     out->exponent = row->exponent + 16;
     for (int i = 0; i < 3; i++) {
         out->m[i] = qtri_mul_s32(row->m[i], extent);
+        out->t += qtri_mul_s32(row->m[i], origin[i]);
         sum += qtri_magnitude32(row->m[i]); /* <= 3 2^30 */
-        if (origin[i] != 0) {               /* 2 % of an empty draw call on a Cortex-M0+ */
-            out->t += qtri_mul_s32(row->m[i], origin[i]);
-        }
     }
     const uint64_t size = qtri_mul_u32(sum, qtri_magnitude32(extent)) + qtri_magnitude64(out->t);
     return size == 0 ? INT32_MAX : out->exponent + qtri_clz64(size) - 35;
@@ -477,8 +485,7 @@ QTRI_IN_PLACE bool place16(const qtri_projector *projector, int32_t bits, const 
     }
     int32_t r = qtri_reciprocal_below((uint32_t)w << zeros);
     out->inv_w = (uint32_t)r;
-    out->depth_16p8 =
-        qtri_vertex_depth(projector, z * ((int32_t)1 << (zeros - 1)), r) | (uint32_t)zeros;
+    out->depth_16p8 = depth_of(projector, z * ((int32_t)1 << (zeros - 1)), r) | (uint32_t)zeros;
     out->intensity_q15 = QTRI_VERTEX_UNLIT;
 
     int32_t half = (int32_t)(UINT32_MAX >> (33 - n)); /* 2^(n - 1), and the - 1 of h - 1 */
@@ -487,7 +494,7 @@ QTRI_IN_PLACE bool place16(const qtri_projector *projector, int32_t bits, const 
     out->at.x_24p8 = x >> n;
     out->at.y_24p8 = y >> n;
     if (((x + 2) & (2 * half)) == 0 || ((y + 2) & (2 * half)) == 0 ||
-        !qtri_vertex_in_guard(x >> n, y >> n)) {
+        !is_in_guard(x >> n, y >> n)) {
         return exact16(projector, p, out);
     }
     return true;

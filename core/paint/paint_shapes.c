@@ -93,9 +93,16 @@ static void check_stroke(const qtri_surface *surface, qtri_point from, qtri_poin
 
 /* ---- Rectangles ---- */
 
+static qtri_area hold_area(const qtri_area *box)
+{
+    qtri_area held = {qtri_hold_24p8(box->x0_24p8), qtri_hold_24p8(box->y0_24p8),
+                      qtri_hold_24p8(box->x1_24p8), qtri_hold_24p8(box->y1_24p8)};
+    return held;
+}
+
 static void paint_rect(const qtri_surface *surface, const qtri_area *box, const qtri_brush *brush)
 {
-    const qtri_area held = qtri_hold_area(box);
+    const qtri_area held = hold_area(box);
     qtri_painter painter;
     if (held.x0_24p8 >= held.x1_24p8 || held.y0_24p8 >= held.y1_24p8 ||
         !qtri_painter_begin(&painter, surface, brush)) {
@@ -134,7 +141,7 @@ void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, 
 {
     QTRI_CHECK(check_area(surface, box));
     QTRI_CHECK(check_width(width_24p8));
-    const qtri_area b = qtri_hold_area(box);
+    const qtri_area b = hold_area(box);
     const int32_t width = b.x1_24p8 - b.x0_24p8; /* |.| <= 2^23 */
     const int32_t height = b.y1_24p8 - b.y0_24p8;
     if (width_24p8 <= 0 || width <= 0 || height <= 0) {
@@ -180,7 +187,7 @@ static void add(qtri_path *path, const qtri_area *b, int32_t radius)
 /* The box, and the radius that fits into it; false: it has no inside. */
 static bool begin(const qtri_area *box, int32_t *radius, qtri_area *held)
 {
-    *held = qtri_hold_area(box);
+    *held = hold_area(box);
     const int32_t width = held->x1_24p8 - held->x0_24p8; /* |.| <= 2^23 */
     const int32_t height = held->y1_24p8 - held->y0_24p8;
     if (width <= 0 || height <= 0) {

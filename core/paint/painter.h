@@ -95,11 +95,4 @@ static inline qtri_point qtri_hold_point(const qtri_point *point)
     return held;
 }
 
-static inline qtri_area qtri_hold_area(const qtri_area *box)
-{
-    qtri_area held = {qtri_hold_24p8(box->x0_24p8), qtri_hold_24p8(box->y0_24p8),
-                      qtri_hold_24p8(box->x1_24p8), qtri_hold_24p8(box->y1_24p8)};
-    return held;
-}
-
 #endif

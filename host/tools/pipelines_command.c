@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../core/draw/per_pixel.h"
+#include "../../core/draw/primitive.h"
 #include "../../core/raster/descriptions.h"
 #include "../../core/raster/draw_state.h"
 #include "../../core/raster/samples.h"
