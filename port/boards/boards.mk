@@ -50,7 +50,7 @@ board_run_lm3s6965evb_cortex-m3  := $(QEMU_ARM) -M lm3s6965evb $(BOARD_QEMU) -se
 
 BOARD_WARNINGS := -Wall -Wextra -Wconversion -Wshadow -Wpedantic
 BOARD_INCLUDES := -Icore/include -Iport/include
-BOARD_FLAGS    := -std=c99 -O2 -g $(BOARD_WARNINGS) $(BOARD_INCLUDES) -ffunction-sections -fdata-sections
+BOARD_FLAGS    := -std=c99 -O2 -g -fno-var-tracking $(BOARD_WARNINGS) $(BOARD_INCLUDES) -ffunction-sections -fdata-sections
 BOARD_LINK     := -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings
 
 board_of = $(firstword $(subst _, ,$1))
