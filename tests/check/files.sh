@@ -59,3 +59,13 @@ locked()
         "$@"
     fi
 }
+
+# Objects of the files that standard input names, no two of which may have one name: objects FOLDER COMMAND... A compiler
+# that is begun for several takes half the time of one for each at -O0.
+objects()
+{
+    into=$1
+    shift
+    mkdir -p "$into"
+    sed "s,^,$(pwd)/," | (cd "$into" && xargs -P "$jobs" -n 12 "$@" -c)
+}
