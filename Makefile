@@ -69,8 +69,8 @@ SANITIZE_MEMORY  := -O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all -f
 # Core is built for it as by any C99 compiler: an empty line of assembly would count as a use of room to spare.
 PLAIN_C99 := -U__GNUC__ -fno-strict-aliasing
 
-# Minutes to compile there: the pipelines' other tests draw by the same body. For threads and fuzzing what makes
-# pipelines is compiled without optimisation, for other sanitizers those of tests that draw little by them.
+# Minutes to compile there: the pipelines' other tests draw by the same body. What makes pipelines is compiled without
+# optimisation, which takes a twentieth of the time and asks the same; for memory those of tests that draw little by them.
 SLOW_TO_SANITIZE := test_pipeline_random
 UNOPTIMIZED_TEST := TEST_PIPELINE_FLAGS=-O0
 UNOPTIMIZED      := PIPELINE_FLAGS=-O0 $(UNOPTIMIZED_TEST)
@@ -83,6 +83,9 @@ NARROW := -DQTRI_LONG_MULTIPLY=0 -DQTRI_DIVIDE=0
 
 # In front of a command: a short line in its place, or the command itself with V=1; neither with -s.
 run = $(if $(V),,@$(if $(findstring s,$(firstword -$(MAKEFLAGS))),,echo '$1' && ))
+
+# In a recipe: makes the target's folder where there is none. A process for each object would cost a minute of all builds.
+folder = $(if $(wildcard $(@D)),,@mkdir -p $(@D))
 
 # -j for a make that this one starts, unless they already share the jobs.
 PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
@@ -106,12 +109,12 @@ $(ARCHIVES):
 	$(call run,archive $@)$(AR) rc $@ $^
 
 $(BUILD)/obj/%.o: %.c $(BUILD)/flags
-	@mkdir -p $(@D)
+	$(folder)
 	$(call run,compile $<)$(CC) -std=c99 $(CFLAGS) $(INCLUDES) $(DEPENDENCIES) -c -o $@ $<
 
 # The compiler and its flags; rewritten when they change, so that everything is rebuilt.
 $(BUILD)/flags: FORCE
-	@mkdir -p $(@D)
+	$(folder)
 	@echo '$(CC) $(CFLAGS) $(HOST_DEFINES)' | cmp -s - $@ || echo '$(CC) $(CFLAGS) $(HOST_DEFINES)' > $@
 
 .PHONY: FORCE
@@ -171,7 +174,7 @@ test-more: ## Run those without sanitizers that try less under them, or are not 
 
 .PHONY: test-sanitized
 test-sanitized: ## Run them under the address and undefined-behaviour sanitizers
-	@$(MAKE) -s $(PARALLEL) BUILD=build/sanitize CFLAGS='$(SANITIZE)' $(UNOPTIMIZED_TEST) TESTS='$(filter-out $(SLOW_TO_SANITIZE),$(TESTS))' test-plain
+	@$(MAKE) -s $(PARALLEL) BUILD=build/sanitize CFLAGS='$(SANITIZE)' $(UNOPTIMIZED) TESTS='$(filter-out $(SLOW_TO_SANITIZE),$(TESTS))' test-plain
 
 .PHONY: test-threads
 test-threads: ## Run the tests that have threads under the thread sanitizer
@@ -204,7 +207,7 @@ RANDOM_PIPELINES ?= 60
 RANDOM_PARTS     := 0 1 2 3 4 5
 random_pipelines  = $(RANDOM_PARTS:%=$(BUILD)/random_pipelines/part_%.o) $(BUILD)/random_pipelines/list.o
 $(BUILD)/random_pipelines/%.o: tests/tools/random_pipelines.awk $(BUILD)/flags $(wildcard core/include/qtri/*.h core/include/qtri/body/*.h)
-	@mkdir -p $(@D)
+	$(folder)
 	@awk -v seed=223 -v count=$(RANDOM_PIPELINES) -v parts=$(words $(RANDOM_PARTS)) \
 	    $(if $(filter list,$*),-v list=1,-v part=$(*:part_%=%)) -f $< >$(@:.o=.c)
 	$(call run,compile $@)$(CC) -std=c99 $(CFLAGS) $(if $(filter part_5,$*),-Os,-O1) -Icore/include -c -o $@ $(@:.o=.c)
@@ -213,13 +216,13 @@ $(BUILD)/tests/test_pipeline_random: $(random_pipelines)
 # What `qtri pipelines` prints of scenes, compiled as it is.
 PASTED := 09-floor-mipmapped 11-antialias-msaa 11-light-pixel 11-vertex-alpha 12-fog
 $(BUILD)/pasted/%.o: host/scenes/%.scene $(BUILD)/qtri
-	@mkdir -p $(@D)
+	$(folder)
 	@$(BUILD)/qtri pipelines $< --name pasted_$(subst -,_,$*) >$(@:.o=.c)
 	$(call run,compile $@)$(CC) -std=c99 $(CFLAGS) $(TEST_PIPELINE_FLAGS) -Icore/include -c -o $@ $(@:.o=.c)
 $(BUILD)/tests/test_tools_pipelines: $(PASTED:%=$(BUILD)/pasted/%.o)
 
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
-	@mkdir -p $(@D)
+	$(folder)
 	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm $(HOST_LIBS)
 
 .PHONY: fuzz

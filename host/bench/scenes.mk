@@ -22,8 +22,9 @@ SCENE_DIR     := $(BENCH_DIR)/scenes
 SCENE_MODELS  := $(wildcard $(MODELS:%=%/spot.obj) $(MODELS:%=%/teapot.obj))
 SCENE_WORLD   := $(wildcard core/*/*.c) $(addprefix host/bench/,bench_world.c bench_print.c) $(SCENE_DIR)/bench_meshes.c
 SCENE_SOURCES := $(addprefix host/bench/,bench_scenes.c bench_smooth.c bench_paint.c bench_strokes.c bench_program.c) $(SCENE_WORLD)
-# What -fstack-usage and -fcallgraph-info write, `make size` reads; they change no code.
-SCENE_FLAGS   := -std=c99 -g -fstack-usage -fcallgraph-info=su -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
+# What -fstack-usage and -fcallgraph-info write, `make size` reads; they change no code. Where each variable is at each
+# instruction would take the compiler a third of its time, and lines and functions are all that is asked.
+SCENE_FLAGS   := -std=c99 -g -fno-var-tracking -fstack-usage -fcallgraph-info=su -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
 
 # The compiler and the flags of one object of a core. $1: core, $2: source.
 scene_compile = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(if $(filter core/% host/bench/app_%,$2),$(bench_optimize),-O2) $(SCENE_FLAGS)
@@ -32,14 +33,14 @@ scene_link    = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(BENCH_LINK)
 # The meshes, as C for all and as OBJ for the reference. Written anew when the models come or go.
 SCENE_TOOL := $(SCENE_DIR)/bench_meshes
 $(SCENE_TOOL): $(call objects,host/bench/bench_meshes.c host/bench/mesh_write.c) $(HOST) $(LIBRARY)
-	@mkdir -p $(@D)
+	$(folder)
 	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm $(HOST_LIBS)
 
 $(SCENE_DIR)/bench_meshes.c: $(SCENE_TOOL) $(SCENE_MODELS) $(SCENE_DIR)/models
 	$(SCENE_TOOL) $(@D) $(or $(MODELS),none)
 
 $(SCENE_DIR)/models: FORCE
-	@mkdir -p $(@D)
+	$(folder)
 	@echo '$(SCENE_MODELS)' | cmp -s - $@ || echo '$(SCENE_MODELS)' >$@
 
 # What a program prints on a core is its .txt; the last line is `end`. $1: core, $2: program, $3: seconds.
@@ -58,11 +59,11 @@ $(SCENE_DIR)/$1/bench.elf: $3 port/boards/$2/$2.ld
 $(SCENE_DIR)/$1/port/boards/common/memory.o: private SCENE_EXTRA := -fno-tree-loop-distribute-patterns
 
 $(SCENE_DIR)/$1/%.o: %.c host/bench/bench.mk host/bench/scenes.mk
-	@mkdir -p $$(@D)
+	$$(folder)
 	@CCACHE_DISABLE=1 $$(call scene_compile,$1,$$<) $$(SCENE_EXTRA) -MMD -MP -c -o $$@ $$<
 
 $(SCENE_DIR)/$1/%.o: %.S
-	@mkdir -p $$(@D)
+	$$(folder)
 	@$(call bench_cc,$1) -c -o $$@ $$<
 
 $(SCENE_DIR)/$1/bench.txt: $(SCENE_DIR)/$1/bench.elf
@@ -80,11 +81,11 @@ SCENE_HOST         := $(BENCH_DIR)/bench_host
 SCENE_HOST_SOURCES := $(addprefix host/bench/,bench_host.c bench_host_board.c bench_check.c) $(filter host/bench/%,$(SCENE_SOURCES))
 $(SCENE_HOST): $(call objects,$(SCENE_HOST_SOURCES)) \
                $(BUILD)/obj/bench_meshes.o $(HOST) $(LIBRARY)
-	@mkdir -p $(@D)
+	$(folder)
 	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
 $(BUILD)/obj/bench_meshes.o: $(SCENE_DIR)/bench_meshes.c $(BUILD)/flags
-	@mkdir -p $(@D)
+	$(folder)
 	$(call run,compile $<)$(CC) -std=c99 $(CFLAGS) $(INCLUDES) -Ihost/bench -c -o $@ $<
 
 $(SCENE_DIR)/host.txt: $(SCENE_HOST)
@@ -109,7 +110,7 @@ SMOOTH_TOOL  := $(BENCH_DIR)/antialias
 SMOOTH_CORES := $(filter cortex-m0plus cortex-m3,$(SCENE_PRESENT))
 
 $(SMOOTH_TOOL): $(call objects,host/bench/antialias.c host/bench/bench_world.c) $(BUILD)/obj/bench_meshes.o $(HOST) $(LIBRARY)
-	@mkdir -p $(@D)
+	$(folder)
 	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
 .PHONY: antialias antialias-lines
@@ -132,7 +133,7 @@ profile_board   := $(call scene_board,$(PROFILE_CORE))
 profile_objects := $(filter-out %/bench_program.o,$(call scene_objects,$(PROFILE_CORE),$(SCENE_SOURCES)))
 
 $(PROFILE_SCENES:%=$(profile_dir)/profile-%.o): $(profile_dir)/profile-%.o: host/bench/bench_program.c host/bench/bench_program.h host/bench/bench_scenes.h host/bench/scenes.mk
-	@mkdir -p $(@D)
+	$(folder)
 	@$(call scene_compile,$(PROFILE_CORE),$<) -DBENCH_ONLY='"$*"' -c -o $@ $<
 
 $(PROFILE_SCENES:%=$(profile_dir)/%.elf): $(profile_dir)/%.elf: $(profile_dir)/profile-%.o $(profile_objects)

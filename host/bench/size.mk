@@ -17,19 +17,19 @@ $(SIZE_SINGLE): $(wildcard core/*/*.[ch] core/*/*.inc core/include/*.h core/incl
 	@sh port/packages/dist.sh $(SIZE_DIR)/dist >/dev/null
 
 $(SIZE_DIR)/%/qtri.o: $(SIZE_SINGLE) host/bench/bench.mk host/bench/size.mk
-	@mkdir -p $(@D)
+	$(folder)
 	@$(call scene_compile,$*,core/qtri.c) -c -o $@ $<
 
 # What the compiler calls, compiled as the library is.
 $(SIZE_DIR)/%/port/boards/common/memory.o: port/boards/common/memory.c host/bench/bench.mk host/bench/size.mk
-	@mkdir -p $(@D)
+	$(folder)
 	@$(call scene_compile,$*,core/memory.c) -fno-tree-loop-distribute-patterns -c -o $@ $<
 
 # Other objects are those of the benchmarks. $1: the folder of the programs; $2: the core as the benchmarks name it; $3: the library.
 define size_rules
 $(SIZE_DIR)/$1/%.elf: $3 $(filter-out %/memory.o,$(call scene_objects,$2,$(SIZE_SOURCES))) $(SIZE_DIR)/$2/port/boards/common/memory.o \
                       $(SCENE_DIR)/$2/host/bench/app_%.o
-	@mkdir -p $$(@D)
+	$$(folder)
 	@$(call scene_link,$2) -Wl,-Map=$$(@:.elf=.map) -T port/boards/$(call scene_board,$2)/$(call scene_board,$2).ld -o $$@ $$^ -lgcc
 
 $(SIZE_DIR)/$1/%.txt: $(SIZE_DIR)/$1/%.elf

@@ -50,7 +50,7 @@ board_run_lm3s6965evb_cortex-m3  := $(QEMU_ARM) -M lm3s6965evb $(BOARD_QEMU) -se
 
 BOARD_WARNINGS := -Wall -Wextra -Wconversion -Wshadow -Wpedantic
 BOARD_INCLUDES := -Icore/include -Iport/include
-BOARD_FLAGS    := -std=c99 -O2 -g $(BOARD_WARNINGS) $(BOARD_INCLUDES) -ffunction-sections -fdata-sections
+BOARD_FLAGS    := -std=c99 -O2 -g -fno-var-tracking $(BOARD_WARNINGS) $(BOARD_INCLUDES) -ffunction-sections -fdata-sections
 BOARD_LINK     := -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings
 
 board_of = $(firstword $(subst _, ,$1))
@@ -84,11 +84,11 @@ $(BOARD_DIR)/$1/firmware.elf: $$($1_objects) $$($1_library) $(wildcard port/boar
 $(BOARD_DIR)/$1/port/boards/common/memory.o: private BOARD_EXTRA := -fno-tree-loop-distribute-patterns
 
 $(BOARD_DIR)/$1/%.o: %.c port/boards/boards.mk
-	@mkdir -p $$(@D)
+	$$(folder)
 	$$(call run,compile $$< for $1)$3 $(BOARD_FLAGS) $(if $(filter linux,$2),,-ffreestanding) $$(BOARD_EXTRA) -MMD -MP -c -o $$@ $$<
 
 $(BOARD_DIR)/$1/%.o: %.S port/boards/boards.mk
-	@mkdir -p $$(@D)
+	$$(folder)
 	$$(call run,compile $$< for $1)$3 -c -o $$@ $$<
 
 -include $$(wildcard $$($1_objects:.o=.d))
@@ -112,7 +112,7 @@ $(BOARD_HOST) $(SHOW_HOSTS):
 	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) $^ -o $@
 
 $(BOARD_DIR)/host/%.o: %.c port/boards/boards.mk
-	@mkdir -p $(@D)
+	$(folder)
 	$(call run,compile $<)$(CC) $(BOARD_FLAGS) -MMD -MP -c $< -o $@
 
 -include $(shell find $(BOARD_DIR)/host -name '*.d' 2>/dev/null)

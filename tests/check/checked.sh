@@ -12,15 +12,15 @@ flags='-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wundef -Werror -
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 status=0
+root=$(pwd)
 
 # build NAME PROGRAM FLAGS...
 build()
 {
     name=$1 program=$2
     shift 2
-    mkdir "$work/$name"
-    ls core/*/*.c port/panels/*.c "$program" | xargs -P "$jobs" -n 8 sh -c 'to=$1 flags=$2; shift 2; for file; do gcc $flags -c -o "$to/$(echo "$file" | tr / +).o" "$file" || exit 1; done' \
-        sh "$work/$name" "$flags $*" && gcc -o "$work/$name/program" "$work/$name"/*.o
+    ls core/*/*.c port/panels/*.c | objects "$work/$name" gcc $flags -I"$root/core/include" -I"$root/port/include" "$@" &&
+        gcc $flags "$@" -o "$work/$name/program" "$program" "$work/$name"/*.o
 }
 
 build fault tests/check/checked.c -DQTRI_CHECKED -DQTRI_FAULT=checked_fault -DQTRI_MISSING=checked_missing || finish 1

@@ -18,23 +18,21 @@ trap 'rm -rf "$work"' EXIT
 status=0
 warnings="$(make -s warnings CC=clang) -Werror"
 
-# compile FOLDER COMMAND...: an object of every file that standard input names
-compile()
-{
-    into=$work/$1
-    shift
-    mkdir -p "$into"
-    xargs -r -P "$jobs" -n 2 sh -c 'into=$1 command=$2; shift 2; for file; do
-        $command -c -o "$into/$(echo "$file" | tr / -).o" "$file" || { echo "no object of $file by $command"; failed=1; }; done
-        exit ${failed:-0}' sh "$into" "$* -std=c99 -ffreestanding -Icore/include -Iport/include" || status=1
-}
 core_libraries cortex-m0plus-Os || finish 1
-ls port/panels/*.c | compile gcc arm-none-eabi-gcc -Os -mcpu=cortex-m0plus -mthumb
-(cd "$work/gcc" && arm-none-eabi-ar x "$library") || finish 1
-clang="clang --target=arm-none-eabi -mthumb $warnings -idirafter port/boards/common/libc"
-ls core/*/*.c port/panels/*.c | compile clang-cortex-m0plus $clang -mcpu=cortex-m0plus -Os
-ls core/*/*.c port/panels/*.c | compile clang-cortex-m4 $clang -mcpu=cortex-m4 -mfloat-abi=hard -O1
-ls core/*/*.c port/panels/*.c | compile clang-cortex-m3 $clang -mcpu=cortex-m3 -O0
+sh port/packages/dist.sh "$work/dist" >"$work/log" 2>&1 || { cat "$work/log"; finish 1; }
+mkdir "$work/gcc" "$work/clang-cortex-m0plus" "$work/clang-cortex-m4" "$work/clang-cortex-m3"
+root=$(pwd)
+(cd "$work/gcc" && arm-none-eabi-ar x "$library" &&
+    arm-none-eabi-gcc -std=c99 -ffreestanding -Os -mcpu=cortex-m0plus -mthumb -I"$root/core/include" -I"$root/port/include" -c "$root"/port/panels/*.c) ||
+    finish 1
+# clang's are of the library in one file: it takes longer to begin than to compile most of the others. There a static name
+# of one file may be a parameter's of another.
+clang="clang --target=arm-none-eabi -mthumb -std=c99 -ffreestanding $warnings -Wno-shadow -idirafter port/boards/common/libc"
+xargs -P "$jobs" -L 1 $clang -c "$work/dist/single/qtri.c" -o <<END || status=1
+$work/clang-cortex-m0plus/qtri.o -mcpu=cortex-m0plus -Os
+$work/clang-cortex-m4/qtri.o -mcpu=cortex-m4 -mfloat-abi=hard -O1
+$work/clang-cortex-m3/qtri.o -mcpu=cortex-m3 -O0
+END
 
 # symbols FOLDER OPTION...: a line `object: symbol` for each
 symbols()

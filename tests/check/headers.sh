@@ -3,7 +3,7 @@
 # A public header compiles alone, in C99 and in C++11, and a C++ program links with all it declares.
 gate=headers
 . tests/check/files.sh
-need gcc clang g++ clang++ nm
+need gcc g++ clang-tidy nm
 
 flags='-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wundef -Werror -Icore/include -Iport/include'
 work=$(mktemp -d) || exit 1
@@ -11,16 +11,17 @@ trap 'rm -rf "$work"' EXIT
 status=0
 
 headers=$(c_files core/include port/include | sed 's,^.*/include/,,')
+mkdir -p $(for header in $headers; do echo "$work/one/${header%/*}"; done)
 for header in $headers; do
-    echo "#include \"$header\"" >"$work/one.c"
-    echo "#include \"$header\"" >>"$work/one.c" # twice: its guard
-    echo "extern int one;" >>"$work/one.c"        # config.h declares nothing
-    for compiler in gcc clang; do
-        $compiler -std=c99 $flags -x c -fsyntax-only "$work/one.c" || { echo "$header: $compiler"; status=1; }
-    done
-    for compiler in g++ clang++; do
-        $compiler -std=c++11 $flags -x c++ -fsyntax-only "$work/one.c" || { echo "$header: $compiler"; status=1; }
-    done
+    one=$work/one/$header.c
+    echo "#include \"$header\"" >"$one"
+    echo "#include \"$header\"" >>"$one" # twice: its guard
+    echo "extern int one;" >>"$one"        # config.h declares nothing
+done
+# As C and as C++, by gcc and by clang's front end in clang-tidy, which is begun once for all of them.
+for language in 'c -std=c99' 'c++ -std=c++11'; do
+    find "$work/one" -name '*.c' | xargs gcc -x $language $flags -fsyntax-only || status=1
+    find "$work/one" -name '*.c' | tidy "$diagnostics" "-x $language $flags" || status=1
 done
 
 # A step of a panel with 16 parameters compiles, one with 17 does not, in neither language.

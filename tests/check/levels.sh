@@ -53,20 +53,19 @@ found=$(c_files core port/include port/panels host | xargs grep -n '^ *# *includ
     }' | grep -v '^core/include/qtri\.h:')
 
 # All that the reference reads, directly or not. -M, because -MM is silent about what <> finds.
-reads=$(for file in $(c_files host/reference | grep '\.c$'); do
-    gcc -std=c99 -M -Ihost -Icore/include -Iport/include -Icore "$file" | tr ' ' '\n' |
-        sed -n "s,\(.*/\)*\(core/.*\),$file: the reference must not read \2,p"
-done)
+reads=$(c_files host/reference | grep '\.c$' | xargs gcc -std=c99 -M -Ihost -Icore/include -Iport/include -Icore | awk '
+    /^[^ ]+\.o:/ { file = $1; sub(/\.o:$/, ".c", file) }
+    { for (i = 1; i <= NF; i++) if (match($i, /(^|\/)core\/.*/)) print "host/reference/" file ": the reference must not read " substr($i, RSTART) }' | sort -u)
 
 # Calls, which includes do not show: a file names nothing that a folder above it defines, and no files name each
 # other in a circle. Tables of functions count as calls.
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
-c_files core | grep '\.c$' | xargs -P "$jobs" -n 8 sh -c 'for file; do
-    gcc -std=c99 -O0 -Icore/include -c -o "$0/$(echo "$file" | tr / +).o" "$file" || exit 1; done' "$work"
-for object in "$work"/*.o; do
-    nm -g "$object" | awk -v file="$(basename "$object" .o | tr + /)" '{ print file, $(NF - 1), $NF }'
-done >"$work/symbols"
+c_files core | grep '\.c$' >"$work/files"
+objects "$work/objects" gcc -std=c99 -O0 -I"$(pwd)/core/include" <"$work/files" || uncompiled=1
+(cd "$work/objects" && nm -A -g *.o) | awk '
+    NR == FNR { name = $0; sub(/.*\//, "", name); sub(/c$/, "o", name); path[name] = $0; next }
+    { split($1, place, ":"); print path[place[1]], $(NF - 1), $NF }' "$work/files" - >"$work/symbols"
 awk 'NR == FNR { if ($2 != "U") home[$3] = $1; next }
      $2 == "U" && ($3 in home) && home[$3] != $1 && !seen[$1, home[$3]]++ { print $1, home[$3], $3 }' \
     "$work/symbols" "$work/symbols" >"$work/calls"
@@ -77,7 +76,7 @@ calls=$(awk '
     awk '{ print $1, $2 }' "$work/calls" | tsort 2>&1 >/dev/null | sed -n 's,^tsort: core,core,p' |
         awk '{ circle = circle " " $0 } END { if (circle != "") print "a circle of calls:" circle }')
 
-found=$(printf '%s\n' "$found" "$reads" "$calls" | sed '/^$/d')
+found=$(printf '%s\n' "$found" "$reads" "$calls" "${uncompiled:+core does not compile}" | sed '/^$/d')
 [ -z "$found" ] || printf '%s\n' "$found"
 [ -z "$found" ]
 finish $?

@@ -12,31 +12,31 @@ all=$(sed -n 's/^#define QTRI_WITH_\([A-Z0-9_]*\) 1$/\1/p' core/include/qtri/con
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 status=0
+root=$(pwd)
+library=${BUILD:-build}/libqtri.a
 
-# One file of one library. Where the preprocessor leaves what it leaves of it in the whole library, its object is that.
-cat >"$work/compile" <<'END'
-folder=$1 whole=$2 file=$3
-shift 3
-object=$(echo "$file" | tr / -)
-gcc "$@" -E -P -o "$folder/$object.i" "$file" || exit 1
-if [ "$folder" != "$whole" ] && cmp -s "$folder/$object.i" "$whole/$object.i"; then
-    cp "$whole/$object.o" "$folder/$object.o"
-else
-    gcc "$@" -c -o "$folder/$object.o" "$file"
-fi
-END
+# What the preprocessor leaves of every file of core, as lines `file<tab>line`: preprocessed FLAG...
+preprocessed()
+{
+    ls core/*/*.c | xargs gcc $flags "$@" -E | awk -v OFS='\t' '
+        /^# [0-9]+ "core\/.*\.c"$/ { file = substr($3, 2, length($3) - 2) }
+        !/^#/ && NF { print file, $0 }'
+}
 
-# build NAME OPTION...: a program of the library without these
+# build NAME OPTION...: a program of the library without these. Where the preprocessor leaves of a file what it leaves in
+# the whole library, which is that of make, its object is that.
 build()
 {
     folder=$work/$1
     shift
     defines=$(printf ' -DQTRI_WITH_%s=0' "$@")
-    [ $# != 0 ] || defines=
     mkdir "$folder"
-    ls core/*/*.c tests/check/options.c |
-        xargs -P "$jobs" -I FILE sh "$work/compile" "$folder" "$work/whole" FILE $flags $defines || finish 1
-    gcc -o "$folder/program" "$folder"/*.o || finish 1
+    preprocessed $defines >"$folder/preprocessed" || finish 1
+    diff "$work/preprocessed" "$folder/preprocessed" | sed -n 's/^[<>] \([^\t]*\)\t.*/\1/p' | sort -u >"$folder/differ"
+    cp "$library" "$folder/rest.a"
+    ar d "$folder/rest.a" $(sed 's,.*/,,; s,c$,o,' "$folder/differ") &&
+        objects "$folder" gcc $flags -I"$root/core/include" $defines <"$folder/differ" &&
+        gcc $flags $defines -o "$folder/program" tests/check/options.c "$folder"/*.o "$folder/rest.a" || finish 1
 }
 
 # A line `NAME OPTION...` for each library.
@@ -44,7 +44,8 @@ build()
     for option in $all; do echo "$option $option"; done
     [ "$(echo "$all" | wc -l)" = 1 ] || echo nothing $all
 } >"$work/list"
-build whole
+preprocessed >"$work/preprocessed" || finish 1
+plain_build "$library" && mkdir "$work/whole" && gcc $flags -o "$work/whole/program" tests/check/options.c "$library" || finish 1
 while read -r name options; do build "$name" $options; done <"$work/list"
 
 while read -r name options; do

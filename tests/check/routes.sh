@@ -6,8 +6,10 @@
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-ls core/*/*.c tests/check/routes.c | xargs -P "${JOBS:-2}" -I FILE sh -c '
-    gcc -std=c99 -O0 -g -no-pie -fno-pie -finstrument-functions -Icore/include -c -o "$0/$(echo "$1" | tr / +).o" "$1"' "$work" FILE
+gate=routes
+. tests/check/files.sh
+jobs=${JOBS:-2}
+ls core/*/*.c tests/check/routes.c | objects "$work" gcc -std=c99 -O0 -g -no-pie -fno-pie -finstrument-functions -I"$(pwd)/core/include"
 gcc -no-pie -o "$work/program" "$work"/*.o
 for what in lit-textured flat line wide-line rectangle band; do
     "$work/program" $what >"$work/events"

@@ -33,12 +33,12 @@ if command -v jq >/dev/null; then
     jq -e '.name == "qtri" and .license == "MIT"' library.json >/dev/null || { echo "library.json: unreadable"; status=1; }
 fi
 
-unlicensed=$(git ls-files --cached --others --exclude-standard | while IFS= read -r file; do
-    case $file in
-    *.[chS] | *.cpp | *.hpp | *.inc | *.ld | *.sh | *.mk | *.awk | *.cmake | *.ino | */CMakeLists.txt | CMakeLists.txt | Makefile | .ci/run) ;;
-    *) continue ;;
-    esac
-    [ ! -f "$file" ] || head -n 3 "$file" | grep -q 'SPDX-License-Identifier: MIT' || echo "$file: no SPDX line"
-done)
+unlicensed=$(git ls-files --cached --others --exclude-standard -- '*.[chS]' '*.cpp' '*.hpp' '*.inc' '*.ld' '*.sh' '*.mk' '*.awk' '*.cmake' '*.ino' \
+    '*/CMakeLists.txt' CMakeLists.txt Makefile .ci/run | awk '{
+        licensed = lines = 0
+        while (lines < 3 && (read = getline line <$0) > 0) { lines++; if (line ~ /SPDX-License-Identifier: MIT/) licensed = 1 }
+        close($0)
+        if (read >= 0 && !licensed) print $0 ": no SPDX line"
+    }')
 [ -z "$unlicensed" ] || { printf "%s\n" "$unlicensed"; status=1; }
 finish $status
