@@ -189,14 +189,14 @@ QTRI_BODY bool qtri_is_short(const qtri_options *o)
 }
 
 /* How many pixels a loop has: short ones gain by it, where pieces are not short themselves, and
-   where there are registers: on Armv6-M texels that are converted or clamped leave none. */
+   where there are registers: on Armv6-M texels that become RGB565 or are clamped leave none. */
 QTRI_BODY int qtri_unrolled(const qtri_options *o, bool bent)
 {
     const bool has_few = !QTRI_LONG_MULTIPLY && qtri_is_textured(o);
     const int most = bent || has_few ? 4 : 8;
     if (!qtri_is_short(o) || (QTRI_BODY_UNROLLS == 2 && (bent || o->shade == QTRI_TINT)) ||
-        (has_few &&
-         (qtri_kind_of(o) != QTRI_IN_565 || o->wrap_u == QTRI_CLAMP || o->wrap_v == QTRI_CLAMP))) {
+        (has_few && ((qtri_stores_565(o) && qtri_kind_of(o) != QTRI_IN_565) ||
+                     o->wrap_u == QTRI_CLAMP || o->wrap_v == QTRI_CLAMP))) {
         return 1;
     }
     return most < QTRI_BODY_UNROLLS ? most : QTRI_BODY_UNROLLS;
