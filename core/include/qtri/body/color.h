@@ -36,7 +36,7 @@ QTRI_BODY uint32_t qtri_join_565(uint32_t lanes, uint32_t green)
 
 QTRI_BODY uint32_t qtri_green_888(uint32_t c)
 {
-    return qtri_body_bits(c, 8, 8);
+    return c >> 8 & 255;
 }
 
 /* c a + o b, to nearest; a + b <= 256. Alpha is not kept. */
