@@ -379,12 +379,12 @@ static void formats_read_what_is_drawn(void **state)
                {&qtri_texel_gray8, levels},       {&qtri_texel_palette8, numbers},
                {&qtri_texel_checker, NULL},       {&qtri_texel_argb4444, texels565},
                {&qtri_texel_argb1555, texels565}, {&qtri_texel_argb8888, colors8888},
-               {&qtri_texel_alpha8, numbers}};
+               {&qtri_texel_alpha8, numbers},     {&qtri_texel_palette565, numbers}};
     static uint32_t read[NOISE * NOISE];
     for (size_t n = 0; n < LENGTH_OF(all); n++) {
         const qtri_texel_format *format = all[n].format;
         qtri_texture texture = noise_texture(all[n].texels, format);
-        texture.palette = palette;
+        texture.palette = format == &qtri_texel_palette565 ? (const void *)texels565 : palette;
         texture.fields = 5;
         texture.color[0] = palette[1];
         texture.color[1] = palette[2];
