@@ -44,6 +44,17 @@ static inline uint32_t qtri_mesh_faces_number(uint32_t entry)
     return (entry / 2) * third;
 }
 
+/* Draws a triangle with its vertices inside all planes of a mesh whose back faces are culled: the
+   pipeline asks whether a small one turns away. */
+QTRI_INLINE void qtri_mesh_draw_front(const qtri_mesh_job *draw, qtri_small *t, const void *indices,
+                                      const uint32_t index[3], qtri_vertex *const vertex[3])
+{
+    if (!qtri_mesh_draw_small(t, indices, index, vertex) &&
+        !qtri_triangle_is_back(&t->v[0]->at, &t->v[1]->at, &t->v[2]->at)) {
+        qtri_mesh_draw_large(draw, indices, t->v[0], t->v[1], t->v[2]);
+    }
+}
+
 /* qtri_faces.culling. */
 struct qtri_face_culling {
     /*

@@ -179,17 +179,6 @@ QTRI_INLINE bool qtri_mesh_draw_small(qtri_small *t, const void *indices, const 
     return t->state->small(t);
 }
 
-/* Draws a triangle with its vertices inside all planes of a mesh whose back faces are culled: the
-   pipeline asks whether a small one turns away. */
-QTRI_INLINE void qtri_mesh_draw_front(const qtri_mesh_job *draw, qtri_small *t, const void *indices,
-                                      const uint32_t index[3], qtri_vertex *const vertex[3])
-{
-    if (!qtri_mesh_draw_small(t, indices, index, vertex) &&
-        !qtri_triangle_is_back(&t->v[0]->at, &t->v[1]->at, &t->v[2]->at)) {
-        qtri_mesh_draw_large(draw, indices, t->v[0], t->v[1], t->v[2]);
-    }
-}
-
 static inline bool qtri_mesh_has_bytes(const qtri_mesh *mesh)
 {
     return mesh->triangles8 != NULL;

@@ -59,7 +59,7 @@ static void write_palette(const struct texture *texture, const char *name, FILE 
 void texture_write_data(const struct texture *texture, const char *name, const char *linkage,
                         FILE *out)
 {
-    bool palette = texture->format == TEXTURE_PALETTE || texture->format == TEXTURE_PALETTE565;
+    bool palette = texture->palette_count > 0;
     write_texels(texture, name, out);
     if (palette) {
         write_palette(texture, name, out);
