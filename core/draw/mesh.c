@@ -91,8 +91,7 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
     if (is_empty(mesh) || draw->positions == NULL) {
         return false;
     }
-    qtri_transform_mul(&object_to_eye, &view->camera, pose);
-    qtri_primitive_place_in_eye(&draw->primitive, view, &object_to_eye);
+    qtri_primitive_place(&draw->primitive, view, pose, &object_to_eye);
     if (is_missed(draw, draw->primitive.surface)) {
         return false;
     }

@@ -109,7 +109,7 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
 QTRI_NOINLINE static void place_late(const qtri_mesh_job *draw)
 {
     qtri_late_place *late = draw->late;
-    qtri_primitive_place(late->primitive, late->view, late->pose);
+    qtri_primitive_place(late->primitive, late->view, late->pose, NULL);
     if (draw->positions->begin != NULL) {
         draw->positions->begin(&late->primitive->projector, draw->mesh);
     }

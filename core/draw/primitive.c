@@ -25,24 +25,18 @@ void qtri_primitive_begin_lines(qtri_primitive *primitive)
                        &primitive->to.lines.target);
 }
 
-void qtri_primitive_place_in_eye(qtri_primitive *primitive, const qtri_view *view,
-                                 const qtri_transform *object_to_eye)
+void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
+                          const qtri_transform *pose, qtri_transform *object_to_eye)
 {
-    qtri_transform object_to_clip;
-    qtri_transform_mul(&object_to_clip, &view->projection, object_to_eye);
+    qtri_transform own, object_to_clip;
+    qtri_transform *to_eye = object_to_eye != NULL ? object_to_eye : &own;
+    qtri_transform_mul(to_eye, &view->camera, pose);
+    qtri_transform_mul(&object_to_clip, &view->projection, to_eye);
     qtri_projector_init(&primitive->projector, &object_to_clip, &view->viewport);
     if (primitive->material->depth_bias != 0) {
         qtri_projector_set_depth(&primitive->projector, &view->viewport,
                                  primitive->material->depth_bias);
     }
-}
-
-void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
-                          const qtri_transform *pose)
-{
-    qtri_transform object_to_eye;
-    qtri_transform_mul(&object_to_eye, &view->camera, pose);
-    qtri_primitive_place_in_eye(primitive, view, &object_to_eye);
 }
 
 /* What is left of the triangle after cuts by `planes`; *out may be where v is. */

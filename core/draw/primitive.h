@@ -85,11 +85,12 @@ void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *su
                                const qtri_view *view, const qtri_material *material,
                                const qtri_texture *texture, int shade);
 
-/* Sets the projector: projection camera pose, folded with the viewport; or of camera pose. */
-void qtri_primitive_place_in_eye(qtri_primitive *primitive, const qtri_view *view,
-                                 const qtri_transform *object_to_eye);
+/*
+ * Sets the projector: projection camera pose, folded with the viewport; and camera pose, unless
+ * object_to_eye is NULL.
+ */
 void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
-                          const qtri_transform *pose);
+                          const qtri_transform *pose, qtri_transform *object_to_eye);
 
 /*
  * Sets colour, u and v of a triangle's vertices. They are asked for when a piece of the triangle is

@@ -73,9 +73,20 @@ void qtri_fog_set(qtri_fog *fog, qtri_fog_range range, q16 z0, q16 z1, qtri_fog_
                   q16 b);
 
 /* Of a material. */
-const qtri_shading *qtri_shading_of(const qtri_material *material);
-bool qtri_is_smooth(const qtri_material *material);
-int qtri_provoking_of(const qtri_material *material);
+static inline const qtri_shading *qtri_shading_of(const qtri_material *material)
+{
+    return material->shading != NULL ? material->shading : &qtri_flat_last;
+}
+
+static inline bool qtri_is_smooth(const qtri_material *material)
+{
+    return qtri_shading_of(material)->is_smooth;
+}
+
+static inline int qtri_provoking_of(const qtri_material *material)
+{
+    return qtri_shading_of(material)->provoking;
+}
 
 /* Of texture->width_log2 or height_log2, 0..10. */
 static inline uint8_t qtri_side_log2(uint8_t log2)

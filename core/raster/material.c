@@ -22,18 +22,3 @@ qtri_material qtri_material_default(void)
 const qtri_shading qtri_smooth = {2, true, NULL};
 const qtri_shading qtri_flat_first = {0, false, NULL};
 const qtri_shading qtri_flat_last = {2, false, NULL};
-
-const qtri_shading *qtri_shading_of(const qtri_material *material)
-{
-    return material->shading != NULL ? material->shading : &qtri_flat_last;
-}
-
-bool qtri_is_smooth(const qtri_material *material)
-{
-    return qtri_shading_of(material)->is_smooth;
-}
-
-int qtri_provoking_of(const qtri_material *material)
-{
-    return qtri_shading_of(material)->provoking;
-}
