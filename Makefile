@@ -22,6 +22,9 @@ MODELS ?= $(wildcard ../shared/models)
 # each target, and when it takes a program for hung.
 LONGEST      := test_tools_command test_tools_assets test_scene_wrong_texels test_core_stroke test_scene_random \
                 test_core_pictures test_panel_bus test_verify_math test_panel_show test_core_depth
+# Those whose own loops take longer where they are not optimized than the compiler then saves.
+CALCULATING  := test_core_blend test_core_blend_bounds test_core_edges test_core_line test_core_perspective test_core_pictures \
+                test_core_q16 test_core_raster
 TESTS        ?= $(LONGEST) $(filter-out $(LONGEST),$(basename $(notdir $(wildcard tests/test_*.c))))
 FUZZERS      ?= $(basename $(notdir $(wildcard tests/fuzz_*.c)))
 FUZZ_SECONDS ?= 15
@@ -41,11 +44,11 @@ ARCHIVES := $(HELPERS) $(HOST) $(LIBRARY)
 # Tests also look inside: "math/bits.h", "io/scene.h".
 INCLUDES := -Icore/include -Iport/include
 $(BUILD)/obj/tests/%.o: INCLUDES += -Icore -Ihost
+$(patsubst tests/%.c,$(BUILD)/obj/tests/%.o,$(filter-out $(CALCULATING:%=tests/%.c),$(wildcard tests/*.c tests/support/*.c))): \
+INCLUDES += $(TEST_FLAGS)
 $(BUILD)/obj/core/%.o:  INCLUDES += $(CORE_FLAGS)
-$(BUILD)/obj/core/draw/pipeline%.o $(BUILD)/obj/core/raster/pipelines_%.o $(BUILD)/obj/core/raster/line_pipelines.o \
-$(BUILD)/obj/tests/test_pipeline%.o: INCLUDES += $(PIPELINE_FLAGS)
-$(BUILD)/obj/tests/test_pipeline_small.o $(BUILD)/obj/tests/support/small%.o $(BUILD)/obj/tests/support/line_narrow.o: \
-INCLUDES += $(TEST_PIPELINE_FLAGS)
+$(BUILD)/obj/core/draw/pipeline%.o $(BUILD)/obj/core/raster/pipelines_%.o $(BUILD)/obj/core/raster/line_pipelines.o: \
+INCLUDES += $(PIPELINE_FLAGS)
 
 
 include host/assets/assets.mk
@@ -69,10 +72,10 @@ SANITIZE_MEMORY  := -O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all -f
 # Core is built for it as by any C99 compiler: an empty line of assembly would count as a use of room to spare.
 PLAIN_C99 := -U__GNUC__ -fno-strict-aliasing
 
-# Minutes to compile there: the pipelines' other tests draw by the same body. What makes pipelines is compiled without
-# optimisation, which takes a twentieth of the time and asks the same; for memory those of tests that draw little by them.
+# Minutes to compile there: the pipelines' other tests draw by the same body. Tests and pipelines are compiled without
+# optimisation, which takes a quarter or less of the time and asks the same; for memory only tests, as they draw much.
 SLOW_TO_SANITIZE := test_pipeline_random
-UNOPTIMIZED_TEST := TEST_PIPELINE_FLAGS=-O0
+UNOPTIMIZED_TEST := TEST_FLAGS=-O0
 UNOPTIMIZED      := PIPELINE_FLAGS=-O0 $(UNOPTIMIZED_TEST)
 # What `make check` runs without sanitizers: those, and programs that try more where they are faster (support/core.h).
 MORE_WHEN_PLAIN   = $(filter $(SLOW_TO_SANITIZE) \
@@ -161,11 +164,11 @@ test-others: ## Run the tests of other builds: plain, narrow, threads, fuzzed, o
 	sh tests/check/total.sh $$status
 
 # One emulator after the other leaves processors idle: these run beside each other.
-TOGETHER := test-narrow test-threads $(if $(wildcard port/boards/boards.mk),test-boards) \
-            $(if $(wildcard port/examples/examples.mk),test-examples test-rp2040) test-math-targets
+TOGETHER := test-math-targets test-narrow test-threads $(if $(wildcard port/boards/boards.mk),test-boards) \
+            $(if $(wildcard port/examples/examples.mk),test-examples test-rp2040)
 
 .PHONY: test-plain
-test-plain: all $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=test_core_project runs one
+test-plain: $(if $(filter-out %_threads,$(TESTS)),all) $(TESTS:%=$(BUILD)/tests/%) ## Run the cmocka programs; TESTS=test_core_project runs one
 	@BUILD=$(BUILD) JOBS=$(JOBS) TEST_SECONDS=$(TEST_SECONDS) MODELS=$(MODELS) \
 	    sh tests/check/run_tests.sh $(TESTS)
 
@@ -218,8 +221,13 @@ PASTED := 09-floor-mipmapped 11-antialias-msaa 11-light-pixel 11-vertex-alpha 12
 $(BUILD)/pasted/%.o: host/scenes/%.scene $(BUILD)/qtri
 	$(folder)
 	@$(BUILD)/qtri pipelines $< --name pasted_$(subst -,_,$*) >$(@:.o=.c)
-	$(call run,compile $@)$(CC) -std=c99 $(CFLAGS) $(TEST_PIPELINE_FLAGS) -Icore/include -c -o $@ $(@:.o=.c)
+	$(call run,compile $@)$(CC) -std=c99 $(CFLAGS) $(TEST_FLAGS) -Icore/include -c -o $@ $(@:.o=.c)
 $(BUILD)/tests/test_tools_pipelines: $(PASTED:%=$(BUILD)/pasted/%.o)
+
+# Tests of threads need the library alone: the thread sanitizer compiles nothing else.
+$(BUILD)/tests/%_threads: $(BUILD)/obj/tests/%_threads.o $(LIBRARY)
+	$(folder)
+	$(call run,link $@)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lcmocka -lm
 
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(ARCHIVES)
 	$(folder)
