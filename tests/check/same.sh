@@ -20,7 +20,7 @@ sh port/packages/dist.sh "$work/dist" >"$work/log" 2>&1 || { cat "$work/log"; fi
 # NAME LIBRARY COMMAND...: how each builds, the slowest first. `one` is the library as one file, `all` its own files,
 # `make` what make has built, with which all are compared; `linux` the library of test-boards; `board` the library of the benchmarks for a core of that name, by
 # clang as one file, and the program a firmware.
-usual='cortex-m0plus-Os cortex-m4 32-bit-O2 big-endian-O2 clang-Os gcc-Os tcc'
+usual='cortex-m0plus-Os cortex-m4 32-bit-O1 big-endian-O2 clang-Os gcc-Os tcc'
 cat >"$work/list" <<'END'
 make make gcc -O2
 cortex-m0plus-Os board arm-none-eabi-gcc -mcpu=cortex-m0plus -Os
@@ -38,6 +38,7 @@ clang-Os one clang -Os -funsigned-char
 clang-O1 one clang -O1 -flto
 gcc-Os one gcc -Os
 big-endian-O2 linux powerpc-linux-gnu-gcc -O2 -static
+32-bit-O1 one i686-linux-gnu-gcc -O1 -static
 gcc-O1 one gcc -O1 -funsigned-char
 clang-O0 one clang -O0
 gcc-O0 one gcc -O0

@@ -5,7 +5,7 @@
 set -eu
 what=${1:-test}
 packages='git gcc make pkg-config libcmocka-dev libmpfr-dev libpng-dev libstb-dev libassimp-dev libmeshoptimizer-dev libfreetype-dev'
-[ "$what" = test ] || packages="$packages g++ tcc cmake jq clang lld wasi-libc clang-format clang-tidy cppcheck doxygen libsdl2-dev
+[ "$what" = test ] || packages="$packages g++ tcc cmake ninja-build jq clang lld wasi-libc clang-format clang-tidy cppcheck doxygen libsdl2-dev
           gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
           gcc-riscv64-unknown-elf qemu-system-misc gcc-avr avr-libc simavr
           gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user
