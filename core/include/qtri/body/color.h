@@ -61,6 +61,17 @@ QTRI_BODY uint32_t qtri_color_scale(qtri_color_kind kind, uint32_t c, uint32_t a
     return qtri_color_mix(kind, c, a, 0, 0);
 }
 
+/* sum + a b, both factors below 2^15: of half-words, where that is one instruction. */
+QTRI_BODY uint32_t qtri_add_product16(uint32_t sum, uint32_t a, uint32_t b)
+{
+#if defined(__ARM_FEATURE_DSP) && !defined(__OPTIMIZE_SIZE__)
+    QTRI_BODY_BARRIER(a); /* or GCC 12 sees its sign, and no half-word */
+    return sum + (uint32_t)((int32_t)(int16_t)a * (int16_t)b);
+#else
+    return sum + a * b;
+#endif
+}
+
 /* Each channel of a texel by a weight of its own: 6 bits (64 is 1) in 565, 8 bits in 888. */
 QTRI_BODY uint32_t qtri_color_modulate(qtri_color_kind kind, uint32_t c, uint32_t r, uint32_t g,
                                        uint32_t b)

@@ -58,13 +58,13 @@ QTRI_BODY uint32_t qtri_shaded_texel(const qtri_options *o, const qtri_pixel_wal
         const uint32_t down = kind == QTRI_IN_565 ? 14 : 16;
         const uint32_t light = w->c >> (32 - down); /* 64 or 256 is 1 */
         const uint32_t half = w->half;
-        if (kind == QTRI_IN_565) { /* one after the other, or GCC runs out of registers */
+        if (kind == QTRI_IN_565) {
+            /* One after the other, or GCC runs out of registers. Of red, and of green << 16: 2^14
+               at most, each. */
             uint32_t by = light * w->red;
-            uint32_t color = ((texel >> 11) * by + half) >> down << 6;
+            uint32_t color = qtri_add_product16(half, qtri_green_565(texel), by >> 16) >> down;
             QTRI_BODY_BARRIER(color);
-            by = light * w->green;
-            color |= (qtri_green_565(texel) * by + half) >> down;
-            QTRI_BODY_BARRIER(color);
+            color |= qtri_add_product16(half, texel >> 11, qtri_low16(by)) >> down << 6;
             by = light * w->blue;
             return color << 5 | ((texel & 31) * by + half) >> down;
         }
@@ -453,10 +453,11 @@ QTRI_BODY void qtri_walk_begin(const qtri_options *o, qtri_pixel_walk *w,
         qtri_walk_set_texture(o, w);
     }
     if (qtri_is_textured(o) && o->shade == QTRI_LIGHT) {
-        w->red = state->weight[0];
+        const bool is_565 = qtri_kind_of(o) == QTRI_IN_565;
+        w->red = state->weight[0] | (is_565 ? state->weight[1] << 16 : 0);
         w->green = state->weight[1];
         w->blue = state->weight[2];
-        w->half = qtri_kind_of(o) == QTRI_IN_565 ? 0x2000u : 0x8000u;
+        w->half = is_565 ? 0x2000u : 0x8000u;
         QTRI_BODY_BARRIER(w->half); /* or GCC 12 makes the constant anew for each pixel */
     }
 }

@@ -126,7 +126,8 @@ typedef struct qtri_pixel_walk {
     uint32_t u_mask, v_mask; /* of clamped axes, as their qtri_clamp_axis has them */
     int32_t u_first, v_first;
     uint32_t color; /* of the triangle: of the kind; where nothing else is done, as it is stored */
-    uint32_t red, green, blue, half; /* lit texture: weights of the state, the half that rounds */
+    /* Lit texture: weights of the state, of 565 green's also << 16 in red; the half that rounds. */
+    uint32_t red, green, blue, half;
     const uint16_t *table;
 } qtri_pixel_walk;
 
