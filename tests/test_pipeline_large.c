@@ -35,6 +35,17 @@ QTRI_PIPELINE(large_flat_not_less, FLAT_565(QTRI_GREATER_EQUAL))
 QTRI_PIPELINE(large_flat_equal, FLAT_565(QTRI_EQUAL))
 QTRI_PIPELINE(large_flat_over, .format = QTRI_RGB565)
 
+/* Draws the depth that it is given. */
+static bool show_depth(qtri_fragment *f)
+{
+    f->color = f->depth_16p16 >> 8;
+    return true;
+}
+
+#define SHOWN(format_of) .format = QTRI_XRGB8888, .depth = (format_of), .compare = QTRI_ALWAYS
+QTRI_PIPELINE(large_shown, SHOWN(QTRI_LINEAR16), .fragment = show_depth)
+QTRI_PIPELINE(large_shown_float, SHOWN(QTRI_FLOAT16), .fragment = show_depth)
+
 static const qtri_pipeline *const instances[] = {
     &large_flat,           &large_colors,          &large_colors_8888,     &large_light_8888,
     &large_colors_fog,     &large_texture,         &large_texture_linear,  &large_texture_light,
@@ -153,6 +164,7 @@ static void draw(const qtri_pipeline *pipeline, const qtri_options *o, const qtr
     m.interpolation = is_linear(o) ? QTRI_SCREEN_LINEAR : QTRI_PERSPECTIVE;
     m.fog = o->fog ? &fog : NULL;
     m.depth_compare = (qtri_compare)o->compare;
+    m.fragment = o->fragment;
     const qtri_rgb white = {255, 255, 255};
     m.color = white;
     const qtri_pipeline *const list[] = {pipeline, NULL};
@@ -293,6 +305,29 @@ static void flat_pixels_are_tested_one_by_one(void **state)
     }
 }
 
+/* However it is stored: of float16 an octave's depths are counted from where it begins. */
+static void fragments_are_given_the_same_depth(void **state)
+{
+    (void)state;
+    int many = 0;
+    for (int n = 0; n < random_cases(200); n++) {
+        qtri_surface linear, stored_as_float;
+        triangle t;
+        set_surface(&linear, &qtri_xrgb8888, 0);
+        set_surface(&stored_as_float, &qtri_xrgb8888, 1);
+        stored_as_float.depth_format = &qtri_depth_float16;
+        make_triangle(&t, n % SHAPES);
+        draw(&large_shown, &large_shown.options, &linear, &t);
+        draw(&large_shown_float, &large_shown_float.options, &stored_as_float, &t);
+        assert_memory_equal(linear.pixels, stored_as_float.pixels, WIDTH * HEIGHT * 4);
+        const uint32_t *pixels = (const uint32_t *)(const void *)linear.pixels;
+        for (int i = 1; i < WIDTH * HEIGHT; i++) {
+            many += pixels[i] != pixels[i - 1];
+        }
+    }
+    assert_true(many > random_cases(200) * 1000);
+}
+
 static double difference(double a, double b)
 {
     return fabs(a - b);
@@ -420,6 +455,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(instances_have_the_bits_of_the_generic_one_and_of_tiles),
         cmocka_unit_test(flat_pixels_are_tested_one_by_one),
+        cmocka_unit_test(fragments_are_given_the_same_depth),
         cmocka_unit_test(pixels_are_those_of_double_precision),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
