@@ -2,7 +2,7 @@
 /*
  * Formats of texels. Those with alpha become 0xAARRGGBB.
  */
-#include "qtri/body/color.h"
+#include "qtri/body/texel.h"
 #include "qtri/texture.h"
 
 #include "../frame/pixel.h"
@@ -84,26 +84,10 @@ static bool needs_nothing(const qtri_texture *texture)
     return true;
 }
 
-typedef struct board {
-    uint32_t fields, column_mask;
-    uint8_t width_log2, height_log2;
-} board;
-
-/* The parity of a texel's field. */
-static inline uint32_t parity(const board *b, uint32_t number)
-{
-    const uint32_t column = number & b->column_mask;
-    const uint32_t row = number >> b->width_log2;
-    return ((column * b->fields >> b->width_log2) + (row * b->fields >> b->height_log2)) & 1;
-}
-
 static void fetch_checker(uint32_t *texel, const qtri_texture *texture, int32_t count)
 {
-    board b = {.fields = texture->fields,
-               .width_log2 = qtri_side_log2(texture->width_log2),
-               .height_log2 = qtri_side_log2(texture->height_log2)};
-    b.column_mask = ((uint32_t)1 << b.width_log2) - 1;
-    QTRI_EACH_WORD(texel, count, number, parity(&b, number))
+    const uint32_t width_log2 = qtri_side_log2(texture->width_log2);
+    QTRI_EACH_WORD(texel, count, number, qtri_checker_field(texture, width_log2, number))
 }
 
 static void decode_checker(uint32_t *texel, const qtri_texture *texture, int32_t count)

@@ -100,7 +100,10 @@ QTRI_BODY qtri_color_kind qtri_kind_of(const qtri_options *o)
                    ? QTRI_IN_565
                    : QTRI_IN_888;
     }
-    return o->format == QTRI_GRAY8 && o->texel == QTRI_NO_TEXEL && o->fragment == NULL
+    return o->format == QTRI_GRAY8 && o->fragment == NULL &&
+                   (o->texel == QTRI_NO_TEXEL ||
+                    (o->texel == QTRI_TEXEL_GRAY8 &&
+                     (o->shade == QTRI_FLAT || o->shade == QTRI_WHITE_LIGHT)))
                ? QTRI_IN_GRAY
                : QTRI_IN_888;
 #endif

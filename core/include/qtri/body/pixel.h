@@ -404,6 +404,8 @@ QTRI_BODY void qtri_walk_set_texture(const qtri_options *o, qtri_pixel_walk *w)
     w->texels = o->mipmapped ? state->level_texture.texels : state->texture->texels;
     if (o->texel == QTRI_TEXEL_PALETTE8 || o->texel == QTRI_TEXEL_PALETTE565) {
         w->palette = state->texture->palette;
+    } else if (o->texel == QTRI_TEXEL_CHECKER) {
+        w->palette = state->texture->color;
     }
     w->width_log2 = width_log2;
     w->u_shift = (32u - width_log2) & 31;

@@ -33,6 +33,16 @@ QTRI_BODY uint32_t qtri_texel_row(const qtri_options *o, const qtri_pixel_walk *
     return o->large_texture ? v >> w->v_shift << w->width_log2 : (v & w->rows) >> 16;
 }
 
+/* Of a checker's texel: which of both colours its field has. */
+QTRI_BODY uint32_t qtri_checker_field(const qtri_texture *texture, uint32_t width_log2,
+                                      uint32_t number)
+{
+    const uint32_t column = number & (((uint32_t)1 << width_log2) - 1), row = number >> width_log2;
+    const uint32_t fields = texture->fields;
+    const uint32_t height_log2 = texture->height_log2 < 10 ? texture->height_log2 : 10;
+    return ((column * fields >> width_log2) + (row * fields >> height_log2)) & 1;
+}
+
 QTRI_BODY uint32_t qtri_texel_stored(const qtri_options *o, const qtri_pixel_walk *w,
                                      uint32_t number)
 {
@@ -45,7 +55,7 @@ QTRI_BODY uint32_t qtri_texel_stored(const qtri_options *o, const qtri_pixel_wal
     case QTRI_TEXEL_ARGB8888:
         return ((const uint32_t *)w->texels)[number];
     case QTRI_TEXEL_CHECKER:
-        return qtri_fetch_other(w->state->texture, number);
+        return qtri_checker_field(w->state->texture, w->width_log2, number);
     case QTRI_OTHER_TEXEL:
         return o->fetch != NULL ? o->fetch(w->state->texture, number)
                                 : qtri_fetch_other(w->state->texture, number);
@@ -66,11 +76,10 @@ QTRI_BODY uint32_t qtri_texel_color(const qtri_options *o, const qtri_pixel_walk
     case QTRI_TEXEL_XRGB8888:
         return t & 0xFFFFFFu;
     case QTRI_TEXEL_GRAY8:
-        return t * 0x010101u;
+        return qtri_kind_of(o) == QTRI_IN_GRAY ? t : t * 0x010101u;
     case QTRI_TEXEL_PALETTE8:
+    case QTRI_TEXEL_CHECKER: /* its palette are both colours */
         return qtri_pixel_rgb_to_888((const qtri_rgb *)w->palette + t);
-    case QTRI_TEXEL_CHECKER:
-        return qtri_pixel_rgb_to_888(&w->state->texture->color[t & 1]);
     case QTRI_TEXEL_ARGB4444:
         return qtri_pixel_4444_to_8888(t);
     case QTRI_TEXEL_ARGB1555:
@@ -110,14 +119,16 @@ QTRI_BODY uint32_t qtri_texel_mean(qtri_color_kind kind, const uint32_t t[4], ui
                                 (along << 11) - both, (across << 11) - both, both};
     uint32_t r = (uint32_t)1 << 21, g = r, b = r;
     for (int i = 0; i < 4; i++) {
-        r += (t[i] >> 16 & 255) * weight[i];
-        QTRI_BODY_BARRIER(r);
-        g += (t[i] >> 8 & 255) * weight[i];
-        QTRI_BODY_BARRIER(g);
         b += (t[i] & 255) * weight[i];
         QTRI_BODY_BARRIER(b);
+        if (kind != QTRI_IN_GRAY) {
+            r += (t[i] >> 16 & 255) * weight[i];
+            QTRI_BODY_BARRIER(r);
+            g += (t[i] >> 8 & 255) * weight[i];
+            QTRI_BODY_BARRIER(g);
+        }
     }
-    return r >> 22 << 16 | g >> 22 << 8 | b >> 22;
+    return kind == QTRI_IN_GRAY ? b >> 22 : r >> 22 << 16 | g >> 22 << 8 | b >> 22;
 }
 
 /* 11 bits of a coordinate's fraction. */
