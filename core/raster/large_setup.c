@@ -192,7 +192,9 @@ static int64_t clamp_q32(int64_t coordinate)
     return coordinate < -limit ? -limit : (coordinate > limit ? limit : coordinate);
 }
 
-/* One coordinate: whole repeats below the least are dropped, the rest is brought to 29 bits. */
+/* One coordinate: whole repeats below the least are dropped, the rest is brought to 29 bits. What
+   is clamped has them in its base; where all of it lies beside the texture, as many as do the same.
+   */
 static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3], bool is_clamped)
 {
     const qtri_draw_state *state = job->t.state;
@@ -212,6 +214,9 @@ static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3], bo
     for (int k = 0; k < 3; k++) {
         all |= (uint64_t)(at[k] - (int64_t)base * ((int64_t)1 << 32));
     }
+    const int32_t beside = (int32_t)(all >> 32) + 2; /* repeats before the texture */
+    const int32_t held = is_clamped ? qtri_hold32(base, -beside, 1) : 0;
+    all |= (uint64_t)qtri_magnitude32(held) << 32;
     const int32_t down = qtri_greatest32(35 - qtri_clz64(all), 3); /* <= 21 */
     /* What lies on a texel's edge, give or take an error, goes up: 2^-16 of a texel. */
     const uint64_t texel_part = (uint64_t)65536 >> side_log2, least = (uint64_t)4 << down;
@@ -222,8 +227,8 @@ static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3], bo
     }
     a->start = 0;
     axis->shift = (uint8_t)(32 - down - side_log2);
-    axis->mask = (uint16_t)(((uint32_t)1 << side_log2) - 1);
-    axis->first = -base * ((int32_t)1 << side_log2);
+    axis->limit = ((uint32_t)1 << (32 - down)) - 1;
+    axis->base = (uint32_t)held << (32 - down);
     a->up = 0;
     if (!is_clamped) {
         a->up = (int8_t)(i == 0 || o->large_texture

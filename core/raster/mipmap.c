@@ -211,16 +211,10 @@ static uint32_t down_of(const qtri_large_job *job, int i, uint32_t level)
     return i == 1 && level > height_log2 ? height_log2 : level;
 }
 
-/* Whole repeats are counted in texels, a power of two each: nothing is lost. */
 static void set_axes(qtri_large_job *job, uint32_t level)
 {
     for (int i = 0; i < 2; i++) {
-        const qtri_clamp_axis *from = &job->levels->axis[i];
-        qtri_clamp_axis *axis = &job->axis[i];
-        const uint32_t down = down_of(job, i, level);
-        axis->shift = (uint8_t)(from->shift + down);
-        axis->mask = (uint16_t)(from->mask >> down);
-        axis->first = from->first >> down;
+        job->axis[i].shift = (uint8_t)(job->levels->axis[i].shift + down_of(job, i, level));
     }
 }
 

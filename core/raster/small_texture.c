@@ -56,15 +56,18 @@ static uint32_t reduce(int32_t f[3], uint32_t bits)
     return down;
 }
 
-/* From u_0 on in units of 2^-28 of a repeat or coarser ones, as they fit. */
-static uint32_t clamp_axis_set(qtri_clamp_axis *axis, int32_t u0, uint32_t side_log2, uint32_t down)
+/* u_0 in units of 2^-28 of a repeat or coarser ones, as they fit; from which differences are below
+   2^range. Where all lies beside the texture, as near as does the same. */
+static uint32_t clamp_axis_set(qtri_clamp_axis *axis, int32_t u0, uint32_t side_log2, uint32_t down,
+                               uint32_t range)
 {
-    const uint32_t whole = 16 - side_log2; /* Q16 of a texel */
-    const uint32_t fraction = (uint32_t)u0 & (((uint32_t)1 << whole) - 1);
+    const uint32_t far = ((uint32_t)1 << range) + 2 * 65536;
+    if (qtri_small_about(u0) > far) {
+        u0 = u0 < 0 ? -(int32_t)far : (int32_t)far;
+    }
     axis->shift = (uint8_t)(28 - down - side_log2);
-    axis->mask = (uint16_t)(((uint32_t)1 << side_log2) - 1);
-    axis->first = -(u0 >> whole);
-    return down <= 12 ? fraction << (12 - down) : fraction >> (down - 12);
+    axis->limit = ((uint32_t)1 << (28 - down)) - 1;
+    return (uint32_t)shifted(u0, 12 - (int32_t)down);
 }
 
 /* Where coordinates begin at vertex 0, and by how much differences go left, in the walk's units. */
@@ -87,7 +90,7 @@ static void set_units(texture_units *units, qtri_small_curves *curves, int32_t f
         if (is_clamped) {
             const uint32_t down = reduce(f[k], bits);
             up = 4;
-            base = clamp_axis_set(&curves->axis[k], f[k][0], side_log2[k], down);
+            base = clamp_axis_set(&curves->axis[k], f[k][0], side_log2[k], down, bits + down);
             shift = curves->axis[k].shift;
         } else {
             const bool is_v = k == 1 && !o->large_texture;

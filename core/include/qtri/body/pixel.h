@@ -422,13 +422,11 @@ QTRI_BODY void qtri_walk_set_axes(const qtri_options *o, qtri_pixel_walk *w,
 {
     if (o->wrap_u == QTRI_CLAMP) {
         w->u_shift = axis[0].shift;
-        w->u_first = axis[0].first;
-        w->u_mask = axis[0].mask;
+        w->u_limit = axis[0].limit;
     }
     if (o->wrap_v == QTRI_CLAMP) {
         w->v_shift = axis[1].shift;
-        w->v_first = axis[1].first;
-        w->v_mask = axis[1].mask;
+        w->v_limit = axis[1].limit;
     }
 }
 

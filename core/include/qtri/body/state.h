@@ -64,11 +64,11 @@ typedef struct qtri_draw_state {
     uint16_t *table;
 } qtri_draw_state;
 
-/* A clamped coordinate: the texel is (coordinate >> shift) - first, held to 0..mask. */
+/* A clamped coordinate: the texel is coordinate >> shift, once that is held to 0..limit. */
 typedef struct qtri_clamp_axis {
     uint8_t shift;
-    uint16_t mask;
-    int32_t first;
+    uint32_t limit;
+    uint32_t base; /* of large triangles: what pieces have less */
 } qtri_clamp_axis;
 
 /*
@@ -123,8 +123,7 @@ typedef struct qtri_pixel_walk {
     const qtri_draw_state *state;
     const void *texels, *palette;
     uint32_t rows, u_shift, v_shift, width_log2; /* rows: mask of v, times the width << 16 */
-    uint32_t u_mask, v_mask; /* of clamped axes, as their qtri_clamp_axis has them */
-    int32_t u_first, v_first;
+    uint32_t u_limit, v_limit; /* of clamped axes, as their qtri_clamp_axis has them */
     uint32_t color; /* of the triangle: of the kind; where nothing else is done, as it is stored */
     /* Lit texture: weights of the state, of 565 green's also << 16 in red; the half that rounds. */
     uint32_t red, green, blue, half;

@@ -12,15 +12,17 @@
 /* NOLINTBEGIN(clang-analyzer-core.NullDereference): texels and axes of a texture are set by
    qtri_walk_begin() and set-up; without a texture nothing here is called */
 
-QTRI_BODY uint32_t qtri_clamped(uint32_t at, uint32_t shift, int32_t first, uint32_t mask)
+QTRI_BODY uint32_t qtri_clamped(uint32_t at, uint32_t shift, uint32_t limit)
 {
-    const int32_t i = ((int32_t)at >> shift) - first;
-    return (uint32_t)i <= mask ? (uint32_t)i : i < 0 ? 0 : mask;
+    if (at > limit) {
+        at = (int32_t)at < 0 ? 0 : limit;
+    }
+    return at >> shift;
 }
 
 QTRI_BODY uint32_t qtri_texel_column(const qtri_options *o, const qtri_pixel_walk *w, uint32_t u)
 {
-    return o->wrap_u == QTRI_CLAMP ? qtri_clamped(u, w->u_shift, w->u_first, w->u_mask)
+    return o->wrap_u == QTRI_CLAMP ? qtri_clamped(u, w->u_shift, w->u_limit)
                                    : qtri_body_shift(u, w->rows);
 }
 
