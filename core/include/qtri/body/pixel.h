@@ -25,7 +25,7 @@ QTRI_BODY uint32_t qtri_smooth_color(const qtri_options *o, const qtri_pixel_wal
     case QTRI_IN_GRAY:
         return w->c >> 16;
     default:
-        return (w->c >> 8 & QTRI_BODY_LANES_888) | (w->g >> 8 & 0xFF00u);
+        return (w->c >> 8 & QTRI_BODY_LANES_888) | qtri_body_bits(w->g, 16, 8) << 8;
     }
 }
 
@@ -381,6 +381,9 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
         if (qtri_has_two_words(o)) {
             w->g += w->g_step;
             QTRI_BODY_BARRIER(w->g);
+            if (qtri_unrolled(o, bent) > 1) {
+                QTRI_BODY_HIGH(w->g_step);
+            }
         }
     }
     if (o->vertex_alpha) {
