@@ -86,7 +86,8 @@ QTRI_BODY uint32_t qtri_texture_height_log2(const qtri_options *o, const qtri_dr
 }
 
 /* In what pixels are computed. Fog, alpha of vertices, and blends that are mixed with what a stroke
-   leaves of a pixel, in 8 bits, and rounded once. */
+   leaves of a pixel, in 8 bits, and rounded once. On gray surfaces in gray, textures too where all
+   channels have the same light and none alone is full of what is added. */
 QTRI_BODY qtri_color_kind qtri_kind_of(const qtri_options *o)
 {
 #if defined(QTRI_PIPELINE_IS_ANY_BY_ASKS)
@@ -102,7 +103,7 @@ QTRI_BODY qtri_color_kind qtri_kind_of(const qtri_options *o)
     }
     return o->format == QTRI_GRAY8 && o->fragment == NULL &&
                    (o->texel == QTRI_NO_TEXEL ||
-                    (o->texel == QTRI_TEXEL_GRAY8 &&
+                    (o->texel <= QTRI_TEXEL_CHECKER && o->blend != QTRI_ADD &&
                      (o->shade == QTRI_FLAT || o->shade == QTRI_WHITE_LIGHT)))
                ? QTRI_IN_GRAY
                : QTRI_IN_888;

@@ -405,11 +405,8 @@ QTRI_BODY void qtri_walk_set_texture(const qtri_options *o, qtri_pixel_walk *w)
     const uint32_t width_log2 = qtri_texture_width_log2(o, state);
     const uint32_t height_log2 = qtri_texture_height_log2(o, state);
     w->texels = o->mipmapped ? state->level_texture.texels : state->texture->texels;
-    if (o->texel == QTRI_TEXEL_PALETTE8 || o->texel == QTRI_TEXEL_PALETTE565) {
-        w->palette = state->texture->palette;
-    } else if (o->texel == QTRI_TEXEL_CHECKER) {
-        w->palette = state->texture->color;
-    }
+    w->palette = o->texel == QTRI_TEXEL_CHECKER ? (const void *)state->texture->color
+                                                : state->texture->palette;
     w->width_log2 = width_log2;
     w->u_shift = (32u - width_log2) & 31;
     w->v_shift = (o->large_texture ? 32u - height_log2 : 16u + width_log2) & 31;

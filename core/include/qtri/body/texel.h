@@ -30,7 +30,7 @@ QTRI_BODY uint32_t qtri_texel_column(const qtri_options *o, const qtri_pixel_wal
 QTRI_BODY uint32_t qtri_texel_row(const qtri_options *o, const qtri_pixel_walk *w, uint32_t v)
 {
     if (o->wrap_v == QTRI_CLAMP) {
-        return qtri_clamped(v, w->v_shift, w->v_first, w->v_mask) << w->width_log2;
+        return qtri_clamped(v, w->v_shift, w->v_limit) << w->width_log2;
     }
     return o->large_texture ? v >> w->v_shift << w->width_log2 : (v & w->rows) >> 16;
 }
@@ -66,22 +66,35 @@ QTRI_BODY uint32_t qtri_texel_stored(const qtri_options *o, const qtri_pixel_wal
     }
 }
 
+/* A colour of texels as one of the kind. */
+QTRI_BODY uint32_t qtri_texel_from_565(const qtri_options *o, uint32_t c)
+{
+    const qtri_color_kind kind = qtri_kind_of(o);
+    return kind == QTRI_IN_565    ? c
+           : kind == QTRI_IN_GRAY ? qtri_pixel_565_to_luma(c)
+                                  : qtri_pixel_565_to_888(c);
+}
+
+QTRI_BODY uint32_t qtri_texel_from_888(const qtri_options *o, uint32_t c)
+{
+    return qtri_kind_of(o) == QTRI_IN_GRAY ? qtri_pixel_888_to_luma(c) : c;
+}
+
 /* A stored texel as a colour of the kind; with alpha, 0xAARRGGBB. */
 QTRI_BODY uint32_t qtri_texel_color(const qtri_options *o, const qtri_pixel_walk *w, uint32_t t)
 {
     switch (o->texel) {
     case QTRI_TEXEL_PALETTE565:
-        t = ((const uint16_t *)w->palette)[t];
-        return qtri_kind_of(o) == QTRI_IN_565 ? t : qtri_pixel_565_to_888(t);
+        return qtri_texel_from_565(o, ((const uint16_t *)w->palette)[t]);
     case QTRI_TEXEL_RGB565:
-        return qtri_kind_of(o) == QTRI_IN_565 ? t : qtri_pixel_565_to_888(t);
+        return qtri_texel_from_565(o, t);
     case QTRI_TEXEL_XRGB8888:
-        return t & 0xFFFFFFu;
+        return qtri_texel_from_888(o, t & 0xFFFFFFu);
     case QTRI_TEXEL_GRAY8:
         return qtri_kind_of(o) == QTRI_IN_GRAY ? t : t * 0x010101u;
     case QTRI_TEXEL_PALETTE8:
     case QTRI_TEXEL_CHECKER: /* its palette are both colours */
-        return qtri_pixel_rgb_to_888((const qtri_rgb *)w->palette + t);
+        return qtri_texel_from_888(o, qtri_pixel_rgb_to_888((const qtri_rgb *)w->palette + t));
     case QTRI_TEXEL_ARGB4444:
         return qtri_pixel_4444_to_8888(t);
     case QTRI_TEXEL_ARGB1555:
@@ -121,14 +134,14 @@ QTRI_BODY uint32_t qtri_texel_mean(qtri_color_kind kind, const uint32_t t[4], ui
                                 (along << 11) - both, (across << 11) - both, both};
     uint32_t r = (uint32_t)1 << 21, g = r, b = r;
     for (int i = 0; i < 4; i++) {
-        b += (t[i] & 255) * weight[i];
-        QTRI_BODY_BARRIER(b);
         if (kind != QTRI_IN_GRAY) {
             r += (t[i] >> 16 & 255) * weight[i];
             QTRI_BODY_BARRIER(r);
             g += (t[i] >> 8 & 255) * weight[i];
             QTRI_BODY_BARRIER(g);
         }
+        b += (t[i] & 255) * weight[i];
+        QTRI_BODY_BARRIER(b);
     }
     return kind == QTRI_IN_GRAY ? b >> 22 : r >> 22 << 16 | g >> 22 << 8 | b >> 22;
 }
