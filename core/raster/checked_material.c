@@ -27,7 +27,8 @@ static void check_texture(const qtri_texture *texture)
 {
     QTRI_ASSERT(texture->format != NULL);
     QTRI_ASSERT(texture->format->colors != NULL);
-    QTRI_ASSERT(texture->format->usable != NULL && texture->format->fetch != NULL);
+    QTRI_ASSERT(texture->format->usable != NULL);
+    QTRI_ASSERT(texture->format->fetch != NULL || texture->format->kind != QTRI_NO_TEXEL);
     QTRI_ASSERT(texture->format->usable(texture)); /* texels, and a palette where it has one */
     QTRI_ASSERT(texture->width_log2 <= 10 && texture->height_log2 <= 10);
     QTRI_ASSERT(is_one_of(texture->wrap_u, QTRI_CLAMP));

@@ -115,23 +115,42 @@ static void make_levels(struct scene_resources *resources, const struct scene *s
         scene->texture_bilinear ? &qtri_mipmapped_bilinear : &qtri_mipmapped;
 }
 
+/* What is stored of texel i. */
+static uint32_t stored_texel(const qtri_texture *texture, size_t i)
+{
+    switch (texture->format->kind) {
+    case QTRI_TEXEL_RGB565:
+    case QTRI_TEXEL_ARGB4444:
+    case QTRI_TEXEL_ARGB1555:
+        return ((const uint16_t *)texture->texels)[i];
+    case QTRI_TEXEL_XRGB8888:
+    case QTRI_TEXEL_ARGB8888:
+        return ((const uint32_t *)texture->texels)[i];
+    default:
+        return ((const uint8_t *)texture->texels)[i];
+    }
+}
+
 /* White, and black for the key. */
 static uint8_t shade_of_key(const qtri_texture *texture, size_t i)
 {
-    uint32_t texel[4] = {(uint32_t)i, (uint32_t)i, (uint32_t)i, (uint32_t)i};
-    texture->format->fetch(texel, texture, 1);
-    return texel[0] == texture->key ? 0 : 255;
+    return ((stored_texel(texture, i) ^ texture->key) & texture->format->key_mask) == 0 ? 0 : 255;
 }
 
 /* How opaque what is stored is. */
 static uint8_t shade_of_alpha(const qtri_texture *texture, size_t i)
 {
-    uint32_t texel[4] = {(uint32_t)i, (uint32_t)i, (uint32_t)i, (uint32_t)i};
-    texture->format->fetch(texel, texture, 1);
-    if (texture->format->decode != NULL) {
-        texture->format->decode(texel, texture, 1);
+    const uint32_t texel = stored_texel(texture, i);
+    switch (texture->format->kind) {
+    case QTRI_TEXEL_ARGB4444:
+        return (uint8_t)((texel >> 12) * 17);
+    case QTRI_TEXEL_ARGB1555:
+        return (uint8_t)((texel >> 15) * 255);
+    case QTRI_TEXEL_ALPHA8:
+        return (uint8_t)texel;
+    default:
+        return (uint8_t)(texel >> 24);
     }
-    return (uint8_t)(texel[0] >> 24);
 }
 
 /* A texture of shades of the texture's texels, in `format`. Levels as the texture's, behind it in

@@ -402,7 +402,7 @@ static void bands_and_filters(void)
     uint8_t gray[1] = {0};
     no_colors.colors = NULL;
     font.glyphs = NULL;
-    texel.fetch = NULL;
+    texel.kind = QTRI_NO_TEXEL;
     depth.decode = NULL;
     (void)qtri_frame_init(&overlapped, &qtri_rgb565, 4, 4, 4, memory, sizeof memory);
     (void)qtri_frame_set_overlap(&overlapped, 1, NULL, 0);

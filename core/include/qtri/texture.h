@@ -94,7 +94,8 @@ struct qtri_texel_format {
     bool (*usable)(const qtri_texture *texture);
     /*
      * Numbers of texels, (row << width_log2) + column, become stored texels, in place, and up to
-     * three more: there is room for a multiple of four, filled with numbers of texels.
+     * three more: there is room for a multiple of four, filled with numbers of texels. NULL in the
+     * library's own, which pipelines read by their kind.
      */
     void (*fetch)(uint32_t *texel, const qtri_texture *texture, int32_t count);
     /* Stored texels become colours, in place, and up to three more; NULL: they are. */
