@@ -147,8 +147,8 @@ static uint64_t value_at(const uint64_t value[3], const qtri_large *t, int32_t x
            value[1] * (uint64_t)(int64_t)(y - (t->corner_y[0] >> 8));
 }
 
-void qtri_large_plane_init(qtri_large_plane *p, const qtri_large *t, const int64_t f_q8[3],
-                           int32_t up)
+/* The plane of 0 <= f < 2^39, in 2^-8; times 2^up. */
+static void plane_init(qtri_large_plane *p, const qtri_large *t, const int64_t f_q8[3], int32_t up)
 {
     uint64_t value[3];
     find_steps(value, t, f_q8, up);
@@ -157,11 +157,10 @@ void qtri_large_plane_init(qtri_large_plane *p, const qtri_large *t, const int64
     p->row = value_at(value, t, 0, t->plane_y);
 }
 
-/* The plane of whole values. */
 void qtri_large_plane_of(qtri_large_plane *p, const qtri_large *t, const uint32_t f[3])
 {
     const int64_t f_q8[3] = {(int64_t)f[0] * 256, (int64_t)f[1] * 256, (int64_t)f[2] * 256};
-    qtri_large_plane_init(p, t, f_q8, 0);
+    plane_init(p, t, f_q8, 0);
 }
 
 /* Planes have 48 bits of whole values here, so that those of 32 bits may be out of range. */
@@ -425,7 +424,7 @@ static void set_projected(qtri_large_job *job, qtri_large_attribute *a, const in
         const uint64_t part = qtri_mul_u32(a->f[k], (uint32_t)q_q8[k] & 0xFF) >> 8;
         product[k] = (int64_t)((whole + part + 0x800000u) >> 24);
     }
-    qtri_large_plane_init(&a->along.plane, &job->t, product, job->q_up);
+    plane_init(&a->along.plane, &job->t, product, job->q_up);
 }
 
 bool qtri_large_set_linear(qtri_large_job *job, int64_t q_q8[3])
@@ -441,9 +440,9 @@ bool qtri_large_set_linear(qtri_large_job *job, int64_t q_q8[3])
 
 void qtri_large_set_curved(qtri_large_job *job, const int64_t q_q8[3])
 {
-    qtri_large_plane_init(&job->q, &job->t, q_q8, 0);
+    plane_init(&job->q, &job->t, q_q8, 0);
     job->q_up = (uint8_t)room_above(job);
-    qtri_large_plane_init(&job->q, &job->t, q_q8, job->q_up);
+    plane_init(&job->q, &job->t, q_q8, job->q_up);
     for (int i = 0; i < job->count; i++) {
         set_projected(job, &job->a[i], q_q8);
     }

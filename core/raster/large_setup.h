@@ -97,10 +97,8 @@ static inline uint32_t qtri_large_positive(uint32_t q)
 void qtri_large_set_weights(qtri_large *t);
 void qtri_large_use_weights(qtri_large *t, bool is_true);
 
-/* The plane through (vertex i, f[i]) by these weights, in row plane_y: 0 <= f < 2^39, in 2^-8;
-   times 2^up. Then of whole values, which are below 2^31. */
-void qtri_large_plane_init(qtri_large_plane *p, const qtri_large *t, const int64_t f_q8[3],
-                           int32_t up);
+/* The plane through (vertex i, f[i]) by these weights, in row plane_y: of whole values below 2^31.
+ */
 void qtri_large_plane_of(qtri_large_plane *p, const qtri_large *t, const uint32_t f[3]);
 
 /* The ramp of values in 2^-down of its units; steps are rounded from vertex 0 on, or from where the

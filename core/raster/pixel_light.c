@@ -53,7 +53,8 @@ static void align_corners(qtri_lit_triangle *p)
                    c[0].color.g == c[2].color.g && c[0].color.b == c[2].color.b;
 }
 
-void qtri_lit_set_corners(qtri_lit_triangle *p)
+/* Places in one scale, that of the farthest, and what corners 1 and 2 differ in from corner 0. */
+static void set_corners(qtri_lit_triangle *p)
 {
     const qtri_lit_corner *c = p->corner;
     uint32_t all = 1;
@@ -198,6 +199,19 @@ static void set_quadratic(uint32_t color_8p16[3], const qtri_lit_triangle *p,
     }
 }
 
+/* The colour of the point with these shares, 2^30 being 1, whose sum is less: 255.0 at most. */
+static void color_at(uint32_t color_8p16[3], const qtri_lit_triangle *p, const int32_t b_q30[2])
+{
+    if (p->is_quadratic) {
+        set_quadratic(color_8p16, p, b_q30);
+        return;
+    }
+    qtri_lit_point point;
+    set_place(&point, p, b_q30);
+    set_normal(&point, p, b_q30);
+    light_point(color_8p16, &point, p, b_q30);
+}
+
 /* Sets the channel's polynomial; returns its second differences along the edges, or-ed. */
 static uint32_t set_channel(int32_t k[6], const int32_t c[3], int32_t m01, int32_t m02, int32_t m12)
 {
@@ -215,7 +229,7 @@ static bool is_quadratic_at_centroid(const qtri_lit_triangle *p, int32_t toleran
 {
     const int32_t third[2] = {QTRI_LIT_ONE_Q30 / 3, QTRI_LIT_ONE_Q30 / 3};
     uint32_t exact[3], quadratic[3];
-    qtri_lit_color(exact, p, third);
+    color_at(exact, p, third);
     set_quadratic(quadratic, p, third);
     for (int i = 0; i < 3; i++) {
         if (qtri_magnitude32((int32_t)(exact[i] - quadratic[i])) > (uint32_t)tolerance << 9) {
@@ -226,11 +240,14 @@ static bool is_quadratic_at_centroid(const qtri_lit_triangle *p, int32_t toleran
 }
 
 /*
+ * Whether colours are linear between the corners, which show these, 0x00RRGGBB, and if not whether
+ * they are quadratic: within `tolerance`, in 2^-7 of a step of 255. Sets the corners.
+ *
  * A second difference D along an edge, ends and middle, is twice what the line is off in the
  * middle; inside the triangle that may be 4/3 of the most at an edge, and where light has a kink
  * near a corner twice of it.
  */
-bool qtri_lit_is_linear(qtri_lit_triangle *p, const uint32_t corner[3], int32_t tolerance)
+static bool is_linear(qtri_lit_triangle *p, const uint32_t corner[3], int32_t tolerance)
 {
     uint32_t m[3][3];
     uint32_t second = 0;
@@ -249,22 +266,10 @@ bool qtri_lit_is_linear(qtri_lit_triangle *p, const uint32_t corner[3], int32_t 
     if (second < 2 * (uint32_t)tolerance) {
         return true;
     }
-    qtri_lit_set_corners(p);
+    set_corners(p);
     p->is_quadratic = second < 2 * (uint32_t)(tolerance + QUADRATIC_MORE) &&
                       is_quadratic_at_centroid(p, tolerance);
     return false;
-}
-
-void qtri_lit_color(uint32_t color_8p16[3], const qtri_lit_triangle *p, const int32_t b_q30[2])
-{
-    if (p->is_quadratic) {
-        set_quadratic(color_8p16, p, b_q30);
-        return;
-    }
-    qtri_lit_point point;
-    set_place(&point, p, b_q30);
-    set_normal(&point, p, b_q30);
-    light_point(color_8p16, &point, p, b_q30);
 }
 
 /* Along rows ------------------------------------------------------------------------------------
@@ -327,7 +332,7 @@ static void begin(qtri_large *t)
     const qtri_large_vertex *v = t->in->v;
     uint32_t q[3];
     if (!l->lit.is_quadratic) {
-        qtri_lit_set_corners(&l->lit);
+        set_corners(&l->lit);
     }
     l->plane_y = t->plane_y;
     l->divided = !t->state->is_linear && align_q(q, v);
@@ -378,7 +383,7 @@ static void find_sample(qtri_light_sample *out, const qtri_large_light *l, int32
     int32_t b_q30[2];
     uint32_t color_8p16[3];
     find_shares(b_q30, l, x);
-    qtri_lit_color(color_8p16, &l->lit, b_q30);
+    color_at(color_8p16, &l->lit, b_q30);
     l->walk.packing->channels(out->c, color_8p16);
     out->x = x;
 }
@@ -595,8 +600,8 @@ static int32_t next(qtri_large *t, int32_t count)
 
 bool qtri_large_light_is_linear(qtri_draw_state *state)
 {
-    return qtri_lit_is_linear(qtri_large_light_triangle(state), state->lit,
-                              qtri_stores_565(&state->options) ? SMALL_565 : SMALL_888);
+    return is_linear(qtri_large_light_triangle(state), state->lit,
+                     qtri_stores_565(&state->options) ? SMALL_565 : SMALL_888);
 }
 
 void qtri_large_light_run(qtri_draw_state *state, const qtri_illumination *by,

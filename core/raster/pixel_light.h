@@ -42,18 +42,6 @@ typedef struct qtri_lit_triangle {
 void qtri_lit_set_corner(qtri_lit_triangle *p, int i, const qtri_lit_point *point,
                          const qtri_rgb *color);
 
-/*
- * Whether colours are linear between the corners, which show these, 0x00RRGGBB, and if not whether
- * they are quadratic: within `tolerance`, in 2^-7 of a step of 255. Sets the corners.
- */
-bool qtri_lit_is_linear(qtri_lit_triangle *p, const uint32_t corner[3], int32_t tolerance);
-
-/* Places in one scale, that of the farthest, and what corners 1 and 2 differ in from corner 0. */
-void qtri_lit_set_corners(qtri_lit_triangle *p);
-
-/* The colour of the point with these shares, 2^30 being 1, whose sum is less: 255.0 at most. */
-void qtri_lit_color(uint32_t color_8p16[3], const qtri_lit_triangle *p, const int32_t b_q30[2]);
-
 enum { QTRI_LIGHT_BLOCK_LOG2 = 4 /* pixels from sample to sample, at most */ };
 
 /* What a pixel shows, as it is stepped: see qtri_large_packing. */
