@@ -406,6 +406,74 @@ static void clamped_textures_of_wide_grounds_are_filtered(void **state)
     canvas_free(&c);
 }
 
+enum { LEFT = 10, LEG = 10 }; /* of a small triangle: its corner, both sides from there */
+
+/* One whose coordinates at the corner, right and below are these. */
+static void draw_small(canvas *c, const qtri_texture *texture, const qtri_vec2 uvs[3],
+                       qtri_interpolation interpolation)
+{
+    static const uint16_t triangle[1][3] = {{0, 1, 2}};
+    const double to = LEFT + LEG;
+    const double at[3][2] = {{LEFT, LEFT}, {to, LEFT}, {LEFT, to}};
+    qtri_vec3 positions[3];
+    qtri_vertex vertices[3];
+    qtri_view view;
+    qtri_transform pose;
+    qtri_material m = qtri_material_default();
+    for (int i = 0; i < 3; i++) {
+        positions[i].x = (q16)lrint((2 * at[i][0] / WIDTH - 1) * 65536);
+        positions[i].y = (q16)lrint((1 - 2 * at[i][1] / HEIGHT) * 65536);
+        positions[i].z = 0;
+    }
+    const qtri_mesh mesh = {.positions = positions,
+                            .triangles = triangle,
+                            .vertex_count = 3,
+                            .triangle_count = 1,
+                            .uvs = uvs};
+    m.cull = QTRI_CULL_NONE;
+    m.texture = texture;
+    m.texture_mode = QTRI_REPLACE;
+    m.interpolation = interpolation;
+    qtri_view_init(&view, WIDTH, HEIGHT);
+    view.vertices = vertices;
+    view.vertex_count = 3;
+    qtri_transform_identity(&pose);
+    canvas_clear(c);
+    qtri_draw_mesh(&c->surface, &view, &pose, &mesh, &m);
+}
+
+/* A small triangle that lies beside a clamped texture, however far, has its first or its last
+   column and row. */
+static void small_triangles_beside_their_texture(void **state)
+{
+    (void)state;
+    static const uint32_t places[4] = {0x10000, 0x10001, 0x10002, 0x10003};
+    static const double beyond[] = {1.01, 1.5, 2, 3.99, 4, 7.9, 8, 9, 100, 20000, 32766};
+    const qtri_texture t = {.texels = places,
+                            .format = &qtri_texel_xrgb8888,
+                            .width_log2 = 1,
+                            .height_log2 = 1,
+                            .wrap_u = QTRI_CLAMP,
+                            .wrap_v = QTRI_CLAMP};
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    for (size_t n = 0; n < 4 * LENGTH_OF(beyond); n++) {
+        const double by = beyond[n / 4];
+        const double u = n & 1 ? by : -by, v = n & 2 ? by : -by;
+        qtri_vec2 uvs[3];
+        for (int i = 0; i < 3; i++) {
+            uvs[i].x = (q16)(u * 65536) + (i == 1 ? 6000 : 0);
+            uvs[i].y = (q16)(v * 65536) + (i == 2 ? 6000 : 0);
+        }
+        draw_small(&c, &t, uvs, n % 3 ? QTRI_PERSPECTIVE : QTRI_SCREEN_LINEAR);
+        for (int32_t y = LEFT; y < LEFT + LEG; y++) {
+            for (int32_t x = LEFT; x + y < 2 * LEFT + LEG - 1; x++) {
+                assert_int_equal(stored_pixel(&c.surface, x, y) & 0xFFFFFF, 0x10000u + (n & 3));
+            }
+        }
+    }
+    canvas_free(&c);
+}
+
 /*
  * A small triangle from -repeats to repeats of a clamped texture, with and without perspective:
  * where a coordinate is below 0 or above 1 its texel is the first or the last. Differences of
@@ -414,9 +482,8 @@ static void clamped_textures_of_wide_grounds_are_filtered(void **state)
 static void thousands_of_clamped_repeats(void **state)
 {
     (void)state;
-    enum { SIDE_LOG2_MAX = 6, LEFT = 10, LEG = 10 };
+    enum { SIDE_LOG2_MAX = 6 };
     static uint32_t places[1 << (2 * SIDE_LOG2_MAX)];
-    static const uint16_t triangle[1][3] = {{0, 1, 2}};
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     for (uint32_t i = 0; i < LENGTH_OF(places); i++) {
         places[i] = 0x10000 + i;
@@ -425,42 +492,18 @@ static void thousands_of_clamped_repeats(void **state)
         static const uint8_t sides_log2[4] = {0, 1, 4, SIDE_LOG2_MAX};
         const uint8_t side_log2 = sides_log2[n % 4];
         const int32_t repeats = 1000 << n / 8, last = (1 << side_log2) - 1;
-        const double to = LEFT + LEG;
-        const double at[3][2] = {{LEFT, LEFT}, {to, LEFT}, {LEFT, to}};
         qtri_texture t = {.texels = places,
                           .format = &qtri_texel_xrgb8888,
                           .width_log2 = side_log2,
                           .height_log2 = side_log2,
                           .wrap_u = QTRI_CLAMP,
                           .wrap_v = QTRI_CLAMP};
-        qtri_vec3 positions[3];
         qtri_vec2 uvs[3];
-        qtri_vertex vertices[3];
-        qtri_view view;
-        qtri_transform pose;
-        qtri_material m = qtri_material_default();
         for (int i = 0; i < 3; i++) {
-            positions[i].x = (q16)lrint((2 * at[i][0] / WIDTH - 1) * 65536);
-            positions[i].y = (q16)lrint((1 - 2 * at[i][1] / HEIGHT) * 65536);
-            positions[i].z = 0;
             uvs[i].x = (i == 1 ? repeats : -repeats) * Q16_ONE;
             uvs[i].y = (i == 2 ? repeats : -repeats) * Q16_ONE;
         }
-        const qtri_mesh mesh = {.positions = positions,
-                                .triangles = triangle,
-                                .vertex_count = 3,
-                                .triangle_count = 1,
-                                .uvs = uvs};
-        m.cull = QTRI_CULL_NONE;
-        m.texture = &t;
-        m.texture_mode = QTRI_REPLACE;
-        m.interpolation = n / 4 % 2 == 0 ? QTRI_SCREEN_LINEAR : QTRI_PERSPECTIVE;
-        qtri_view_init(&view, WIDTH, HEIGHT);
-        view.vertices = vertices;
-        view.vertex_count = 3;
-        qtri_transform_identity(&pose);
-        canvas_clear(&c);
-        qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &m);
+        draw_small(&c, &t, uvs, n / 4 % 2 == 0 ? QTRI_SCREEN_LINEAR : QTRI_PERSPECTIVE);
         for (int32_t y = LEFT; y < LEFT + LEG; y++) {
             for (int32_t x = LEFT; x + y < 2 * LEFT + LEG - 1; x++) {
                 const int32_t index =
@@ -480,6 +523,7 @@ int main(void)
         cmocka_unit_test(clamped_textures_of_wide_grounds_are_filtered),
         cmocka_unit_test(levels_begin_at_their_step),
         cmocka_unit_test(thousands_of_clamped_repeats),
+        cmocka_unit_test(small_triangles_beside_their_texture),
         cmocka_unit_test(texels_that_repeat),
         cmocka_unit_test(texels_that_are_clamped),
         cmocka_unit_test(pixel_for_texel),

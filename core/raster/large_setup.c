@@ -192,8 +192,7 @@ static int64_t clamp_q32(int64_t coordinate)
 }
 
 /* One coordinate: whole repeats below the least are dropped, the rest is brought to 29 bits. What
-   is clamped has them in its base; where all of it lies beside the texture, as many as do the same.
-   */
+   is clamped has them in its base, of as many bits. */
 static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3], bool is_clamped)
 {
     const qtri_draw_state *state = job->t.state;
@@ -213,9 +212,7 @@ static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3], bo
     for (int k = 0; k < 3; k++) {
         all |= (uint64_t)(at[k] - (int64_t)base * ((int64_t)1 << 32));
     }
-    const int32_t beside = (int32_t)(all >> 32) + 2; /* repeats before the texture */
-    const int32_t held = is_clamped ? qtri_hold32(base, -beside, 1) : 0;
-    all |= (uint64_t)qtri_magnitude32(held) << 32;
+    all |= is_clamped ? (uint64_t)qtri_magnitude32(base) << 32 : 0;
     const int32_t down = qtri_greatest32(35 - qtri_clz64(all), 3); /* <= 21 */
     /* What lies on a texel's edge, give or take an error, goes up: 2^-16 of a texel. */
     const uint64_t texel_part = (uint64_t)65536 >> side_log2, least = (uint64_t)4 << down;
@@ -227,7 +224,7 @@ static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3], bo
     a->start = 0;
     axis->shift = (uint8_t)(32 - down - side_log2);
     axis->limit = ((uint32_t)1 << (32 - down)) - 1;
-    axis->base = (uint32_t)held << (32 - down);
+    axis->base = (uint32_t)base << (32 - down);
     a->up = 0;
     if (!is_clamped) {
         a->up = (int8_t)(i == 0 || o->large_texture

@@ -44,11 +44,13 @@ static void find_e(int32_t e_q18[2], const qtri_small_place *p, const qtri_small
 
 /* Texture coordinates -------------------------------------------------------------------------- */
 
-/* Brings differences to what a ramp takes; returns how many bits they lost. */
-static uint32_t reduce(int32_t f[3], uint32_t bits)
+/* Brings differences to what a ramp takes, and u_0 of what is clamped to four times that; returns
+   how many bits they lost. */
+static uint32_t reduce(int32_t f[3], uint32_t bits, bool is_clamped)
 {
+    const uint32_t first = is_clamped ? qtri_small_about(f[0]) >> 2 : 0;
     uint32_t down = 0;
-    while ((qtri_small_about(f[1]) | qtri_small_about(f[2])) >> (bits + down) != 0) {
+    while ((first | qtri_small_about(f[1]) | qtri_small_about(f[2])) >> (bits + down) != 0) {
         down++;
     }
     f[1] >>= down;
@@ -56,15 +58,9 @@ static uint32_t reduce(int32_t f[3], uint32_t bits)
     return down;
 }
 
-/* u_0 in units of 2^-28 of a repeat or coarser ones, as they fit; from which differences are below
-   2^range. Where all lies beside the texture, as near as does the same. */
-static uint32_t clamp_axis_set(qtri_clamp_axis *axis, int32_t u0, uint32_t side_log2, uint32_t down,
-                               uint32_t range)
+/* u_0 in units of 2^-28 of a repeat or coarser ones, as they fit: below 2^30. */
+static uint32_t clamp_axis_set(qtri_clamp_axis *axis, int32_t u0, uint32_t side_log2, uint32_t down)
 {
-    const uint32_t far = ((uint32_t)1 << range) + 2 * 65536;
-    if (qtri_small_about(u0) > far) {
-        u0 = u0 < 0 ? -(int32_t)far : (int32_t)far;
-    }
     axis->shift = (uint8_t)(28 - down - side_log2);
     axis->limit = ((uint32_t)1 << (28 - down)) - 1;
     return (uint32_t)shifted(u0, 12 - (int32_t)down);
@@ -88,9 +84,9 @@ static void set_units(texture_units *units, qtri_small_curves *curves, int32_t f
         const bool is_clamped = (k == 0 ? o->wrap_u : o->wrap_v) == QTRI_CLAMP;
         uint32_t base, up, shift;
         if (is_clamped) {
-            const uint32_t down = reduce(f[k], bits);
+            const uint32_t down = reduce(f[k], bits, true);
             up = 4;
-            base = clamp_axis_set(&curves->axis[k], f[k][0], side_log2[k], down, bits + down);
+            base = clamp_axis_set(&curves->axis[k], f[k][0], side_log2[k], down);
             shift = curves->axis[k].shift;
         } else {
             const bool is_v = k == 1 && !o->large_texture;
@@ -103,7 +99,7 @@ static void set_units(texture_units *units, qtri_small_curves *curves, int32_t f
             } else {
                 up = unit - 8;
             }
-            up += reduce(f[k], bits);
+            up += reduce(f[k], bits, false);
             base = (uint32_t)f[k][0] << unit;
             shift = is_v ? 16 + side_log2[0] : 32 - side_log2[k];
         }
