@@ -142,6 +142,7 @@ QTRI_BODY uint32_t qtri_color_sum(qtri_color_kind kind, uint32_t c, uint32_t o)
 
 QTRI_BODY uint32_t qtri_pixel_rgb_to_888(const qtri_rgb *color)
 {
+    // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): of a palette that the walk has
     return (uint32_t)color->r << 16 | (uint32_t)color->g << 8 | color->b;
 }
 

@@ -24,8 +24,10 @@ QTRI_BODY uint32_t qtri_smooth_color(const qtri_options *o, const qtri_pixel_wal
     }
     case QTRI_IN_GRAY:
         return w->c >> 16;
-    default:
-        return (w->c >> 8 & QTRI_BODY_LANES_888) | qtri_body_bits(w->g, 16, 8) << 8;
+    default: /* what is mixed takes green out again, for which GCC 12 wants a mask */
+        return (w->c >> 8 & QTRI_BODY_LANES_888) |
+               (o->fog || qtri_reads_pixel(o) ? w->g >> 8 & 0xFF00u
+                                              : qtri_body_bits(w->g, 16, 8) << 8);
     }
 }
 
@@ -405,8 +407,11 @@ QTRI_BODY void qtri_walk_set_texture(const qtri_options *o, qtri_pixel_walk *w)
     const uint32_t width_log2 = qtri_texture_width_log2(o, state);
     const uint32_t height_log2 = qtri_texture_height_log2(o, state);
     w->texels = o->mipmapped ? state->level_texture.texels : state->texture->texels;
-    w->palette = o->texel == QTRI_TEXEL_CHECKER ? (const void *)state->texture->color
-                                                : state->texture->palette;
+    if (o->texel == QTRI_TEXEL_CHECKER) {
+        w->palette = state->texture->color;
+    } else if (o->texel == QTRI_TEXEL_PALETTE8 || o->texel == QTRI_TEXEL_PALETTE565) {
+        w->palette = state->texture->palette;
+    }
     w->width_log2 = width_log2;
     w->u_shift = (32u - width_log2) & 31;
     w->v_shift = (o->large_texture ? 32u - height_log2 : 16u + width_log2) & 31;
