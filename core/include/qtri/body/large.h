@@ -384,9 +384,8 @@ QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_large *t, qtri_pixel_
         qtri_walk_set_axes(o, w, qtri_large_job_of(t)->axis);
     }
     if (qtri_is_textured(o)) {
-        const qtri_clamp_axis *axis = qtri_large_job_of(t)->axis;
-        w->u = piece->u + (o->wrap_u == QTRI_CLAMP ? axis[0].base : 0);
-        w->v = piece->v + (o->wrap_v == QTRI_CLAMP ? axis[1].base : 0);
+        w->u = piece->u + (o->wrap_u == QTRI_CLAMP ? w->u_base : 0);
+        w->v = piece->v + (o->wrap_v == QTRI_CLAMP ? w->v_base : 0);
         w->u_step = piece->u_step;
         w->v_step = piece->v_step;
         w->u_bend = piece->u_bend;

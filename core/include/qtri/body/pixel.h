@@ -428,10 +428,12 @@ QTRI_BODY void qtri_walk_set_axes(const qtri_options *o, qtri_pixel_walk *w,
     if (o->wrap_u == QTRI_CLAMP) {
         w->u_shift = axis[0].shift;
         w->u_limit = axis[0].limit;
+        w->u_base = axis[0].base;
     }
     if (o->wrap_v == QTRI_CLAMP) {
         w->v_shift = axis[1].shift;
         w->v_limit = axis[1].limit;
+        w->v_base = axis[1].base;
     }
 }
 
