@@ -123,8 +123,8 @@ typedef struct qtri_pixel_walk {
     const qtri_draw_state *state;
     const void *texels, *palette;
     uint32_t rows, u_shift, v_shift, width_log2; /* rows: mask of v, times the width << 16 */
-    uint32_t u_limit, v_limit, u_base,
-        v_base;     /* of clamped axes, as their qtri_clamp_axis has them */
+    uint32_t u_limit, v_limit; /* of clamped axes, as their qtri_clamp_axis has them */
+    uint32_t u_base, v_base;
     uint32_t color; /* of the triangle: of the kind; where nothing else is done, as it is stored */
     /* Lit texture: weights of the state, of 565 green's also << 16 in red; the half that rounds. */
     uint32_t red, green, blue, half;
