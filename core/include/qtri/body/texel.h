@@ -66,35 +66,33 @@ QTRI_BODY uint32_t qtri_texel_stored(const qtri_options *o, const qtri_pixel_wal
     }
 }
 
-/* A colour of texels as one of the kind. */
-QTRI_BODY uint32_t qtri_texel_from_565(const qtri_options *o, uint32_t c)
+/* A colour of texels as one of the kind, another one. */
+QTRI_BODY_PART uint32_t qtri_texel_from_565(qtri_color_kind kind, uint32_t c)
 {
-    const qtri_color_kind kind = qtri_kind_of(o);
-    return kind == QTRI_IN_565    ? c
-           : kind == QTRI_IN_GRAY ? qtri_pixel_565_to_luma(c)
-                                  : qtri_pixel_565_to_888(c);
+    return kind == QTRI_IN_GRAY ? qtri_pixel_565_to_luma(c) : qtri_pixel_565_to_888(c);
 }
 
-QTRI_BODY uint32_t qtri_texel_from_888(const qtri_options *o, uint32_t c)
+QTRI_BODY_PART uint32_t qtri_texel_from_888(qtri_color_kind kind, uint32_t c)
 {
-    return qtri_kind_of(o) == QTRI_IN_GRAY ? qtri_pixel_888_to_luma(c) : c;
+    return kind == QTRI_IN_GRAY ? qtri_pixel_888_to_luma(c) : c;
 }
 
 /* A stored texel as a colour of the kind; with alpha, 0xAARRGGBB. */
 QTRI_BODY uint32_t qtri_texel_color(const qtri_options *o, const qtri_pixel_walk *w, uint32_t t)
 {
+    const qtri_color_kind kind = qtri_kind_of(o);
     switch (o->texel) {
     case QTRI_TEXEL_PALETTE565:
-        return qtri_texel_from_565(o, ((const uint16_t *)w->palette)[t]);
     case QTRI_TEXEL_RGB565:
-        return qtri_texel_from_565(o, t);
+        t = o->texel == QTRI_TEXEL_PALETTE565 ? ((const uint16_t *)w->palette)[t] : t;
+        return kind == QTRI_IN_565 ? t : qtri_texel_from_565(kind, t);
     case QTRI_TEXEL_XRGB8888:
-        return qtri_texel_from_888(o, t & 0xFFFFFFu);
+        return qtri_texel_from_888(kind, t & 0xFFFFFFu);
     case QTRI_TEXEL_GRAY8:
-        return qtri_kind_of(o) == QTRI_IN_GRAY ? t : t * 0x010101u;
+        return kind == QTRI_IN_GRAY ? t : t * 0x010101u;
     case QTRI_TEXEL_PALETTE8:
     case QTRI_TEXEL_CHECKER: /* its palette are both colours */
-        return qtri_texel_from_888(o, qtri_pixel_rgb_to_888((const qtri_rgb *)w->palette + t));
+        return qtri_texel_from_888(kind, qtri_pixel_rgb_to_888((const qtri_rgb *)w->palette + t));
     case QTRI_TEXEL_ARGB4444:
         return qtri_pixel_4444_to_8888(t);
     case QTRI_TEXEL_ARGB1555:
