@@ -393,19 +393,26 @@ static struct measured {
     int pixels, far;
 } now;
 
-static bool measure(qtri_fragment *f)
+/* Shares of the vertices at a pixel's centre, and those times 1/w. */
+static void find_shares(double b[3], double q[3], const qtri_small *t, int32_t column, int32_t row)
 {
-    double x[3], y[3], b[3], q[3], at_q = 0, z = 0, light = 0, uv[2] = {0, 0};
-    const qtri_small *t = now.triangle;
+    double x[3], y[3];
     for (int i = 0; i < 3; i++) {
-        x[i] = t->v[i]->at.x_24p8 / 256.0 - f->x - .5;
-        y[i] = t->v[i]->at.y_24p8 / 256.0 - f->y - .5;
+        x[i] = t->v[i]->at.x_24p8 / 256.0 - column - .5;
+        y[i] = t->v[i]->at.y_24p8 / 256.0 - row - .5;
         q[i] = ldexp(t->v[i]->inv_w, -(int)(t->v[i]->depth_16p8 & 255));
     }
     const double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
     b[1] = (-x[0] * (y[2] - y[0]) + (x[2] - x[0]) * y[0]) / area;
     b[2] = (-(x[1] - x[0]) * y[0] + x[0] * (y[1] - y[0])) / area;
     b[0] = 1 - b[1] - b[2];
+}
+
+static bool measure(qtri_fragment *f)
+{
+    double b[3], q[3], at_q = 0, z = 0, light = 0, uv[2] = {0, 0};
+    const qtri_small *t = now.triangle;
+    find_shares(b, q, t, f->x, f->y);
     for (int i = 0; i < 3; i++) {
         z += b[i] * (t->v[i]->depth_16p8 >> 8) / 256.0;
         at_q += b[i] * q[i];
@@ -469,6 +476,123 @@ static void values_are_near_those_in_double_precision(void **unused)
     assert_true(now.texel < .5);
 }
 
+/* Colours: of channels of 0 and 255 as often as of others, so that none may leave its field. */
+
+SMALL_PIPELINE(xrgb_colors, .format = QTRI_XRGB8888, .depth = QTRI_LINEAR16, .compare = QTRI_LESS,
+               .shade = QTRI_COLORS)
+SMALL_PIPELINE(gray_colors, .format = QTRI_GRAY8, .depth = QTRI_LINEAR16, .compare = QTRI_LESS,
+               .shade = QTRI_COLORS)
+SMALL_PIPELINE(xrgb_weights, .format = QTRI_XRGB8888, .depth = QTRI_LINEAR16, .compare = QTRI_LESS,
+               .texel = QTRI_TEXEL_XRGB8888, .shade = QTRI_COLORS)
+SMALL_PIPELINE(weights, LESS_565, .texel = QTRI_TEXEL_RGB565, .shade = QTRI_COLORS)
+
+/* How far a pixel is from what it should be, in steps of its format. */
+static double color_error(const qtri_small *t, uint32_t pixel, uint8_t format, int32_t x, int32_t y)
+{
+    double b[3], q[3], at_q = 0, rgb[3] = {0, 0, 0}, most = 0;
+    find_shares(b, q, t, x, y);
+    for (int i = 0; i < 3; i++) {
+        const qtri_rgb *color = &t->mesh->colors[t->index[i]];
+        at_q += b[i] * q[i];
+        rgb[0] += b[i] * q[i] * color->r / 255;
+        rgb[1] += b[i] * q[i] * color->g / 255;
+        rgb[2] += b[i] * q[i] * color->b / 255;
+    }
+    if (format == QTRI_GRAY8) {
+        return fabs(pixel - 255 * (.299 * rgb[0] + .587 * rgb[1] + .114 * rgb[2]) / at_q);
+    }
+    for (int i = 0; i < 3; i++) {
+        const bool is_565 = format == QTRI_RGB565;
+        const uint32_t full = !is_565 ? 255 : i == 1 ? 63 : 31;
+        const uint32_t at = is_565 ? (i == 0 ? 11 : i == 1 ? 5 : 0) : (uint32_t)(16 - 8 * i);
+        most = fmax(most, fabs((pixel >> at & full) - full * rgb[i] / at_q));
+    }
+    return most;
+}
+
+static uint32_t pixel_at(const qtri_surface *s, uint8_t format, int32_t x, int32_t y)
+{
+    const uint8_t *row = s->pixels + (ptrdiff_t)s->pitch * y;
+    if (format == QTRI_GRAY8) {
+        return row[x];
+    }
+    if (format == QTRI_RGB565) {
+        uint16_t word;
+        memcpy(&word, row + 2 * (size_t)x, sizeof word);
+        return word;
+    }
+    uint32_t word;
+    memcpy(&word, row + 4 * (size_t)x, sizeof word);
+    return word;
+}
+
+static double worst_color(const qtri_pipeline *pipeline, uint64_t *seed, int *small)
+{
+    static uint8_t memory[BYTES];
+    qtri_surface surface;
+    qtri_draw_state state;
+    double worst = 0;
+    for (int n = 0; n < random_cases(1500); n++) {
+        set_triangle(&scene, 0, seed, 1500 << n % 4, n % 3 == 0 ? 240 : n % 3 == 1 ? 120 : 30);
+        for (int k = 0; k < 3; k++) {
+            qtri_rgb *color = &scene.colors[k];
+            const int32_t ends = random_in(seed, 0, 63);
+            color->r = (ends & 1) != 0 ? (ends & 2) != 0 ? 255 : 0 : color->r;
+            color->g = (ends & 4) != 0 ? (ends & 8) != 0 ? 255 : 0 : color->g;
+            color->b = (ends & 16) != 0 ? (ends & 32) != 0 ? 255 : 0 : color->b;
+        }
+        new_surface(&surface, &pipeline->options, memory, BYTES, 0, HEIGHT);
+        memset(surface.depth, 0xFF, (size_t)surface.depth_pitch * 2 * HEIGHT);
+        set_state(&state, &scene, pipeline, &surface);
+        qtri_small t = {
+            .state = &state, .mesh = &scene.mesh, .index = {0, 1, 2}, .light_q15 = QTRI_SMALL_ONE};
+        for (int k = 0; k < 3; k++) {
+            t.v[k] = &scene.vertices[k];
+        }
+        *small += pipeline->small(&t);
+        for (int32_t y = 0; y < HEIGHT; y++) {
+            const uint16_t *depth = (const uint16_t *)surface.depth + surface.depth_pitch * y;
+            for (int32_t x = 0; x < WIDTH; x++) {
+                if (depth[x] != 0xFFFF) {
+                    const uint8_t format = pipeline->options.format;
+                    const uint32_t pixel = pixel_at(&surface, format, x, y);
+                    worst = fmax(worst, color_error(&t, pixel, format, x, y));
+                }
+            }
+        }
+    }
+    return worst;
+}
+
+static void colors_are_near_those_in_double_precision(void **unused)
+{
+    static const struct {
+        const qtri_pipeline *pipeline;
+        double most;
+    } cases[] = {{&colored, 1.3},
+                 {&xrgb_colors, 1.1},
+                 {&gray_colors, 1.1},
+                 {&weights, 1.5},
+                 {&xrgb_weights, 1.5}};
+    static uint32_t white[64];
+    (void)unused;
+    uint64_t seed = 17;
+    scene.mesh.colors = scene.colors;
+    scene.mesh.uvs = scene.uvs;
+    scene.material = qtri_material_default();
+    scene.material.cull = QTRI_CULL_NONE;
+    memset(white, 0xFF, sizeof white);
+    scene.texture.texels = white;
+    scene.texture.width_log2 = 3;
+    scene.texture.height_log2 = 3;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        int small = 0;
+        const double worst = worst_color(cases[i].pipeline, &seed, &small);
+        printf("%d small: colours off by %.3f of a step\n", small, worst);
+        assert_true(worst < cases[i].most);
+    }
+}
+
 int main(void)
 {
     uint64_t seed = 3;
@@ -486,6 +610,7 @@ int main(void)
         cmocka_unit_test(instances_draw_the_same_bits),
         cmocka_unit_test(coverage_is_exact),
         cmocka_unit_test(values_are_near_those_in_double_precision),
+        cmocka_unit_test(colors_are_near_those_in_double_precision),
     };
     return cmocka_run_group_tests_name("pipeline small", tests, NULL, NULL);
 }

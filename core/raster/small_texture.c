@@ -1,45 +1,21 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Texture coordinates of small triangles, light that follows perspective, and mipmap levels.
+ * Texture coordinates of small triangles, and mipmap levels.
  *
  * What is interpolated linearly on the screen strays from perspective by the covariance of 1/w and
  * the value, which is at most range(u) range(q) / (4 q_min); where that could be more than
- * 2^-QTRI_SMALL_TEXEL_LOG2 texel it is a curve.
- *
- * With e, what q has more than at vertex 0 by its value there, a value along the edge from there is
- * u_0 + f s (1 + e) / (1 + e s), s from 0 to 1: f s + f k s (1 - s), k = e / (1 + e/2), is equal at
- * both ends and in the middle. Over the triangle that is the product of what is linear,
- *
- *     u_0 + G - F E,   F = 0, f_1, f_2,   E = 0, k_1, k_2,   G = F (1 + E) at the vertices,
- *
- * which on the third edge has k_2 - k_1 in place of (e_2 - e_1) / (1 + (e_1 + e_2) / 2), 1/64 of it
- * off at most. It strays by the third derivative, 6 range(u) (range(q) / q_min)^2, times .048 / 6,
- * .0481 being the maximum of s (1/2 - s) (1 - s).
+ * 2^-QTRI_SMALL_TEXEL_LOG2 texel it is a curve (small_curves.h).
  */
-#include "qtri/body/small_setup.h"
+#include "small_curves.h"
 
 #include "descriptions.h"
 
 #include "../bits/bits.h"
 
-/* f (1 + e), |f| <= 2^16, |e| <= 1/4 and a part. */
-static int32_t scaled(int32_t f, int32_t e_q18)
-{
-    return f + (((f >> 2) * e_q18 + ((int32_t)1 << 15)) >> 16);
-}
-
 /* x 2^up, rounded down, |up| < 32. */
 static int32_t shifted(int32_t x, int32_t up)
 {
     return up >= 0 ? (int32_t)((uint32_t)x << up) : x >> -up;
-}
-
-/* What 1/w has more at vertices 1 and 2, as a part of that of vertex 0. */
-static void find_e(int32_t e_q18[2], const qtri_small_place *p, const qtri_small *t)
-{
-    const int32_t y = (int32_t)qtri_small_reciprocal(t->v[0]->inv_w >> 15);
-    e_q18[0] = ((p->q1 >> 14) * y + ((int32_t)1 << 13)) >> 14;
-    e_q18[1] = ((p->q2 >> 14) * y + ((int32_t)1 << 13)) >> 14;
 }
 
 /* Texture coordinates -------------------------------------------------------------------------- */
@@ -121,85 +97,7 @@ bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
 
 /* Curves --------------------------------------------------------------------------------------- */
 
-/* What all curves of a triangle have in common. */
-typedef struct curvature {
-    int32_t k_q18[2];
-    int32_t e, ex, ey;   /* Q17 of 1: E at the pixel of vertex 0, and its steps, below 2^13 */
-    uint32_t ratio_q12;  /* (range(q) / q_0)^2 */
-    uint32_t q_min2_q10; /* (q_min / q_0)^2 */
-} curvature;
-
-/* e / (1 + e/2) = 2 h / (1 + h), h = e/2: off by 2 h^4, 2^-11, at most. */
-static int32_t bend_of(int32_t e_q18)
-{
-    const int32_t h = e_q18 >> 1; /* |h| <= 2^15 */
-    return 2 * (h - ((h * (h - ((h * h) >> 18))) >> 18));
-}
-
-/* False: E changes too much from pixel to pixel, over a triangle of hardly any width. */
-static bool set_curvature(curvature *c, const qtri_small_place *p, const qtri_small *t)
-{
-    const int32_t limit = (int32_t)1 << 13;
-    int32_t e[2];
-    qtri_small_ramp ramp;
-    find_e(e, p, t);
-    c->k_q18[0] = bend_of(e[0]);
-    c->k_q18[1] = bend_of(e[1]);
-    QTRI_SMALL_SETUP(ramp_set_at)
-    (&ramp, p, p->x + QTRI_SMALL_FAR, p->y - 256 * p->first, 0, c->k_q18[0] >> 1, c->k_q18[1] >> 1,
-     -p->up);
-    c->e = (int32_t)ramp.at >> (8 - p->up); /* Q25, 2^up less */
-    c->ex = (int32_t)ramp.dx >> (8 - p->up);
-    c->ey = (int32_t)ramp.dy >> (8 - p->up);
-    const uint32_t range = qtri_small_range(e[0], e[1]) >> 8;                   /* Q10, <= 2^9 */
-    const uint32_t q_min = 1024u + (uint32_t)(qtri_small_min(e[0], e[1]) >> 8); /* >= 3/4 2^10 */
-    c->ratio_q12 = (range * range >> 8) + 1;
-    c->q_min2_q10 = q_min * q_min >> 10;
-    return c->ex >= -limit && c->ex < limit && c->ey >= -limit && c->ey < limit;
-}
-
-/* Whether a curve is off by range / 2^by (range(q) / q_min)^2 <= 1 at most, by <= 22. */
-static bool is_near_curve(const curvature *c, uint32_t range, uint32_t by)
-{
-    return range <= (uint32_t)1 << 20 && range * c->ratio_q12 <= c->q_min2_q10 << (by + 2);
-}
-
-/* F E / 2^14, rounded down: |F| < 2^30.2, |E| < 2^13.6. */
-static inline int32_t product(int32_t f, int32_t e)
-{
-#if QTRI_LONG_MULTIPLY
-    return (int32_t)(((int64_t)f * e) >> 14);
-#else
-    return (f >> 16) * e * 4 + (((int32_t)qtri_low16((uint32_t)f) * e) >> 14);
-#endif
-}
-
-/* `value` at vertex 0, more by f1 and f2, of units 2^(8 + up), at vertices 1 and 2. */
-static void set_curve(qtri_small_curve *r, const qtri_small_place *p, const curvature *c,
-                      uint32_t value, int32_t f1, int32_t f2, int32_t up)
-{
-    const int32_t x = p->x + QTRI_SMALL_FAR, y = p->y - 256 * p->first;
-    const uint32_t rows = (uint32_t)p->first;
-    qtri_small_ramp f, g;
-    QTRI_SMALL_SETUP(ramp_set_at)(&f, p, x, y, 0, f1, f2, -p->up);
-    QTRI_SMALL_SETUP(ramp_set_at)
-    (&g, p, x, y, value, scaled(f1, c->k_q18[0]), scaled(f2, c->k_q18[1]), up);
-    const int32_t at = (int32_t)f.at, fx = (int32_t)f.dx, fy = (int32_t)f.dy;
-    up += p->up - 3; /* Q17 of E, and 14 bits that product() drops */
-    const int32_t down = up < 0 ? -up : 0;
-    up += down;
-    r->xx = 0u - ((uint32_t)(product(fx, c->ex) >> down) << up);
-    r->xy = 0u - ((uint32_t)((product(fx, c->ey) + product(fy, c->ex)) >> down) << up);
-    const uint32_t yy = 0u - ((uint32_t)(product(fy, c->ey) >> down) << up);
-    const uint32_t dy = g.dy - ((uint32_t)((product(at, c->ey) + product(fy, c->e)) >> down) << up);
-    const uint32_t dx = g.dx - ((uint32_t)((product(at, c->ex) + product(fx, c->e)) >> down) << up);
-    r->at = g.at - ((uint32_t)(product(at, c->e) >> down) << up) + rows * (dy + rows * yy);
-    r->dx = dx + rows * r->xy;
-    r->dy = dy + (2 * rows + 1) * yy;
-    r->yy = 2 * yy;
-}
-
-static bool set_texture_curves(qtri_small_curves *curves, const curvature *c, int32_t f[2][3],
+static bool set_texture_curves(qtri_small_curves *curves, const qtri_curvature *c, int32_t f[2][3],
                                const qtri_small_place *p, const qtri_small *t,
                                const qtri_options *o)
 {
@@ -208,7 +106,8 @@ static bool set_texture_curves(qtri_small_curves *curves, const curvature *c, in
         const uint32_t side_log2 =
             k == 0 ? qtri_texture_width_log2(o, t->state) : qtri_texture_height_log2(o, t->state);
         /* 2^-6 texel; by 1/16 (range(q) / q_min)^2 of it, 1/16 texel at most */
-        if (!is_near_curve(c, qtri_small_range(f[k][1], f[k][2]) >> (10 - side_log2), 6)) {
+        if (!qtri_small_is_near_curve(c, qtri_small_range(f[k][1], f[k][2]) >> (10 - side_log2),
+                                      6)) {
             return false;
         }
     }
@@ -218,45 +117,16 @@ static bool set_texture_curves(qtri_small_curves *curves, const curvature *c, in
         if ((int32_t)units.up[k] + p->up > 16) {
             return false;
         }
-        set_curve(r, p, c, units.base[k], f[k][1], f[k][2], (int32_t)units.up[k]);
+        qtri_small_set_curve(r, p, c, units.base[k], f[k][1], f[k][2], (int32_t)units.up[k]);
     }
     return true;
-}
-
-static bool set_light_curve(qtri_small_curves *curves, const curvature *c,
-                            const qtri_small_place *p, const qtri_small *t, const qtri_options *o)
-{
-    const int32_t part = (int32_t)qtri_small_part_of(o);
-    const int32_t i0 = t->v[0]->intensity_q15;
-    const int32_t f1 = t->v[1]->intensity_q15 - i0, f2 = t->v[2]->intensity_q15 - i0;
-    /* half of 2^-part of full, 2^15, by 1/16 of (range(q) / q_min)^2 */
-    if (!is_near_curve(c, qtri_small_range(f1, f2), (uint32_t)(18 - part))) {
-        return false;
-    }
-    set_curve(&curves->c, p, c, ((uint32_t)i0 << 9) + qtri_light_half(o), f1, f2, 1);
-    /* A chord over n pixels is off by n^2 / 4 of xx: half of 2^(24 - part) at most. */
-    const uint32_t bend = qtri_small_about((int32_t)curves->c.xx);
-    uint32_t log2 = 6;
-    while (log2 > 0 && bend > (uint32_t)1 << (25 - part) >> 2 * log2) {
-        log2--;
-    }
-    curves->light_piece = (uint32_t)1 << log2;
-    return true;
-}
-
-bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_place *p,
-                                const qtri_small *t, const qtri_options *o)
-{
-    curvature c;
-    curves->is_curved = true;
-    return set_curvature(&c, p, t) && set_light_curve(curves, &c, p, t, o);
 }
 
 bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
                            const qtri_small *t, const qtri_options *o, bool has_light)
 {
     qtri_small_uv at;
-    curvature c;
+    qtri_curvature c;
     qtri_small_uv_find(&at, t);
     int32_t f[2][3] = {{at.u0, at.u1, at.u2}, {at.v0, at.v1, at.v2}};
     curves->light_piece = 0;
@@ -271,8 +141,8 @@ bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
         }
         return true;
     }
-    return set_curvature(&c, p, t) && set_texture_curves(curves, &c, f, p, t, o) &&
-           (!has_light || set_light_curve(curves, &c, p, t, o));
+    return qtri_small_set_curvature(&c, p, t) && set_texture_curves(curves, &c, f, p, t, o) &&
+           (!has_light || qtri_small_light_curve(curves, &c, p, t, o));
 }
 
 /* Mipmap levels -------------------------------------------------------------------------------- */
@@ -296,8 +166,8 @@ static uint32_t step_of(int32_t f[2][2], const int32_t up[2], int32_t fraction,
 {
     uint32_t right[2], down[2];
     for (int i = 0; i < 2; i++) {
-        const int32_t f1 = scaled(shifted(f[i][0], fraction - up[i]), e_q18[0]);
-        const int32_t f2 = scaled(shifted(f[i][1], fraction - up[i]), e_q18[1]);
+        const int32_t f1 = qtri_small_scaled(shifted(f[i][0], fraction - up[i]), e_q18[0]);
+        const int32_t f2 = qtri_small_scaled(shifted(f[i][1], fraction - up[i]), e_q18[1]);
         right[i] = qtri_small_about(f2 * p->dy1 - f1 * p->dy2);
         down[i] = qtri_small_about(f1 * p->dx2 - f2 * p->dx1);
     }
@@ -360,7 +230,7 @@ bool qtri_small_find_level(const qtri_small_place *p, const qtri_small *t)
         if (!is_even(p->q1, inv_w) || !is_even(p->q2, inv_w)) {
             return false;
         }
-        find_e(e_q18, p, t);
+        qtri_small_find_e(e_q18, p, t);
     }
     const uint32_t level = level_of(p, t, e_q18);
     if (level != state->level) {

@@ -95,15 +95,10 @@ static inline void set_two_words(qtri_small_ramp *c, qtri_small_ramp *g, const q
                                  const qtri_small_colors *f, int32_t full, uint32_t half, int down)
 {
     qtri_small_ramp r;
-    const uint32_t round = (uint32_t)1 << (down - 1);
     qtri_small_channel_set(&r, p, f->at.r, f->d1.r, f->d2.r, full, half);
-    c->at = r.at >> down << 16;
-    c->dx = (r.dx + round) >> down << 16;
-    c->dy = (r.dy + round) >> down << 16;
+    qtri_small_pack_red(c, &r, down);
     qtri_small_channel_set(&r, p, f->at.b, f->d1.b, f->d2.b, full, half);
-    c->at += qtri_small_signed_shift(r.at, down);
-    c->dx += qtri_small_signed_shift(r.dx + round, down);
-    c->dy += qtri_small_signed_shift(r.dy + round, down);
+    qtri_small_pack_blue(c, &r, down);
     qtri_small_channel_set(g, p, f->at.g, f->d1.g, f->d2.g, full, half);
     qtri_small_set_base(c, p);
     qtri_small_set_base(g, p);
@@ -131,19 +126,14 @@ bool qtri_small_set_weights(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_s
     return true;
 }
 
-/* .299 R + .587 G + .114 B */
-static inline int32_t luma(const qtri_small_channels *f)
-{
-    return (f->r * 9798 + f->g * 19235 + f->b * 3735 + 0x4000) >> 15;
-}
-
 bool qtri_small_set_colors_gray(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t)
 {
     qtri_small_colors f;
     if (!qtri_small_colors_find(&f, p, t, &t->state->options)) {
         return false;
     }
-    qtri_small_channel_set(c, p, luma(&f.at), luma(&f.d1), luma(&f.d2), 255, 0x8000u);
+    qtri_small_channel_set(c, p, qtri_small_luma(&f.at), qtri_small_luma(&f.d1),
+                           qtri_small_luma(&f.d2), 255, 0x8000u);
     qtri_small_set_base(c, p);
     return true;
 }

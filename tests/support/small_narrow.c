@@ -7,32 +7,41 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
-#define qtri_small_are_linear         narrow_small_are_linear
-#define qtri_small_color              narrow_small_color
-#define qtri_small_cut                narrow_small_cut
-#define qtri_small_find               narrow_small_find
-#define qtri_small_fog_step           narrow_small_fog_step
-#define qtri_small_lit_channels       narrow_small_lit_channels
-#define qtri_small_set_alpha          narrow_small_set_alpha
-#define qtri_small_set_colors_565     narrow_small_set_colors_565
-#define qtri_small_set_colors_888     narrow_small_set_colors_888
-#define qtri_small_set_colors_gray    narrow_small_set_colors_gray
-#define qtri_small_find_uneven        narrow_small_find_uneven
-#define qtri_small_is_linear_by_range narrow_small_is_linear_by_range
-#define qtri_small_ramp_set_at        narrow_small_ramp_set_at
-#define qtri_small_turn               narrow_small_turn
-#define qtri_small_light_is_linear    narrow_small_light_is_linear
-#define qtri_small_set_linear_texture narrow_small_set_linear_texture
-#define qtri_small_set_light          narrow_small_set_light
-#define qtri_small_set_curves         narrow_small_set_curves
-#define qtri_small_set_level          narrow_small_find_level
-#define qtri_small_find_level         narrow_small_find_level
-#define qtri_small_set_light_curve    narrow_small_set_light_curve
-#define qtri_small_set_weights        narrow_small_set_weights
+#define qtri_small_are_linear            narrow_small_are_linear
+#define qtri_small_color                 narrow_small_color
+#define qtri_small_cut                   narrow_small_cut
+#define qtri_small_find                  narrow_small_find
+#define qtri_small_fog_step              narrow_small_fog_step
+#define qtri_small_lit_channels          narrow_small_lit_channels
+#define qtri_small_set_alpha             narrow_small_set_alpha
+#define qtri_small_set_colors_565        narrow_small_set_colors_565
+#define qtri_small_set_colors_888        narrow_small_set_colors_888
+#define qtri_small_set_colors_gray       narrow_small_set_colors_gray
+#define qtri_small_color_curves_next_row narrow_small_color_curves_next_row
+#define qtri_small_find_e                narrow_small_find_e
+#define qtri_small_is_near_curve         narrow_small_is_near_curve
+#define qtri_small_light_curve           narrow_small_light_curve
+#define qtri_small_set_color_chord       narrow_small_set_color_chord
+#define qtri_small_set_color_curves      narrow_small_set_color_curves
+#define qtri_small_set_curvature         narrow_small_set_curvature
+#define qtri_small_set_curve             narrow_small_set_curve
+#define qtri_small_find_uneven           narrow_small_find_uneven
+#define qtri_small_is_linear_by_range    narrow_small_is_linear_by_range
+#define qtri_small_ramp_set_at           narrow_small_ramp_set_at
+#define qtri_small_turn                  narrow_small_turn
+#define qtri_small_light_is_linear       narrow_small_light_is_linear
+#define qtri_small_set_linear_texture    narrow_small_set_linear_texture
+#define qtri_small_set_light             narrow_small_set_light
+#define qtri_small_set_curves            narrow_small_set_curves
+#define qtri_small_set_level             narrow_small_find_level
+#define qtri_small_find_level            narrow_small_find_level
+#define qtri_small_set_light_curve       narrow_small_set_light_curve
+#define qtri_small_set_weights           narrow_small_set_weights
 
 #include "raster/small_triangle.c"
 #include "raster/small_values.c"
 
+#include "raster/small_curves.c"
 #include "raster/small_texture.c"
 
 #include "qtri/body/small.h"

@@ -18,24 +18,6 @@ typedef struct qtri_small_rows {
     qtri_small_ramp c, g, alpha, u, v;
 } qtri_small_rows;
 
-/* A curve in its row, x columns from vertex 0's; and its step over the n pixels from there on. */
-QTRI_BODY uint32_t qtri_small_curve_at(const qtri_small_curve *c, uint32_t x)
-{
-    return c->at + x * (c->dx + x * c->xx);
-}
-
-QTRI_BODY uint32_t qtri_small_curve_step(const qtri_small_curve *c, uint32_t x, uint32_t n)
-{
-    return c->dx + (2 * x + n) * c->xx;
-}
-
-QTRI_BODY void qtri_small_curve_next_row(qtri_small_curve *c)
-{
-    c->at += c->dy;
-    c->dy += c->yy;
-    c->dx += c->xy;
-}
-
 /* Goes on by n pixels. */
 QTRI_BODY void qtri_small_step(const qtri_options *o, qtri_pixel_walk *w, uint32_t n, bool with_uv)
 {
@@ -115,6 +97,23 @@ QTRI_BODY uint32_t qtri_small_curves_set_light(qtri_pixel_walk *w, const qtri_sm
     return n - passed < count ? n - passed : count;
 }
 
+/* And colours along chords of theirs. */
+QTRI_BODY uint32_t qtri_small_curves_set_colors(const qtri_options *o, qtri_pixel_walk *w,
+                                                const qtri_small_color_curves *k, uint32_t x,
+                                                uint32_t count)
+{
+    const uint32_t passed = x & (k->piece - 1);
+    qtri_small_ramp c, g;
+    qtri_small_set_color_chord(&c, &g, k, &w->state->options, x - passed);
+    w->c_step = c.dx;
+    w->c = c.at + passed * c.dx;
+    if (qtri_has_two_words(o)) {
+        w->g_step = g.dx;
+        w->g = g.at + passed * g.dx;
+    }
+    return k->piece - passed < count ? k->piece - passed : count;
+}
+
 QTRI_BODY void qtri_small_curves_next_row(const qtri_options *o, qtri_small_curves *curves)
 {
     if (qtri_is_textured(o)) {
@@ -142,14 +141,18 @@ QTRI_BODY void qtri_small_set_fog_along(qtri_pixel_walk *w, uint32_t count)
  */
 QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
                                const qtri_small_place *p, const qtri_small_rows *rows,
-                               qtri_small_curves *curves, bool curved)
+                               qtri_small_curves *curves, qtri_small_color_curves *colors,
+                               bool curved)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t bytes = qtri_pixel_bytes(o), depth_bytes = qtri_depth_size(o, surface);
     const bool tests = qtri_tests_depth(o), paired = qtri_is_paired(o);
     const bool textured = qtri_is_textured(o), varies = qtri_varies(o);
     const bool two_words = qtri_has_two_words(o);
-    const bool has_pieces = qtri_is_lit(o) && curved && curves->light_piece != 0;
+    const bool has_pieces =
+        curved &&
+        (qtri_is_lit(o) ? curves->light_piece != 0
+                        : o->shade == QTRI_COLORS && (!qtri_is_textured(o) || colors->piece != 0));
     /* Curved or not: what rows and pieces begin with is read from memory, so that pixels have the
        registers. Texels take more of them than that leaves. */
     const bool shares_loop = !QTRI_SMALL_IN_PLACE && !textured && qtri_is_lit(o);
@@ -219,7 +222,11 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
                     if (shares_loop) {
                         QTRI_BODY_READ_AGAIN();
                     }
-                    count = qtri_small_curves_set_light(w, curves, x - QTRI_SMALL_REACH, count);
+                    count =
+                        qtri_is_lit(o)
+                            ? qtri_small_curves_set_light(w, curves, x - QTRI_SMALL_REACH, count)
+                            : qtri_small_curves_set_colors(o, w, colors, x - QTRI_SMALL_REACH,
+                                                           count);
                 }
                 if (curved && textured) {
                     qtri_small_pixels(o, pixel, w, true, (int32_t)count);
@@ -247,6 +254,9 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
         }
         if (curved) {
             qtri_small_curves_next_row(o, curves);
+            if (o->shade == QTRI_COLORS && has_pieces) {
+                qtri_small_color_curves_next_row(colors);
+            }
         }
         if (o->vertex_alpha) {
             w->alpha += rows->alpha.dy;
@@ -274,6 +284,29 @@ QTRI_BODY const qtri_small_place *qtri_small_kept(qtri_small_place *copy, const 
     return copy;
 }
 
+/* Colours that are linear on the screen; false: perspective of them could be seen. */
+QTRI_BODY bool qtri_small_set_rows_colors(const qtri_options *o, qtri_small_rows *rows,
+                                          const qtri_small_place *p, qtri_small_place *copy,
+                                          const qtri_small *t)
+{
+    const bool is_565 = qtri_kind_of(o) == QTRI_IN_565;
+    qtri_small_ramp c = {0, 0, 0}, g = {0, 0, 0}; /* copies, so that others need not be in memory */
+    bool is_set;
+    if (qtri_is_textured(o)) {
+        is_set = qtri_small_set_weights(&c, &g, qtri_small_kept(copy, p), t,
+                                        is_565 ? (uint32_t)1 << 17 : 0x8000u);
+    } else if (is_565) {
+        is_set = QTRI_SMALL_SETUP(set_colors_565)(&c, p, t, o);
+    } else if (qtri_kind_of(o) == QTRI_IN_GRAY) {
+        is_set = qtri_small_set_colors_gray(&c, qtri_small_kept(copy, p), t);
+    } else {
+        is_set = qtri_small_set_colors_888(&c, &g, qtri_small_kept(copy, p), t);
+    }
+    rows->c = c;
+    rows->g = g;
+    return is_set;
+}
+
 /* False: it is large, and nothing was drawn. */
 QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *pixel,
                                         qtri_small *t)
@@ -282,9 +315,10 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
     qtri_small_place p, copy;
     qtri_small_rows rows; /* as options ask */
     qtri_small_curves curves;
+    qtri_small_color_curves colors;
     qtri_pixel_walk w = QTRI_BODY_ZERO;
     qtri_draw_state *state = t->state;
-    bool has_curved_light = false, is_curved = false;
+    bool has_curve = false, is_curved = false; /* light or colours; anything */
     const qtri_small_found found = QTRI_SMALL_SETUP(find)(&p, spans, t);
     if (found != QTRI_SMALL_FOUND) {
         return found == QTRI_SMALL_NOTHING;
@@ -306,7 +340,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
     if (qtri_is_lit(o)) {
         if (!QTRI_SMALL_SETUP(light_is_linear)(&p, t, o)) {
             QTRI_RARELY();
-            has_curved_light = true;
+            has_curve = true;
         }
         QTRI_SMALL_SETUP(set_light)(&rows.c, &p, t, qtri_light_half(o));
         if (qtri_uses_table(o) && !state->has_table) {
@@ -314,23 +348,17 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
             qtri_draw_state_set_table(state);
         }
     }
-    if (o->shade == QTRI_COLORS && !qtri_is_textured(o) && qtri_kind_of(o) == QTRI_IN_565) {
-        if (!QTRI_SMALL_SETUP(set_colors_565)(&rows.c, &p, t, o)) {
-            return false;
+    if (o->shade == QTRI_COLORS) {
+        if (!qtri_small_set_rows_colors(o, &rows, &p, &copy, t)) {
+            QTRI_RARELY();
+            if (!qtri_small_set_color_curves(&colors, qtri_small_kept(&copy, &p), t)) {
+                return false;
+            }
+            has_curve = true;
         }
-    } else if (o->shade == QTRI_COLORS) {
-        qtri_small_ramp c, g = {0, 0, 0}; /* copies, so that the others need not be in memory */
-        const qtri_small_place *kept = qtri_small_kept(&copy, &p);
-        if (!(qtri_is_textured(o)
-                  ? qtri_small_set_weights(
-                        &c, &g, kept, t,
-                        (qtri_kind_of(o) == QTRI_IN_565 ? (uint32_t)1 << 17 : 0x8000u))
-              : qtri_kind_of(o) == QTRI_IN_GRAY ? qtri_small_set_colors_gray(&c, kept, t)
-                                                : qtri_small_set_colors_888(&c, &g, kept, t))) {
-            return false;
+        if (qtri_is_textured(o)) {
+            colors.piece = has_curve ? colors.piece : 0;
         }
-        rows.c = c;
-        rows.g = g;
     }
     if (o->vertex_alpha) {
         qtri_small_ramp alpha;
@@ -339,30 +367,34 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
         }
         rows.alpha = alpha;
     }
-    if (has_curved_light || (qtri_is_textured(o) &&
-                             !QTRI_SMALL_SETUP(set_linear_texture)(&rows.u, &rows.v, &p, t, o))) {
+    if (has_curve || (qtri_is_textured(o) &&
+                      !QTRI_SMALL_SETUP(set_linear_texture)(&rows.u, &rows.v, &p, t, o))) {
         QTRI_RARELY();
         const qtri_small_place *kept = qtri_small_kept(&copy, &p);
-        if (!(qtri_is_textured(o) ? qtri_small_set_curves(&curves, kept, t, o, has_curved_light)
-                                  : qtri_small_set_light_curve(&curves, kept, t, o))) {
+        is_curved = true;
+        if (!(qtri_is_textured(o) ? qtri_small_set_curves(&curves, kept, t, o, has_curve)
+              : qtri_is_lit(o)    ? qtri_small_set_light_curve(&curves, kept, t, o)
+                                  : true)) {
             return false;
         }
-        qtri_walk_set_axes(o, &w, curves.axis);
-        is_curved = curves.is_curved;
-        if (!is_curved) {
-            rows.u = curves.linear[0];
-            rows.v = curves.linear[1];
+        if (qtri_is_textured(o)) {
+            qtri_walk_set_axes(o, &w, curves.axis);
+            is_curved = curves.is_curved;
+            if (!is_curved) {
+                rows.u = curves.linear[0];
+                rows.v = curves.linear[1];
+            }
         }
     }
     if (!o->fog && p.cut && !qtri_small_cut(p.span, p.left, p.right)) {
         return true;
     }
     if (QTRI_SMALL_IN_PLACE && is_curved) {
-        qtri_small_fill(o, pixel, &w, &p, &rows, &curves, true);
+        qtri_small_fill(o, pixel, &w, &copy, &rows, &curves, &colors, true);
         return true;
     }
-    qtri_small_fill(o, pixel, &w, &p, &rows, &curves,
-                    !QTRI_SMALL_IN_PLACE && (qtri_is_textured(o) || qtri_is_lit(o)) && is_curved);
+    qtri_small_fill(o, pixel, &w, &p, &rows, &curves, &colors,
+                    !QTRI_SMALL_IN_PLACE && (qtri_is_textured(o) || qtri_varies(o)) && is_curved);
     return true;
 }
 

@@ -225,11 +225,17 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
 
 /* Light and colours ---------------------------------------------------------------------------- */
 
-/* What light and colours may be off by, as a power of two: a quarter of a step of 63 or 255, half
-   of one over a texture. */
+/* What linear light and colours may be off by, as a power of two: half a step of 255, or of 63 over
+   a texture, a quarter of one without. */
 QTRI_BODY uint32_t qtri_small_part_of(const qtri_options *o)
 {
-    return (qtri_stores_565(o) ? 8u : 10u) - qtri_is_textured(o);
+    return qtri_stores_565(o) ? 8u - qtri_is_textured(o) : 9u;
+}
+
+/* And along a chord of a curve: a quarter of a step, as curves may pass the values of vertices. */
+QTRI_BODY uint32_t qtri_small_curve_part_of(const qtri_options *o)
+{
+    return qtri_stores_565(o) ? 8u : 10u;
 }
 
 /*
@@ -291,11 +297,9 @@ typedef struct qtri_small_colors {
 /* Vertices' colours in a view's lights, in small_values.c. */
 void qtri_small_lit_channels(qtri_small_colors *f, const qtri_small *t, bool turned);
 
-/* False: perspective of them could be seen. */
-QTRI_BODY bool qtri_small_colors_find(qtri_small_colors *f, const qtri_small_place *p,
-                                      const qtri_small *t, const qtri_options *o)
+QTRI_BODY void qtri_small_colors_of(qtri_small_colors *f, const qtri_small_place *p,
+                                    const qtri_small *t)
 {
-    const uint32_t part = qtri_small_part_of(o);
     if (t->state->is_lit) {
         qtri_small_colors lit; /* a copy, so that others need not be in memory */
         QTRI_RARELY();
@@ -312,6 +316,14 @@ QTRI_BODY bool qtri_small_colors_find(qtri_small_colors *f, const qtri_small_pla
     f->d2.r -= f->at.r;
     f->d2.g -= f->at.g;
     f->d2.b -= f->at.b;
+}
+
+/* False: perspective of them could be seen. */
+QTRI_BODY bool qtri_small_colors_find(qtri_small_colors *f, const qtri_small_place *p,
+                                      const qtri_small *t, const qtri_options *o)
+{
+    const uint32_t part = qtri_small_part_of(o);
+    qtri_small_colors_of(f, p, t);
     if (t->state->is_linear || p->q_about >> (30 - part) == 0) {
         return true;
     }
@@ -339,6 +351,51 @@ QTRI_BODY uint32_t qtri_small_signed_shift(uint32_t x, int by)
     return (uint32_t)((int32_t)x >> by);
 }
 
+/* .299 R + .587 G + .114 B */
+QTRI_BODY int32_t qtri_small_luma(const qtri_small_channels *f)
+{
+    return (f->r * 9798 + f->g * 19235 + f->b * 3735 + 0x4000) >> 15;
+}
+
+/* Red and blue, n.16, in halves of a word as n.(16 - down): red, then blue. */
+QTRI_BODY void qtri_small_pack_red(qtri_small_ramp *c, const qtri_small_ramp *r, int down)
+{
+    const uint32_t round = (uint32_t)1 << (down - 1);
+    c->at = r->at >> down << 16;
+    c->dx = (r->dx + round) >> down << 16;
+    c->dy = (r->dy + round) >> down << 16;
+}
+
+QTRI_BODY void qtri_small_pack_blue(qtri_small_ramp *c, const qtri_small_ramp *b, int down)
+{
+    const uint32_t round = (uint32_t)1 << (down - 1);
+    c->at += qtri_small_signed_shift(b->at, down);
+    c->dx += qtri_small_signed_shift(b->dx + round, down);
+    c->dy += qtri_small_signed_shift(b->dy + round, down);
+}
+
+/* Channels of 565, n.16, in one word: red, then the others. */
+QTRI_BODY void qtri_small_pack_red_565(qtri_small_ramp *c, const qtri_small_ramp *r)
+{
+    c->at = r->at >> 10 << 21;
+    c->dx = (r->dx + 0x200) >> 10 << 21;
+    c->dy = (r->dy + 0x200) >> 10 << 21;
+}
+
+QTRI_BODY void qtri_small_pack_blue_565(qtri_small_ramp *c, const qtri_small_ramp *b)
+{
+    c->at += b->at & ~(uint32_t)0x7FF;
+    c->dx += (b->dx + 0x400) & ~(uint32_t)0x7FF;
+    c->dy += (b->dy + 0x400) & ~(uint32_t)0x7FF;
+}
+
+QTRI_BODY void qtri_small_pack_green_565(qtri_small_ramp *c, const qtri_small_ramp *g)
+{
+    c->at += qtri_small_signed_shift(g->at, 11);
+    c->dx += qtri_small_signed_shift(g->dx + 0x400, 11);
+    c->dy += qtri_small_signed_shift(g->dy + 0x400, 11);
+}
+
 QTRI_BODY bool qtri_setup_set_colors_565(qtri_small_ramp *c, const qtri_small_place *p,
                                          const qtri_small *t, const qtri_options *o)
 {
@@ -351,17 +408,11 @@ QTRI_BODY bool qtri_setup_set_colors_565(qtri_small_ramp *c, const qtri_small_pl
         return false;
     }
     qtri_small_channel_set(&g, p, f.at.r, f.d1.r, f.d2.r, 31, 0x8000u);
-    c->at = g.at >> 10 << 21;
-    c->dx = (g.dx + 0x200) >> 10 << 21;
-    c->dy = (g.dy + 0x200) >> 10 << 21;
+    qtri_small_pack_red_565(c, &g);
     qtri_small_channel_set(&g, p, f.at.b, f.d1.b, f.d2.b, 31, 0x8000u);
-    c->at += g.at & ~(uint32_t)0x7FF;
-    c->dx += (g.dx + 0x400) & ~(uint32_t)0x7FF;
-    c->dy += (g.dy + 0x400) & ~(uint32_t)0x7FF;
+    qtri_small_pack_blue_565(c, &g);
     qtri_small_channel_set(&g, p, f.at.g, f.d1.g, f.d2.g, 63, 0x8000u);
-    c->at += qtri_small_signed_shift(g.at, 11);
-    c->dx += qtri_small_signed_shift(g.dx + 0x400, 11);
-    c->dy += qtri_small_signed_shift(g.dy + 0x400, 11);
+    qtri_small_pack_green_565(c, &g);
     qtri_small_set_base(c, p);
     return true;
 }

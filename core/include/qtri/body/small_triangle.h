@@ -72,6 +72,24 @@ typedef struct qtri_small_curve {
     uint32_t at, dx, dy, xx, xy, yy;
 } qtri_small_curve;
 
+/* Its value x columns from vertex 0's; and its step over the n pixels from there on. */
+QTRI_BODY uint32_t qtri_small_curve_at(const qtri_small_curve *c, uint32_t x)
+{
+    return c->at + x * (c->dx + x * c->xx);
+}
+
+QTRI_BODY uint32_t qtri_small_curve_step(const qtri_small_curve *c, uint32_t x, uint32_t n)
+{
+    return c->dx + (2 * x + n) * c->xx;
+}
+
+QTRI_BODY void qtri_small_curve_next_row(qtri_small_curve *c)
+{
+    c->at += c->dy;
+    c->dy += c->yy;
+    c->dx += c->xy;
+}
+
 /* Texture coordinates, and light where it follows perspective. Not curved: coordinates only, and
    linear. */
 typedef struct qtri_small_curves {
@@ -81,6 +99,12 @@ typedef struct qtri_small_curves {
     uint32_t light_piece; /* pixels over which light is near a chord, a power of two; 0: linear */
     qtri_clamp_axis axis[2];
 } qtri_small_curves;
+
+/* Colours that follow perspective, and what they are packed as. */
+typedef struct qtri_small_color_curves {
+    qtri_small_curve r, g, b; /* of gray, g only */
+    uint32_t piece;           /* as light_piece */
+} qtri_small_color_curves;
 
 typedef enum qtri_small_found {
     QTRI_SMALL_NOTHING,
@@ -134,6 +158,13 @@ bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
    links no more. */
 bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
                            const qtri_small *t, const qtri_options *o, bool has_light);
+bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_place *p,
+                                 const qtri_small *t);
+/* Colours along a chord from x columns beside vertex 0's on, packed. */
+void qtri_small_set_color_chord(qtri_small_ramp *c, qtri_small_ramp *g,
+                                const qtri_small_color_curves *k, const qtri_options *o,
+                                uint32_t x);
+void qtri_small_color_curves_next_row(qtri_small_color_curves *k);
 bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_place *p,
                                 const qtri_small *t, const qtri_options *o);
 

@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: MIT */
+#include "small_curves.h"
+
+void qtri_small_find_e(int32_t e_q18[2], const qtri_small_place *p, const qtri_small *t)
+{
+    const int32_t y = (int32_t)qtri_small_reciprocal(t->v[0]->inv_w >> 15);
+    e_q18[0] = ((p->q1 >> 14) * y + ((int32_t)1 << 13)) >> 14;
+    e_q18[1] = ((p->q2 >> 14) * y + ((int32_t)1 << 13)) >> 14;
+}
+
+/* e / (1 + e/2) = 2 h / (1 + h), h = e/2: off by 2 h^4, 2^-11, at most. */
+static int32_t bend_of(int32_t e_q18)
+{
+    const int32_t h = e_q18 >> 1; /* |h| <= 2^15 */
+    return 2 * (h - ((h * (h - ((h * h) >> 18))) >> 18));
+}
+
+bool qtri_small_set_curvature(qtri_curvature *c, const qtri_small_place *p, const qtri_small *t)
+{
+    const int32_t limit = (int32_t)1 << 13;
+    int32_t e[2];
+    qtri_small_ramp ramp;
+    qtri_small_find_e(e, p, t);
+    c->k_q18[0] = bend_of(e[0]);
+    c->k_q18[1] = bend_of(e[1]);
+    QTRI_SMALL_SETUP(ramp_set_at)
+    (&ramp, p, p->x + QTRI_SMALL_FAR, p->y - 256 * p->first, 0, c->k_q18[0] >> 1, c->k_q18[1] >> 1,
+     -p->up);
+    c->e = (int32_t)ramp.at >> (8 - p->up); /* Q25, 2^up less */
+    c->ex = (int32_t)ramp.dx >> (8 - p->up);
+    c->ey = (int32_t)ramp.dy >> (8 - p->up);
+    const uint32_t range = qtri_small_range(e[0], e[1]) >> 8;                   /* Q10, <= 2^9 */
+    const uint32_t q_min = 1024u + (uint32_t)(qtri_small_min(e[0], e[1]) >> 8); /* >= 3/4 2^10 */
+    c->ratio_q12 = (range * range >> 8) + 1;
+    c->q_min2_q10 = q_min * q_min >> 10;
+    return c->ex >= -limit && c->ex < limit && c->ey >= -limit && c->ey < limit;
+}
+
+bool qtri_small_is_near_curve(const qtri_curvature *c, uint32_t range, uint32_t by)
+{
+    return range <= (uint32_t)1 << 20 && range * c->ratio_q12 <= c->q_min2_q10 << (by + 2);
+}
+
+/* F E / 2^14, rounded down: |F| < 2^30.2, |E| < 2^13.6. */
+static inline int32_t product(int32_t f, int32_t e)
+{
+#if QTRI_LONG_MULTIPLY
+    return (int32_t)(((int64_t)f * e) >> 14);
+#else
+    return (f >> 16) * e * 4 + (((int32_t)qtri_low16((uint32_t)f) * e) >> 14);
+#endif
+}
+
+void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const qtri_curvature *c,
+                          uint32_t value, int32_t f1, int32_t f2, int32_t up)
+{
+    const int32_t x = p->x + QTRI_SMALL_FAR, y = p->y - 256 * p->first;
+    const uint32_t rows = (uint32_t)p->first;
+    qtri_small_ramp f, g;
+    QTRI_SMALL_SETUP(ramp_set_at)(&f, p, x, y, 0, f1, f2, -p->up);
+    QTRI_SMALL_SETUP(ramp_set_at)
+    (&g, p, x, y, value, qtri_small_scaled(f1, c->k_q18[0]), qtri_small_scaled(f2, c->k_q18[1]),
+     up);
+    const int32_t at = (int32_t)f.at, fx = (int32_t)f.dx, fy = (int32_t)f.dy;
+    up += p->up - 3; /* Q17 of E, and 14 bits that product() drops */
+    const int32_t down = up < 0 ? -up : 0;
+    up += down;
+    r->xx = 0u - ((uint32_t)(product(fx, c->ex) >> down) << up);
+    r->xy = 0u - ((uint32_t)((product(fx, c->ey) + product(fy, c->ex)) >> down) << up);
+    const uint32_t yy = 0u - ((uint32_t)(product(fy, c->ey) >> down) << up);
+    const uint32_t dy = g.dy - ((uint32_t)((product(at, c->ey) + product(fy, c->e)) >> down) << up);
+    const uint32_t dx = g.dx - ((uint32_t)((product(at, c->ex) + product(fx, c->e)) >> down) << up);
+    r->at = g.at - ((uint32_t)(product(at, c->e) >> down) << up) + rows * (dy + rows * yy);
+    r->dx = dx + rows * r->xy;
+    r->dy = dy + (2 * rows + 1) * yy;
+    r->yy = 2 * yy;
+}
+
+/* How many pixels a chord may have, as a power of two: over n pixels it is off by n^2 / 4 of xx,
+   which is to be a quarter of `limit` at most. */
+static uint32_t chord_log2(const qtri_small_curve *c, uint32_t most, uint32_t limit)
+{
+    const uint32_t bend = qtri_small_about((int32_t)c->xx);
+    uint32_t log2 = most;
+    while (log2 > 0 && bend > limit >> 2 * log2) {
+        log2--;
+    }
+    return log2;
+}
+
+/* Light ---------------------------------------------------------------------------------------- */
+
+bool qtri_small_light_curve(qtri_small_curves *curves, const qtri_curvature *c,
+                            const qtri_small_place *p, const qtri_small *t, const qtri_options *o)
+{
+    const uint32_t part = qtri_small_curve_part_of(o) - qtri_is_textured(o);
+    const int32_t i0 = t->v[0]->intensity_q15;
+    const int32_t f1 = t->v[1]->intensity_q15 - i0, f2 = t->v[2]->intensity_q15 - i0;
+    /* half of 2^-part of full, 2^15, by 1/16 of (range(q) / q_min)^2 */
+    if (!qtri_small_is_near_curve(c, qtri_small_range(f1, f2), 18 - part)) {
+        return false;
+    }
+    qtri_small_set_curve(&curves->c, p, c, ((uint32_t)i0 << 9) + qtri_light_half(o), f1, f2, 1);
+    curves->light_piece = (uint32_t)1 << chord_log2(&curves->c, 6, (uint32_t)1 << (25 - part));
+    return true;
+}
+
+bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_place *p,
+                                const qtri_small *t, const qtri_options *o)
+{
+    qtri_curvature c;
+    curves->is_curved = true;
+    return qtri_small_set_curvature(&c, p, t) && qtri_small_light_curve(curves, &c, p, t, o);
+}
+
+/* Colours -------------------------------------------------------------------------------------- */
+
+/* A channel, Q15 of full, at vertex 0 and what it has more at the others. False: it bends too much.
+   `log2` falls to that of chords that are near it. */
+static bool set_channel(qtri_small_curve *r, uint32_t *log2, const qtri_small_place *p,
+                        const qtri_curvature *c, const int32_t f[3], int32_t full, uint32_t half,
+                        uint32_t part)
+{
+    if (!qtri_small_is_near_curve(c, qtri_small_range(f[1], f[2]), 18 - part)) {
+        return false;
+    }
+    qtri_small_set_curve(r, p, c, (uint32_t)(f[0] * full * 2) + half, (f[1] * full) >> 8,
+                         (f[2] * full) >> 8, 1);
+    *log2 = chord_log2(r, *log2, (uint32_t)full << (17 - part));
+    return true;
+}
+
+bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_place *p,
+                                 const qtri_small *t)
+{
+    const qtri_options *o = &t->state->options;
+    const qtri_color_kind kind = qtri_kind_of(o);
+    const bool textured = qtri_is_textured(o), is_565 = kind == QTRI_IN_565;
+    const int32_t full = textured ? 256 : is_565 ? 31 : 255;
+    const uint32_t half = textured && is_565 ? (uint32_t)1 << 17 : 0x8000u;
+    const uint32_t part = qtri_small_curve_part_of(o);
+    const bool is_packed = is_565 && !textured;
+    qtri_small_colors f;
+    qtri_curvature c;
+    if ((is_packed && p->wide) || !qtri_small_set_curvature(&c, p, t)) { /* as linear ones */
+        return false;
+    }
+    qtri_small_colors_of(&f, p, t);
+    int32_t r[3] = {f.at.r, f.d1.r, f.d2.r};
+    int32_t g[3] = {f.at.g, f.d1.g, f.d2.g};
+    int32_t b[3] = {f.at.b, f.d1.b, f.d2.b};
+    if (!textured && kind == QTRI_IN_GRAY) {
+        g[0] = qtri_small_luma(&f.at);
+        g[1] = qtri_small_luma(&f.d1);
+        g[2] = qtri_small_luma(&f.d2);
+    }
+    uint32_t log2 = is_packed ? 4 : 5; /* as long as rounded steps are off by a quarter of a step */
+    const bool is_near = set_channel(&k->r, &log2, p, &c, r, full, half, part) &&
+                         set_channel(&k->g, &log2, p, &c, g, is_packed ? 63 : full, half, part) &&
+                         set_channel(&k->b, &log2, p, &c, b, full, half, part);
+    k->piece = (uint32_t)1 << log2;
+    return is_near;
+}
+
+static void set_chord(qtri_small_ramp *r, const qtri_small_curve *c, uint32_t x, uint32_t n)
+{
+    r->at = qtri_small_curve_at(c, x);
+    r->dx = qtri_small_curve_step(c, x, n);
+    r->dy = 0;
+}
+
+void qtri_small_set_color_chord(qtri_small_ramp *c, qtri_small_ramp *g,
+                                const qtri_small_color_curves *k, const qtri_options *o, uint32_t x)
+{
+    qtri_small_ramp r, b;
+    set_chord(&r, &k->r, x, k->piece);
+    set_chord(g, &k->g, x, k->piece);
+    set_chord(&b, &k->b, x, k->piece);
+    const qtri_color_kind kind = qtri_kind_of(o);
+    if (!qtri_is_textured(o) && kind == QTRI_IN_565) {
+        qtri_small_pack_red_565(c, &r);
+        qtri_small_pack_blue_565(c, &b);
+        qtri_small_pack_green_565(c, g);
+    } else if (!qtri_is_textured(o) && kind == QTRI_IN_GRAY) {
+        *c = *g;
+    } else {
+        const int down = qtri_is_textured(o) ? 9 : 8;
+        qtri_small_pack_red(c, &r, down);
+        qtri_small_pack_blue(c, &b, down);
+    }
+}
+
+void qtri_small_color_curves_next_row(qtri_small_color_curves *k)
+{
+    qtri_small_curve_next_row(&k->r);
+    qtri_small_curve_next_row(&k->g);
+    qtri_small_curve_next_row(&k->b);
+}

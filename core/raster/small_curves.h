@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What follows perspective over a small triangle, as a polynomial of second order. Internal.
+ *
+ * With e, what q has more than at vertex 0 by its value there, a value along the edge from there is
+ * u_0 + f s (1 + e) / (1 + e s), s from 0 to 1: f s + f k s (1 - s), k = e / (1 + e/2), is equal at
+ * both ends and in the middle. Over the triangle that is the product of what is linear,
+ *
+ *     u_0 + G - F E,   F = 0, f_1, f_2,   E = 0, k_1, k_2,   G = F (1 + E) at the vertices,
+ *
+ * which on the third edge has k_2 - k_1 in place of (e_2 - e_1) / (1 + (e_1 + e_2) / 2), 1/64 of it
+ * off at most. It strays by the third derivative, 6 range(u) (range(q) / q_min)^2, times .048 / 6,
+ * .0481 being the maximum of s (1/2 - s) (1 - s).
+ */
+#ifndef QTRI_RASTER_SMALL_CURVES_H
+#define QTRI_RASTER_SMALL_CURVES_H
+
+#include "qtri/body/small_setup.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What all curves of a triangle have in common. */
+typedef struct qtri_curvature {
+    int32_t k_q18[2];
+    int32_t e, ex, ey;   /* Q17 of 1: E at the pixel of vertex 0, and its steps, below 2^13 */
+    uint32_t ratio_q12;  /* (range(q) / q_0)^2 */
+    uint32_t q_min2_q10; /* (q_min / q_0)^2 */
+} qtri_curvature;
+
+/* False: E changes too much from pixel to pixel, over a triangle of hardly any width. */
+bool qtri_small_set_curvature(qtri_curvature *c, const qtri_small_place *p, const qtri_small *t);
+/* Whether a curve is off by range / 2^by (range(q) / q_min)^2 <= 1 at most, by <= 22. */
+bool qtri_small_is_near_curve(const qtri_curvature *c, uint32_t range, uint32_t by);
+/* `value` at vertex 0, more by f1 and f2, of units 2^(8 + up), at vertices 1 and 2. */
+void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const qtri_curvature *c,
+                          uint32_t value, int32_t f1, int32_t f2, int32_t up);
+/* Light; false: it bends too much. */
+bool qtri_small_light_curve(qtri_small_curves *curves, const qtri_curvature *c,
+                            const qtri_small_place *p, const qtri_small *t, const qtri_options *o);
+/* What 1/w has more at vertices 1 and 2, as a part of that of vertex 0. */
+void qtri_small_find_e(int32_t e_q18[2], const qtri_small_place *p, const qtri_small *t);
+
+/* f (1 + e), |f| <= 2^16, |e| <= 1/4 and a part. */
+QTRI_BODY int32_t qtri_small_scaled(int32_t f, int32_t e_q18)
+{
+    return f + (((f >> 2) * e_q18 + ((int32_t)1 << 15)) >> 16);
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
