@@ -61,7 +61,7 @@ static int32_t length_for(const qtri_large_job *job, uint32_t q)
     if (job->first_color != 0 && job->repeat_log2 - log2_q8(q) - inverse_e >= WRAP_BOUND) {
         log2 = qtri_least32(log2, 255); /* of one pixel */
     }
-    if (job->first_color != job->count) { /* chords: q'/q h^2 c'/4 <= bound, c' <= slope / q */
+    if (job->first_color != job->count) { /* chords: q'/q h^2 c'/8 <= bound, c' <= slope / q */
         const int32_t color = (2 * log2_q8(q) - job->q_slope_log2 + job->chord_log2) >> 1;
         log2 = qtri_least32(log2, color);
     }
@@ -100,7 +100,7 @@ static int32_t chord_log2(const qtri_large_job *job)
         const uint32_t slope = slope_of(a->along.plane.dx) + qtri_mul_high32(range, q_slope) + 1;
         most = slope > most ? slope : most;
     }
-    const int32_t bound = 2 + qtri_large_chord_bound_log2(job) + QTRI_LARGE_COLOR_UP - 32;
+    const int32_t bound = 3 + qtri_large_chord_bound_log2(job) + QTRI_LARGE_COLOR_UP - 32;
     return bound * 256 - log2_q8(most) - LOG2_ERROR;
 }
 
@@ -243,9 +243,9 @@ static void begin_chunk(qtri_large_job *job)
     int32_t log2 = job->one_log2;
     if (log2 < 0) {
         const bool falls = (int32_t)qtri_large_whole(job->q.dx) < 0;
-        const uint32_t q =
-            qtri_large_positive(qtri_large_plane_at(&job->q, falls ? chunk + width : chunk));
-        log2 = length_for(job, q);
+        /* The least: 2^31 at most, and behind the row's end it may be below 0. */
+        const uint32_t q = qtri_large_plane_at(&job->q, falls ? chunk + width : chunk);
+        log2 = length_for(job, q - 1 < 0x80000000u ? q : 1);
         log2 = qtri_hold32(log2, -1, qtri_least32(job->piece_max, log2_above(width) - 1));
     }
     while (log2 > 0 && width >> log2 == 0) { /* far behind a thin one's end values do not fit */
@@ -361,10 +361,11 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, in
         qtri_large_attribute *a = &job->a[i];
         const int32_t from = a->point, rise = end[i] - from;
         const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1;
-        at[0][i] = both_shifts(from, a->at_left, a->at_right) + a->start;
+        const int32_t low = from + ((2 * rise1 - rise) >> 4); /* half of what middles are above */
+        at[0][i] = both_shifts(low, a->at_left, a->at_right) + a->start;
         step[0][i] = both_shifts(rise1, a->step_left, a->step_right);
         qtri_large_clamp_chord(a, &at[0][i], &step[0][i], qtri_least32(h, rest));
-        at[1][i] = both_shifts(from + rise1, a->at_left, a->at_right) + a->start;
+        at[1][i] = both_shifts(low + rise1, a->at_left, a->at_right) + a->start;
         step[1][i] = both_shifts(rise - rise1, a->step_left, a->step_right);
         qtri_large_clamp_chord(a, &at[1][i], &step[1][i], qtri_hold32(rest - h, 1, h));
         a->point = end[i];

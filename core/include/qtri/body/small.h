@@ -351,7 +351,8 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
     if (o->shade == QTRI_COLORS) {
         if (!qtri_small_set_rows_colors(o, &rows, &p, &copy, t)) {
             QTRI_RARELY();
-            if (!qtri_small_set_color_curves(&colors, qtri_small_kept(&copy, &p), t)) {
+            if (o->per_pixel || /* large ones are lit more closely */
+                !qtri_small_set_color_curves(&colors, qtri_small_kept(&copy, &p), t)) {
                 return false;
             }
             has_curve = true;
