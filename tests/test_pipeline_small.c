@@ -574,15 +574,15 @@ static void colors_are_near_those_in_double_precision(void **unused)
                  {&gray_colors, 1.1},
                  {&weights, 1.5},
                  {&xrgb_weights, 1.5}};
-    static uint32_t white[64];
+    static uint32_t full[64];
     (void)unused;
     uint64_t seed = 17;
     scene.mesh.colors = scene.colors;
     scene.mesh.uvs = scene.uvs;
     scene.material = qtri_material_default();
     scene.material.cull = QTRI_CULL_NONE;
-    memset(white, 0xFF, sizeof white);
-    scene.texture.texels = white;
+    memset(full, 0xFF, sizeof full);
+    scene.texture.texels = full;
     scene.texture.width_log2 = 3;
     scene.texture.height_log2 = 3;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

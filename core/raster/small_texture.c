@@ -123,7 +123,7 @@ static bool set_texture_curves(qtri_small_curves *curves, const qtri_curvature *
 }
 
 bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
-                           const qtri_small *t, const qtri_options *o, bool has_light)
+                           const qtri_small *t, const qtri_options *o, bool curved)
 {
     qtri_small_uv at;
     qtri_curvature c;
@@ -131,7 +131,7 @@ bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
     int32_t f[2][3] = {{at.u0, at.u1, at.u2}, {at.v0, at.v1, at.v2}};
     curves->light_piece = 0;
     curves->is_curved =
-        has_light || (!t->state->is_linear && qtri_small_is_texture_curved(&at, p, t, o));
+        curved || (!t->state->is_linear && qtri_small_is_texture_curved(&at, p, t, o));
     if (!curves->is_curved) {
         texture_units units;
         set_units(&units, curves, f, p, t->state, o);
@@ -142,7 +142,7 @@ bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
         return true;
     }
     return qtri_small_set_curvature(&c, p, t) && set_texture_curves(curves, &c, f, p, t, o) &&
-           (!has_light || qtri_small_light_curve(curves, &c, p, t, o));
+           (!curved || !qtri_is_lit(o) || qtri_small_light_curve(curves, &c, p, t, o));
 }
 
 /* Mipmap levels -------------------------------------------------------------------------------- */

@@ -5,12 +5,12 @@
  *
  * Small is a triangle whose vertices 1 and 2 are within 60 pixels of vertex 0 in x and in y, with
  * 1/w within 1/4 of that of vertex 0 and depths within 2^10 steps of linear16, and that is no
- * needle. That is asked of the vertices alone, and whether colours are linear enough of vertices
- * and material; never of a scissor, a band or a pipeline. All that follows fits 32 bits.
+ * needle. That is asked of the vertices alone, and whether what varies bends little enough of
+ * vertices and material; never of a scissor, a band or a pipeline. All that follows fits 32 bits.
  *
  * Rows are found exactly, by the top-left rule, as spans of bytes. What varies is linear on the
- * screen, set by products with 1/area; texture coordinates and light are polynomials of second
- * order where perspective could be seen: see small_texture.c.
+ * screen, set by products with 1/area; texture coordinates, light and colours are polynomials of
+ * second order where perspective could be seen: see small_curves.h.
  */
 #ifndef QTRI_BODY_SMALL_TRIANGLE_H
 #define QTRI_BODY_SMALL_TRIANGLE_H
@@ -154,19 +154,21 @@ bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t);
 bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
                                    const qtri_small_place *p, const qtri_small *t,
                                    const qtri_options *o);
-/* False: they bend too much; the triangle is large. Light without texture is apart, so that it
-   links no more. */
+/* False: they bend too much; the triangle is large. Curved: light, if it varies, is a curve, or
+   colours are. */
 bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
-                           const qtri_small *t, const qtri_options *o, bool has_light);
+                           const qtri_small *t, const qtri_options *o, bool curved);
+
+/* In small_curves.c: light without texture, and colours. False as above. */
+bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_place *p,
+                                const qtri_small *t, const qtri_options *o);
 bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_place *p,
                                  const qtri_small *t);
-/* Colours along a chord from x columns beside vertex 0's on, packed. */
+/* Packed colours along a chord that begins x columns from vertex 0's. */
 void qtri_small_set_color_chord(qtri_small_ramp *c, qtri_small_ramp *g,
                                 const qtri_small_color_curves *k, const qtri_options *o,
                                 uint32_t x);
 void qtri_small_color_curves_next_row(qtri_small_color_curves *k);
-bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_place *p,
-                                const qtri_small *t, const qtri_options *o);
 
 /* Fog along a row of `count` pixels, from a share to another: the step. */
 uint32_t qtri_small_fog_step(uint32_t from, uint32_t to, int32_t count);
