@@ -115,84 +115,70 @@ bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_plac
 
 /* Colours -------------------------------------------------------------------------------------- */
 
-/* A channel, Q15 of full, at vertex 0 and what it has more at the others. False: it bends too much.
-   `log2` falls to that of chords that are near it. */
-static bool set_channel(qtri_small_curve *r, uint32_t *log2, const qtri_small_place *p,
-                        const qtri_curvature *c, const int32_t f[3], int32_t full, uint32_t half,
-                        uint32_t part)
-{
-    if (!qtri_small_is_near_curve(c, qtri_small_range(f[1], f[2]), 18 - part)) {
-        return false;
-    }
-    qtri_small_set_curve(r, p, c, (uint32_t)(f[0] * full * 2) + half, (f[1] * full) >> 8,
-                         (f[2] * full) >> 8, 1);
-    *log2 = chord_log2(r, *log2, (uint32_t)full << (17 - part));
-    return true;
-}
-
 bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_place *p,
                                  const qtri_small *t)
 {
     const qtri_options *o = &t->state->options;
     const qtri_color_kind kind = qtri_kind_of(o);
-    const bool textured = qtri_is_textured(o), is_565 = kind == QTRI_IN_565;
-    const int32_t full = textured ? 256 : is_565 ? 31 : 255;
-    const uint32_t half = textured && is_565 ? (uint32_t)1 << 17 : 0x8000u;
+    const bool textured = qtri_is_textured(o);
+    const bool is_packed = kind == QTRI_IN_565 && !textured;
     const uint32_t part = qtri_small_curve_part_of(o);
-    const bool is_packed = is_565 && !textured;
+    const uint32_t half = textured && kind == QTRI_IN_565 ? (uint32_t)1 << 17 : 0x8000u;
+    uint32_t log2 = is_packed ? 4 : 5; /* as long as rounded steps are off by a quarter of a step */
     qtri_small_colors f;
     qtri_curvature c;
     if ((is_packed && p->wide) || !qtri_small_set_curvature(&c, p, t)) { /* as linear ones */
         return false;
     }
     qtri_small_colors_of(&f, p, t);
-    int32_t r[3] = {f.at.r, f.d1.r, f.d2.r};
-    int32_t g[3] = {f.at.g, f.d1.g, f.d2.g};
-    int32_t b[3] = {f.at.b, f.d1.b, f.d2.b};
     if (!textured && kind == QTRI_IN_GRAY) {
-        g[0] = qtri_small_luma(&f.at);
-        g[1] = qtri_small_luma(&f.d1);
-        g[2] = qtri_small_luma(&f.d2);
+        f.at.g = qtri_small_luma(&f.at);
+        f.d1.g = qtri_small_luma(&f.d1);
+        f.d2.g = qtri_small_luma(&f.d2);
     }
-    uint32_t log2 = is_packed ? 4 : 5; /* as long as rounded steps are off by a quarter of a step */
-    const bool is_near = set_channel(&k->r, &log2, p, &c, r, full, half, part) &&
-                         set_channel(&k->g, &log2, p, &c, g, is_packed ? 63 : full, half, part) &&
-                         set_channel(&k->b, &log2, p, &c, b, full, half, part);
+    const int32_t channels[3][3] = {
+        {f.at.r, f.d1.r, f.d2.r}, {f.at.g, f.d1.g, f.d2.g}, {f.at.b, f.d1.b, f.d2.b}};
+    for (int i = 0; i < 3; i++) {
+        const int32_t *channel = channels[i]; /* Q15 of full */
+        const int32_t full = textured ? 256 : !is_packed ? 255 : i == 1 ? 63 : 31;
+        if (!qtri_small_is_near_curve(&c, qtri_small_range(channel[1], channel[2]), 18 - part)) {
+            return false;
+        }
+        qtri_small_set_curve(&k->channel[i], p, &c, (uint32_t)(channel[0] * full * 2) + half,
+                             (channel[1] * full) >> 8, (channel[2] * full) >> 8, 1);
+        log2 = chord_log2(&k->channel[i], log2, (uint32_t)full << (17 - part));
+    }
     k->piece = (uint32_t)1 << log2;
-    return is_near;
-}
-
-static void set_chord(qtri_small_ramp *r, const qtri_small_curve *c, uint32_t x, uint32_t n)
-{
-    r->at = qtri_small_curve_at(c, x);
-    r->dx = qtri_small_curve_step(c, x, n);
-    r->dy = 0;
+    return true;
 }
 
 void qtri_small_set_color_chord(qtri_small_ramp *c, qtri_small_ramp *g,
                                 const qtri_small_color_curves *k, const qtri_options *o, uint32_t x)
 {
-    qtri_small_ramp r, b;
-    set_chord(&r, &k->r, x, k->piece);
-    set_chord(g, &k->g, x, k->piece);
-    set_chord(&b, &k->b, x, k->piece);
     const qtri_color_kind kind = qtri_kind_of(o);
+    qtri_small_ramp r[3];
+    for (int i = 0; i < 3; i++) {
+        r[i].at = qtri_small_curve_at(&k->channel[i], x);
+        r[i].dx = qtri_small_curve_step(&k->channel[i], x, k->piece);
+        r[i].dy = 0;
+    }
+    *g = r[1];
     if (!qtri_is_textured(o) && kind == QTRI_IN_565) {
-        qtri_small_pack_red_565(c, &r);
-        qtri_small_pack_blue_565(c, &b);
-        qtri_small_pack_green_565(c, g);
+        qtri_small_pack_red_565(c, &r[0]);
+        qtri_small_pack_blue_565(c, &r[2]);
+        qtri_small_pack_green_565(c, &r[1]);
     } else if (!qtri_is_textured(o) && kind == QTRI_IN_GRAY) {
-        *c = *g;
+        *c = r[1];
     } else {
         const int down = qtri_is_textured(o) ? 9 : 8;
-        qtri_small_pack_red(c, &r, down);
-        qtri_small_pack_blue(c, &b, down);
+        qtri_small_pack_red(c, &r[0], down);
+        qtri_small_pack_blue(c, &r[2], down);
     }
 }
 
 void qtri_small_color_curves_next_row(qtri_small_color_curves *k)
 {
-    qtri_small_curve_next_row(&k->r);
-    qtri_small_curve_next_row(&k->g);
-    qtri_small_curve_next_row(&k->b);
+    for (int i = 0; i < 3; i++) {
+        qtri_small_curve_next_row(&k->channel[i]);
+    }
 }

@@ -284,6 +284,17 @@ QTRI_BODY const qtri_small_place *qtri_small_kept(qtri_small_place *copy, const 
     return copy;
 }
 
+/* What is curved has a loop of its own: in one, colours' pieces cost those that have none 6 %. */
+QTRI_BODY bool qtri_small_has_two_loops(const qtri_options *o)
+{
+#ifdef QTRI_PIPELINE_IS_ANY
+    (void)o;
+    return false;
+#else
+    return QTRI_SMALL_IN_PLACE || (o->shade == QTRI_COLORS && !qtri_is_textured(o));
+#endif
+}
+
 /* Colours that are linear on the screen; false: perspective of them could be seen. */
 QTRI_BODY bool qtri_small_set_rows_colors(const qtri_options *o, qtri_small_rows *rows,
                                           const qtri_small_place *p, qtri_small_place *copy,
@@ -372,13 +383,13 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
                       !QTRI_SMALL_SETUP(set_linear_texture)(&rows.u, &rows.v, &p, t, o))) {
         QTRI_RARELY();
         const qtri_small_place *kept = qtri_small_kept(&copy, &p);
-        is_curved = true;
-        if (!(qtri_is_textured(o) ? qtri_small_set_curves(&curves, kept, t, o, has_curve)
-              : qtri_is_lit(o)    ? qtri_small_set_light_curve(&curves, kept, t, o)
-                                  : true)) {
-            return false;
-        }
-        if (qtri_is_textured(o)) {
+        if (o->shade == QTRI_COLORS && !qtri_is_textured(o)) {
+            is_curved = true;
+        } else {
+            if (!(qtri_is_textured(o) ? qtri_small_set_curves(&curves, kept, t, o, has_curve)
+                                      : qtri_small_set_light_curve(&curves, kept, t, o))) {
+                return false;
+            }
             qtri_walk_set_axes(o, &w, curves.axis);
             is_curved = curves.is_curved;
             if (!is_curved) {
@@ -390,12 +401,14 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
     if (!o->fog && p.cut && !qtri_small_cut(p.span, p.left, p.right)) {
         return true;
     }
-    if (QTRI_SMALL_IN_PLACE && is_curved) {
-        qtri_small_fill(o, pixel, &w, &copy, &rows, &curves, &colors, true);
+    if (qtri_small_has_two_loops(o) && is_curved) {
+        qtri_small_fill(o, pixel, &w, QTRI_SMALL_IN_PLACE ? &copy : &p, &rows, &curves, &colors,
+                        true);
         return true;
     }
     qtri_small_fill(o, pixel, &w, &p, &rows, &curves, &colors,
-                    !QTRI_SMALL_IN_PLACE && (qtri_is_textured(o) || qtri_varies(o)) && is_curved);
+                    !qtri_small_has_two_loops(o) && (qtri_is_textured(o) || qtri_varies(o)) &&
+                        is_curved);
     return true;
 }
 

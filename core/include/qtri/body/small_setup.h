@@ -297,8 +297,8 @@ typedef struct qtri_small_colors {
 /* Vertices' colours in a view's lights, in small_values.c. */
 void qtri_small_lit_channels(qtri_small_colors *f, const qtri_small *t, bool turned);
 
-QTRI_BODY void qtri_small_colors_of(qtri_small_colors *f, const qtri_small_place *p,
-                                    const qtri_small *t)
+QTRI_SMALL_PART void qtri_small_colors_of(qtri_small_colors *f, const qtri_small_place *p,
+                                          const qtri_small *t)
 {
     if (t->state->is_lit) {
         qtri_small_colors lit; /* a copy, so that others need not be in memory */
@@ -352,13 +352,13 @@ QTRI_BODY uint32_t qtri_small_signed_shift(uint32_t x, int by)
 }
 
 /* .299 R + .587 G + .114 B */
-QTRI_BODY int32_t qtri_small_luma(const qtri_small_channels *f)
+QTRI_SMALL_PART int32_t qtri_small_luma(const qtri_small_channels *f)
 {
     return (f->r * 9798 + f->g * 19235 + f->b * 3735 + 0x4000) >> 15;
 }
 
 /* Red and blue, n.16, in halves of a word as n.(16 - down): red, then blue. */
-QTRI_BODY void qtri_small_pack_red(qtri_small_ramp *c, const qtri_small_ramp *r, int down)
+QTRI_SMALL_PART void qtri_small_pack_red(qtri_small_ramp *c, const qtri_small_ramp *r, int down)
 {
     const uint32_t round = (uint32_t)1 << (down - 1);
     c->at = r->at >> down << 16;
@@ -366,7 +366,7 @@ QTRI_BODY void qtri_small_pack_red(qtri_small_ramp *c, const qtri_small_ramp *r,
     c->dy = (r->dy + round) >> down << 16;
 }
 
-QTRI_BODY void qtri_small_pack_blue(qtri_small_ramp *c, const qtri_small_ramp *b, int down)
+QTRI_SMALL_PART void qtri_small_pack_blue(qtri_small_ramp *c, const qtri_small_ramp *b, int down)
 {
     const uint32_t round = (uint32_t)1 << (down - 1);
     c->at += qtri_small_signed_shift(b->at, down);

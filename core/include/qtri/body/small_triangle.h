@@ -102,8 +102,8 @@ typedef struct qtri_small_curves {
 
 /* Colours that follow perspective, and what they are packed as. */
 typedef struct qtri_small_color_curves {
-    qtri_small_curve r, g, b; /* of gray, g only */
-    uint32_t piece;           /* as light_piece */
+    qtri_small_curve channel[3]; /* red, green, blue; of gray, luma in the place of green */
+    uint32_t piece;              /* as light_piece */
 } qtri_small_color_curves;
 
 typedef enum qtri_small_found {
