@@ -297,8 +297,8 @@ typedef struct qtri_small_colors {
 /* Vertices' colours in a view's lights, in small_values.c. */
 void qtri_small_lit_channels(qtri_small_colors *f, const qtri_small *t, bool turned);
 
-QTRI_SMALL_PART void qtri_small_colors_of(qtri_small_colors *f, const qtri_small_place *p,
-                                          const qtri_small *t)
+QTRI_BODY void qtri_small_colors_of(qtri_small_colors *f, const qtri_small_place *p,
+                                    const qtri_small *t)
 {
     if (t->state->is_lit) {
         qtri_small_colors lit; /* a copy, so that others need not be in memory */
