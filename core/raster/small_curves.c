@@ -152,33 +152,37 @@ bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_pl
     return true;
 }
 
+static void set_chord(qtri_small_ramp *r, const qtri_small_curve *c, uint32_t x, uint32_t n)
+{
+    r->at = qtri_small_curve_at(c, x);
+    r->dx = qtri_small_curve_step(c, x, n);
+    r->dy = 0;
+}
+
 void qtri_small_set_color_chord(qtri_small_ramp *c, qtri_small_ramp *g,
                                 const qtri_small_color_curves *k, const qtri_options *o, uint32_t x)
 {
     const qtri_color_kind kind = qtri_kind_of(o);
-    qtri_small_ramp r[3];
-    for (int i = 0; i < 3; i++) {
-        r[i].at = qtri_small_curve_at(&k->channel[i], x);
-        r[i].dx = qtri_small_curve_step(&k->channel[i], x, k->piece);
-        r[i].dy = 0;
-    }
-    *g = r[1];
+    qtri_small_ramp r, b;
+    set_chord(&r, &k->channel[0], x, k->piece);
+    set_chord(g, &k->channel[1], x, k->piece);
+    set_chord(&b, &k->channel[2], x, k->piece);
     if (!qtri_is_textured(o) && kind == QTRI_IN_565) {
-        qtri_small_pack_red_565(c, &r[0]);
-        qtri_small_pack_blue_565(c, &r[2]);
-        qtri_small_pack_green_565(c, &r[1]);
+        qtri_small_pack_red_565(c, &r);
+        qtri_small_pack_blue_565(c, &b);
+        qtri_small_pack_green_565(c, g);
     } else if (!qtri_is_textured(o) && kind == QTRI_IN_GRAY) {
-        *c = r[1];
+        *c = *g;
     } else {
         const int down = qtri_is_textured(o) ? 9 : 8;
-        qtri_small_pack_red(c, &r[0], down);
-        qtri_small_pack_blue(c, &r[2], down);
+        qtri_small_pack_red(c, &r, down);
+        qtri_small_pack_blue(c, &b, down);
     }
 }
 
 void qtri_small_color_curves_next_row(qtri_small_color_curves *k)
 {
-    for (int i = 0; i < 3; i++) {
-        qtri_small_curve_next_row(&k->channel[i]);
-    }
+    qtri_small_curve_next_row(&k->channel[0]);
+    qtri_small_curve_next_row(&k->channel[1]);
+    qtri_small_curve_next_row(&k->channel[2]);
 }
