@@ -4,8 +4,9 @@
  * found by one reciprocal at points that are two pieces apart, counted from the left end of the
  * span; along a piece a coordinate is the parabola through both ends and the exact middle, colours
  * are the chord. With eps = (q1 - q0) / (q1 + q0) between two points and `rise` the difference of
- * an attribute, the middle is w / 2 above that of the chord, w = rise eps; so points lie two pieces
- * apart and the middle is where the first piece ends, of which
+ * an attribute, the middle is w / 2 above that of the chord, w = rise eps; of the chord of half of
+ * it about w / 8, so that colours are w / 16 more than their chords. Points lie two pieces apart
+ * and the middle is where the first piece ends, of which
  *
  *     eps1 = eps / (2 - eps),   eps2 = eps / (2 + eps).
  *
@@ -361,11 +362,11 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, in
         qtri_large_attribute *a = &job->a[i];
         const int32_t from = a->point, rise = end[i] - from;
         const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1;
-        const int32_t low = from + ((2 * rise1 - rise) >> 4); /* half of what middles are above */
-        at[0][i] = both_shifts(low, a->at_left, a->at_right) + a->start;
+        const int32_t lifted = from + ((2 * rise1 - rise) >> 4); /* w / 16 */
+        at[0][i] = both_shifts(lifted, a->at_left, a->at_right) + a->start;
         step[0][i] = both_shifts(rise1, a->step_left, a->step_right);
         qtri_large_clamp_chord(a, &at[0][i], &step[0][i], qtri_least32(h, rest));
-        at[1][i] = both_shifts(low + rise1, a->at_left, a->at_right) + a->start;
+        at[1][i] = both_shifts(lifted + rise1, a->at_left, a->at_right) + a->start;
         step[1][i] = both_shifts(rise - rise1, a->step_left, a->step_right);
         qtri_large_clamp_chord(a, &at[1][i], &step[1][i], qtri_hold32(rest - h, 1, h));
         a->point = end[i];

@@ -97,7 +97,7 @@ QTRI_BODY uint32_t qtri_small_curves_set_light(qtri_pixel_walk *w, const qtri_sm
     return n - passed < count ? n - passed : count;
 }
 
-/* And colours along chords of theirs. */
+/* Colours likewise, packed. */
 QTRI_BODY uint32_t qtri_small_curves_set_colors(const qtri_options *o, qtri_pixel_walk *w,
                                                 const qtri_small_color_curves *k, uint32_t x,
                                                 uint32_t count)

@@ -100,7 +100,7 @@ typedef struct qtri_small_curves {
     qtri_clamp_axis axis[2];
 } qtri_small_curves;
 
-/* Colours that follow perspective, and what they are packed as. */
+/* Colours that follow perspective. */
 typedef struct qtri_small_color_curves {
     qtri_small_curve channel[3]; /* red, green, blue; of gray, luma in the place of green */
     uint32_t piece;              /* as light_piece */
