@@ -31,7 +31,7 @@ QTRI_BODY uint32_t qtri_smooth_color(const qtri_options *o, const qtri_pixel_wal
     }
 }
 
-/* The half that rounds, which light of the walk starts with: of what the pixel takes of it. */
+/* The half that rounds, which light or colours of the walk start with: of what the pixel takes. */
 QTRI_BODY uint32_t qtri_light_half(const qtri_options *o)
 {
     if (!qtri_is_textured(o)) {

@@ -300,13 +300,11 @@ QTRI_BODY bool qtri_small_set_rows_colors(const qtri_options *o, qtri_small_rows
                                           const qtri_small_place *p, qtri_small_place *copy,
                                           const qtri_small *t)
 {
-    const bool is_565 = qtri_kind_of(o) == QTRI_IN_565;
     qtri_small_ramp c = {0, 0, 0}, g = {0, 0, 0}; /* copies, so that others need not be in memory */
     bool is_set;
     if (qtri_is_textured(o)) {
-        is_set = qtri_small_set_weights(&c, &g, qtri_small_kept(copy, p), t,
-                                        is_565 ? (uint32_t)1 << 17 : 0x8000u);
-    } else if (is_565) {
+        is_set = qtri_small_set_weights(&c, &g, qtri_small_kept(copy, p), t, qtri_light_half(o));
+    } else if (qtri_kind_of(o) == QTRI_IN_565) {
         is_set = QTRI_SMALL_SETUP(set_colors_565)(&c, p, t, o);
     } else if (qtri_kind_of(o) == QTRI_IN_GRAY) {
         is_set = qtri_small_set_colors_gray(&c, qtri_small_kept(copy, p), t);

@@ -283,12 +283,11 @@ QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_body *p
 QTRI_BODY bool qtri_small_samples_colors(const qtri_options *o, qtri_small_sampled_values *v,
                                          const qtri_small_place *p, const qtri_small *t)
 {
-    const uint32_t half = qtri_kind_of(o) == QTRI_IN_565 ? (uint32_t)1 << 17 : 0x8000u;
     qtri_small_place at = *p;
     for (int i = 0; i < 3; i++) {
         qtri_small_ramp c, g = {0, 0, 0};
         qtri_small_move(&at, i);
-        if (!(qtri_is_textured(o)               ? qtri_small_set_weights(&c, &g, &at, t, half)
+        if (!(qtri_is_textured(o) ? qtri_small_set_weights(&c, &g, &at, t, qtri_light_half(o))
               : qtri_kind_of(o) == QTRI_IN_565  ? qtri_small_set_colors_565(&c, &at, t, o)
               : qtri_kind_of(o) == QTRI_IN_GRAY ? qtri_small_set_colors_gray(&c, &at, t)
                                                 : qtri_small_set_colors_888(&c, &g, &at, t))) {
