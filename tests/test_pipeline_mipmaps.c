@@ -97,8 +97,9 @@ static bool is_small(const qtri_screen_vertex v[3])
 {
     for (int i = 1; i < 3; i++) {
         const double ratio = (double)v[i].inv_w_q31 / v[0].inv_w_q31;
-        if (abs(v[i].x_24p8 - v[0].x_24p8) >= 60 * 256 ||
-            abs(v[i].y_24p8 - v[0].y_24p8) >= 60 * 256 || fabs(ratio - 1) > 1 / 12.8) {
+        if (abs(v[i].x_24p8 - v[0].x_24p8) >= 120 * 256 ||
+            abs(v[i].y_24p8 - v[0].y_24p8) >= 120 * 256 ||
+            abs(v[i].y_24p8 - v[3 - i].y_24p8) >= 120 * 256 || fabs(ratio - 1) > 1 / 12.8) {
             return false;
         }
     }

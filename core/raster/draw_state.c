@@ -9,7 +9,7 @@
 #include "samples.h"
 
 enum {
-    SMALL_REACH = 61 * 256 /* of a small triangle from its first vertex, 24.8, and a pixel */
+    NEAR = 33 * 256 /* of a small triangle that is not wide from its first vertex, and a pixel */
 };
 
 /* A side of one texel has nothing to repeat, and coordinates that fill 32 bits no room for it. */
@@ -212,10 +212,10 @@ static void set_bounds(qtri_draw_state *state, const qtri_surface *surface)
 {
     state->bounds = qtri_surface_bounds(surface);
     const qtri_rect *b = &state->bounds;
-    const int32_t width = (b->x1 - b->x0) * 256 - 2 * SMALL_REACH;
-    const int32_t height = (b->y1 - b->y0) * 256 - 2 * SMALL_REACH;
-    state->inner.x = (uint32_t)(b->x0 * 256 + SMALL_REACH);
-    state->inner.y = (uint32_t)(b->y0 * 256 + SMALL_REACH);
+    const int32_t width = (b->x1 - b->x0) * 256 - 2 * NEAR;
+    const int32_t height = (b->y1 - b->y0) * 256 - 2 * NEAR;
+    state->inner.x = (uint32_t)(b->x0 * 256 + NEAR);
+    state->inner.y = (uint32_t)(b->y0 * 256 + NEAR);
     state->inner.width = width < 0 ? 0 : (uint32_t)width;
     state->inner.height = height < 0 ? 0 : (uint32_t)height;
 }

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "small_curves.h"
 
+#include "../bits/bits.h"
+
+enum { FINE = QTRI_SMALL_FINE };
+
 void qtri_small_find_e(int32_t e_q18[2], const qtri_small_place *p, const qtri_small *t)
 {
     const int32_t y = (int32_t)qtri_small_reciprocal(t->v[0]->inv_w >> 15);
@@ -17,23 +21,29 @@ static int32_t bend_of(int32_t e_q18)
 
 bool qtri_small_set_curvature(qtri_curvature *c, const qtri_small_place *p, const qtri_small *t)
 {
-    const int32_t limit = (int32_t)1 << 13;
     int32_t e[2];
+    const int wide = p->wide;
     qtri_small_ramp ramp;
     qtri_small_find_e(e, p, t);
     c->k_q18[0] = bend_of(e[0]);
     c->k_q18[1] = bend_of(e[1]);
     QTRI_SMALL_SETUP(ramp_set_at)
-    (&ramp, p, p->x + QTRI_SMALL_FAR, p->y - 256 * p->first, 0, c->k_q18[0] >> 1, c->k_q18[1] >> 1,
+    (&ramp, p, p->x, p->y - 256 * p->first, 0, c->k_q18[0] >> (1 + wide), c->k_q18[1] >> (1 + wide),
      -p->up);
-    c->e = (int32_t)ramp.at >> (8 - p->up); /* Q25, 2^up less */
-    c->ex = (int32_t)ramp.dx >> (8 - p->up);
-    c->ey = (int32_t)ramp.dy >> (8 - p->up);
+    /* Steps of Q25, of wide ones Q24, 2^up less: to 13 bits of the greater one. */
+    const uint32_t greater =
+        qtri_small_about((int32_t)ramp.dx) | qtri_small_about((int32_t)ramp.dy);
+    const int32_t down = qtri_greatest32(19 - qtri_clz32(greater), 1);
+    const int32_t round = (int32_t)1 << (down - 1);
+    c->bits = 25 - wide - p->up - down;
+    c->e = ((int32_t)ramp.at + round) >> down;
+    c->ex = ((int32_t)ramp.dx + round) >> down;
+    c->ey = ((int32_t)ramp.dy + round) >> down;
     const uint32_t range = qtri_small_range(e[0], e[1]) >> 8;                   /* Q10, <= 2^9 */
     const uint32_t q_min = 1024u + (uint32_t)(qtri_small_min(e[0], e[1]) >> 8); /* >= 3/4 2^10 */
     c->ratio_q12 = (range * range >> 8) + 1;
     c->q_min2_q10 = q_min * q_min >> 10;
-    return c->ex >= -limit && c->ex < limit && c->ey >= -limit && c->ey < limit;
+    return c->bits >= 17;
 }
 
 bool qtri_small_is_near_curve(const qtri_curvature *c, uint32_t range, uint32_t by)
@@ -41,36 +51,44 @@ bool qtri_small_is_near_curve(const qtri_curvature *c, uint32_t range, uint32_t 
     return range <= (uint32_t)1 << 20 && range * c->ratio_q12 <= c->q_min2_q10 << (by + 2);
 }
 
-/* F E / 2^14, rounded down: |F| < 2^30.2, |E| < 2^13.6. */
+/* F E / 2^14, rounded: |F| < 2^30.2, |E| < 2^13.6. */
 static inline int32_t product(int32_t f, int32_t e)
 {
 #if QTRI_LONG_MULTIPLY
-    return (int32_t)(((int64_t)f * e) >> 14);
+    return (int32_t)(((int64_t)f * e + (1 << 13)) >> 14);
 #else
-    return (f >> 16) * e * 4 + (((int32_t)qtri_low16((uint32_t)f) * e) >> 14);
+    return (f >> 16) * e * 4 + (((int32_t)qtri_low16((uint32_t)f) * e + (1 << 13)) >> 14);
 #endif
+}
+
+/* x 2^up, rounded. */
+static inline uint32_t to_units(int32_t x, int32_t up)
+{
+    return up >= 0 ? (uint32_t)x << up : (uint32_t)((x + ((int32_t)1 << (-up - 1))) >> -up);
 }
 
 void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const qtri_curvature *c,
                           uint32_t value, int32_t f1, int32_t f2, int32_t up)
 {
-    const int32_t x = p->x + QTRI_SMALL_FAR, y = p->y - 256 * p->first;
+    const int32_t x = p->x, y = p->y - 256 * p->first;
     const uint32_t rows = (uint32_t)p->first;
+    const int32_t wide = p->wide;
     qtri_small_ramp f, g;
+    f1 = (f1 + wide) >> wide; /* as they are scaled they have to be below 2^14.4 */
+    f2 = (f2 + wide) >> wide;
+    up += wide;
     QTRI_SMALL_SETUP(ramp_set_at)(&f, p, x, y, 0, f1, f2, -p->up);
     QTRI_SMALL_SETUP(ramp_set_at)
     (&g, p, x, y, value, qtri_small_scaled(f1, c->k_q18[0]), qtri_small_scaled(f2, c->k_q18[1]),
      up);
     const int32_t at = (int32_t)f.at, fx = (int32_t)f.dx, fy = (int32_t)f.dy;
-    up += p->up - 3; /* Q17 of E, and 14 bits that product() drops */
-    const int32_t down = up < 0 ? -up : 0;
-    up += down;
-    r->xx = 0u - ((uint32_t)(product(fx, c->ex) >> down) << up);
-    r->xy = 0u - ((uint32_t)((product(fx, c->ey) + product(fy, c->ex)) >> down) << up);
-    const uint32_t yy = 0u - ((uint32_t)(product(fy, c->ey) >> down) << up);
-    const uint32_t dy = g.dy - ((uint32_t)((product(at, c->ey) + product(fy, c->e)) >> down) << up);
-    const uint32_t dx = g.dx - ((uint32_t)((product(at, c->ex) + product(fx, c->e)) >> down) << up);
-    r->at = g.at - ((uint32_t)(product(at, c->e) >> down) << up) + rows * (dy + rows * yy);
+    up += p->up + 14 - c->bits; /* of what product() is of */
+    r->xx = 0u - to_units(product(fx, c->ex), up);
+    r->xy = 0u - to_units(product(fx, c->ey) + product(fy, c->ex), up);
+    const uint32_t yy = 0u - to_units(product(fy, c->ey), up);
+    const uint32_t dy = g.dy - to_units(product(at, c->ey) + product(fy, c->e), up);
+    const uint32_t dx = g.dx - to_units(product(at, c->ex) + product(fx, c->e), up);
+    r->at = g.at - to_units(product(at, c->e), up) + rows * (dy + rows * yy);
     r->dx = dx + rows * r->xy;
     r->dy = dy + (2 * rows + 1) * yy;
     r->yy = 2 * yy;
@@ -100,8 +118,10 @@ bool qtri_small_light_curve(qtri_small_curves *curves, const qtri_curvature *c,
     if (!qtri_small_is_near_curve(c, qtri_small_range(f1, f2), 18 - part)) {
         return false;
     }
-    qtri_small_set_curve(&curves->c, p, c, ((uint32_t)i0 << 9) + qtri_light_half(o), f1, f2, 1);
-    curves->light_piece = (uint32_t)1 << chord_log2(&curves->c, 6, (uint32_t)1 << (25 - part));
+    qtri_small_set_curve(&curves->c, p, c, (((uint32_t)i0 << 9) + qtri_light_half(o)) << FINE, f1,
+                         f2, 1 + FINE);
+    curves->light_piece = (uint32_t)1
+                          << chord_log2(&curves->c, 6, (uint32_t)1 << (25 + FINE - part));
     return true;
 }
 
@@ -123,11 +143,13 @@ bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_pl
     const bool textured = qtri_is_textured(o);
     const bool is_packed = kind == QTRI_IN_565 && !textured;
     const uint32_t part = qtri_small_curve_part_of(o);
-    const uint32_t half = textured && kind == QTRI_IN_565 ? (uint32_t)1 << 17 : 0x8000u;
-    uint32_t log2 = is_packed ? 4 : 5; /* as long as rounded steps are off by a quarter of a step */
+    const uint32_t half = textured ? qtri_light_half(o) : 0x8000u;
+    /* As long as rounded steps are off by a quarter of a step; of wide ones what is left of that is
+       for xx. */
+    uint32_t log2 = !is_packed ? 5 : p->wide ? 3 : 4;
     qtri_small_colors f;
     qtri_curvature c;
-    if ((is_packed && p->wide) || !qtri_small_set_curvature(&c, p, t)) { /* as linear ones */
+    if (!qtri_small_set_curvature(&c, p, t)) {
         return false;
     }
     qtri_small_colors_of(&f, p, t);
@@ -144,37 +166,34 @@ bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_pl
         if (!qtri_small_is_near_curve(&c, qtri_small_range(channel[1], channel[2]), 18 - part)) {
             return false;
         }
-        qtri_small_set_curve(&k->channel[i], p, &c, (uint32_t)(channel[0] * full * 2) + half,
-                             (channel[1] * full) >> 8, (channel[2] * full) >> 8, 1);
-        log2 = chord_log2(&k->channel[i], log2, (uint32_t)full << (17 - part));
+        qtri_small_set_curve(&k->channel[i], p, &c,
+                             ((uint32_t)(channel[0] * full * 2) + half) << FINE,
+                             (channel[1] * full) >> 8, (channel[2] * full) >> 8, 1 + FINE);
+        log2 = chord_log2(&k->channel[i], log2, (uint32_t)full << (17 + FINE - part));
     }
     k->piece = (uint32_t)1 << log2;
     return true;
-}
-
-static void set_chord(qtri_small_ramp *r, const qtri_small_curve *c, uint32_t x, uint32_t n)
-{
-    r->at = qtri_small_curve_at(c, x);
-    r->dx = qtri_small_curve_step(c, x, n);
-    r->dy = 0;
 }
 
 void qtri_small_set_color_chord(qtri_small_ramp *c, qtri_small_ramp *g,
                                 const qtri_small_color_curves *k, const qtri_options *o, uint32_t x)
 {
     const qtri_color_kind kind = qtri_kind_of(o);
+    const bool is_packed = !qtri_is_textured(o) && kind == QTRI_IN_565;
+    const int down = qtri_is_textured(o) ? 9 : 8;
     qtri_small_ramp r, b;
-    set_chord(&r, &k->channel[0], x, k->piece);
-    set_chord(g, &k->channel[1], x, k->piece);
-    set_chord(&b, &k->channel[2], x, k->piece);
-    if (!qtri_is_textured(o) && kind == QTRI_IN_565) {
+    qtri_small_set_chord(g, &k->channel[1], x, k->piece, is_packed ? 11 : 0);
+    if (!qtri_is_textured(o) && kind == QTRI_IN_GRAY) {
+        *c = *g;
+        return;
+    }
+    qtri_small_set_chord(&r, &k->channel[0], x, k->piece, is_packed ? 10 : (uint32_t)down);
+    qtri_small_set_chord(&b, &k->channel[2], x, k->piece, is_packed ? 11 : (uint32_t)down);
+    if (is_packed) {
         qtri_small_pack_red_565(c, &r);
         qtri_small_pack_blue_565(c, &b);
         qtri_small_pack_green_565(c, g);
-    } else if (!qtri_is_textured(o) && kind == QTRI_IN_GRAY) {
-        *c = *g;
     } else {
-        const int down = qtri_is_textured(o) ? 9 : 8;
         qtri_small_pack_red(c, &r, down);
         qtri_small_pack_blue(c, &b, down);
     }

@@ -24,7 +24,8 @@ extern "C" {
 /* What all curves of a triangle have in common. */
 typedef struct qtri_curvature {
     int32_t k_q18[2];
-    int32_t e, ex, ey;   /* Q17 of 1: E at the pixel of vertex 0, and its steps, below 2^13 */
+    int32_t e, ex, ey;   /* E at the pixel of vertex 0, and its steps, below 2^13.1 */
+    int32_t bits;        /* of their fractions, 17 or more */
     uint32_t ratio_q12;  /* (range(q) / q_0)^2 */
     uint32_t q_min2_q10; /* (q_min / q_0)^2 */
 } qtri_curvature;

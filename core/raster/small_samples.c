@@ -70,7 +70,7 @@ static int32_t walk(uint8_t *side, int32_t from, int32_t stop, int32_t dx, int32
     const int32_t near = is_low ? three : one, far = is_low ? one : three;
     const int32_t s0 = is_odd ? near : even, s1 = is_odd ? even : near;
     const int32_t s2 = is_odd ? far : even, s3 = is_odd ? even : far;
-    int32_t sum = 0, quotient = QTRI_SMALL_REACH;
+    int32_t sum = 0, quotient = QTRI_SMALL_MIDDLE;
     uint8_t *at = side + from;
     const uint8_t *const end = side + stop;
     for (;;) {
@@ -174,7 +174,7 @@ qtri_small_found qtri_small_samples_find(qtri_small_place *p, qtri_small_samples
     p->turned = false;
     if ((((uint32_t)dx1 + near) | ((uint32_t)dy1 + near) | ((uint32_t)dx2 + near) |
          ((uint32_t)dy2 + near)) >= 2 * near) {
-        if (qtri_small_is_far(dx1, dy1, dx2, dy2)) {
+        if (qtri_small_is_far(dx1, dy1, dx2, dy2, QTRI_SMALL_MIDDLE)) {
             return QTRI_SMALL_IS_LARGE;
         }
         p->wide = true;
@@ -198,15 +198,15 @@ qtri_small_found qtri_small_samples_find(qtri_small_place *p, qtri_small_samples
         return QTRI_SMALL_NOTHING;
     }
     const qtri_draw_state *state = t->state;
-    p->column = (x0 >> 8) - QTRI_SMALL_REACH;
+    p->column = x0 >> 8;
     p->left = 0;
     p->right = 0;
     p->cut = false;
     if ((uint32_t)x0 - state->inner.x >= state->inner.width ||
         (uint32_t)y0 - state->inner.y >= state->inner.height) {
         const qtri_rect *bounds = &state->bounds;
-        p->left = bounds->x0 - p->column;
-        p->right = bounds->x1 - p->column;
+        p->left = bounds->x0 - p->column + QTRI_SMALL_MIDDLE;
+        p->right = bounds->x1 - p->column + QTRI_SMALL_MIDDLE;
         p->cut = p->left > 0 || p->right < QTRI_SMALL_ROWS;
         if (!cut_rows(quarter, &first, &end, row, bounds)) {
             return QTRI_SMALL_NOTHING;
@@ -214,19 +214,19 @@ qtri_small_found qtri_small_samples_find(qtri_small_place *p, qtri_small_samples
     }
     p->first = first >> 2;
     p->row = row + p->first;
-    p->x = 128 - rest_x - QTRI_SMALL_FAR;
+    p->x = 128 - rest_x;
     p->y = 128 - rest_y + 256 * p->first;
     p->dx1 = dx1;
     p->dy1 = dy1;
     p->dx2 = dx2;
     p->dy2 = dy2;
-    s->first = p->first + QTRI_SMALL_REACH;
+    s->first = p->first + QTRI_SMALL_MIDDLE;
     s->rows = ((end + 3) >> 2) - p->first;
     clear(s, s->first);
     clear(s, s->first + s->rows - 1);
-    const quarters at = {(uint8_t *)&s->left[QTRI_SMALL_REACH],
-                         (uint8_t *)&s->right[QTRI_SMALL_REACH]};
-    const int32_t ax = rest_x + 128 + (QTRI_DIVIDE ? QTRI_SMALL_FAR : 0);
+    const quarters at = {(uint8_t *)&s->left[QTRI_SMALL_MIDDLE],
+                         (uint8_t *)&s->right[QTRI_SMALL_MIDDLE]};
+    const int32_t ax = rest_x + 128 + (QTRI_DIVIDE ? 256 * QTRI_SMALL_MIDDLE : 0);
     const int32_t samples =
         edge(&at, ax, rest_y, dx1, dy1, quarter[0], quarter[1]) +
         edge(&at, ax + dx1, rest_y + dy1, dx2 - dx1, dy2 - dy1, quarter[1], quarter[2]) +

@@ -29,8 +29,10 @@ static uint32_t reduce(int32_t f[3], uint32_t bits, bool is_clamped)
     while ((first | qtri_small_about(f[1]) | qtri_small_about(f[2])) >> (bits + down) != 0) {
         down++;
     }
-    f[1] >>= down;
-    f[2] >>= down;
+    if (down != 0) { /* rounded */
+        f[1] = ((f[1] >> (down - 1)) + 1) >> 1;
+        f[2] = ((f[2] >> (down - 1)) + 1) >> 1;
+    }
     return down;
 }
 
@@ -105,9 +107,10 @@ static bool set_texture_curves(qtri_small_curves *curves, const qtri_curvature *
     for (int k = 0; k < 2; k++) {
         const uint32_t side_log2 =
             k == 0 ? qtri_texture_width_log2(o, t->state) : qtri_texture_height_log2(o, t->state);
-        /* 2^-6 texel; by 1/16 (range(q) / q_min)^2 of it, 1/16 texel at most */
+        /* 2^-6 texel; by 1/16 (range(q) / q_min)^2 of it, 1/16 texel at most; 1/32 where more
+           pixels show it */
         if (!qtri_small_is_near_curve(c, qtri_small_range(f[k][1], f[k][2]) >> (10 - side_log2),
-                                      6)) {
+                                      6u - qtri_small_is_beyond_middle(p))) {
             return false;
         }
     }
@@ -178,7 +181,7 @@ static uint32_t step_of(int32_t f[2][2], const int32_t up[2], int32_t fraction,
 
 /*
  * Differences have 14 bits of the greatest, in 2^-fraction of a texel: f (1 + e) is below 2^14.2, a
- * numerator below 2 2^14.2 2^13.91 and its length below 2^29.6. Of zeros from 1 to 32 and a side
+ * numerator below 2 2^14.2 2^14.91 and its length below 2^30.6. Of zeros from 1 to 32 and a side
  * from 1 to 1024, fraction is -11..30, f goes up by -27..14, and `shift` is -19..30.
  *
  * A level is left behind where length 2^(8 - fraction) / size is 2^(level + 1/2) or more; 1 + 1/4 +
@@ -188,7 +191,7 @@ static uint32_t level_of(const qtri_small_place *p, const qtri_small *t, const i
 {
     const qtri_draw_state *state = t->state;
     const int32_t side_log2[2] = {state->width_log2, state->height_log2};
-    const uint32_t size = (uint32_t)(p->dx2 * p->dy1 - p->dx1 * p->dy2); /* < 2^28.9 */
+    const uint32_t size = (uint32_t)(p->dx2 * p->dy1 - p->dx1 * p->dy2); /* < 2^30.9 */
     qtri_small_uv at;
     int32_t up[2];
     int32_t fraction = INT32_MAX;

@@ -149,14 +149,15 @@ extern const qtri_filter qtri_mipmapped_bilinear;
  * is level i where the footprint is 2^(i - 1/2) to 2^(i + 1/2); the first and the last also where
  * it is less and more.
  *
- * It is asked once for a triangle that is linear on the screen, or small: vertices 1 and 2 within
- * 60 pixels of vertex 0, which is where it is asked, and 1/w within 1/12 of that there. On others
- * it is asked in the middle of every 2 to 64 pixels of a row, along which 1/w varies by 1/8 to both
- * sides at most; of 128 where w does not change along rows, as on floors. Inside of them the level
- * is off by what the footprint varies: 2/5 of a level for what w does, and on planes whose horizon
- * is r rows away, for pixels h from the middle, by h / r of the step right in the step down;
- * rounding adds .01. On slivers of less than a pixel's height it may be any. All is counted from
- * the whole triangle and its rows, so no band or scissor changes a level.
+ * It is asked once for a triangle that is linear on the screen, or small: less than 120 pixels
+ * high, vertices 1 and 2 within 120 of vertex 0 in x, and 1/w within 1/12 of that there, which is
+ * where it is asked. On others it is asked in the middle of every 2 to 64 pixels of a row, along
+ * which 1/w varies by 1/8 to both sides at most; of 128 where w does not change along rows, as on
+ * floors. Inside of them the level is off by what the footprint varies: 2/5 of a level for what w
+ * does, and on planes whose horizon is r rows away, for pixels h from the middle, by h / r of the
+ * step right in the step down; rounding adds .01. On slivers of less than a pixel's height it may
+ * be any. All is counted from the whole triangle and its rows, so no band or scissor changes a
+ * level.
  */
 
 #ifdef __cplusplus

@@ -90,11 +90,12 @@ QTRI_BODY void qtri_small_curves_begin(qtri_pixel_walk *w, const qtri_small_curv
 QTRI_BODY uint32_t qtri_small_curves_set_light(qtri_pixel_walk *w, const qtri_small_curves *curves,
                                                uint32_t x, uint32_t count)
 {
-    const uint32_t n = curves->light_piece;
-    const uint32_t passed = x & (n - 1);
-    w->c_step = qtri_small_curve_step(&curves->c, x - passed, n);
-    w->c = qtri_small_curve_at(&curves->c, x - passed) + passed * w->c_step;
-    return n - passed < count ? n - passed : count;
+    const uint32_t left = curves->light_piece - (x & (curves->light_piece - 1));
+    qtri_small_ramp c;
+    qtri_small_set_chord(&c, &curves->c, x, curves->light_piece, 0);
+    w->c_step = c.dx;
+    w->c = c.at;
+    return left < count ? left : count;
 }
 
 /* Colours likewise, packed. */
@@ -102,16 +103,16 @@ QTRI_BODY uint32_t qtri_small_curves_set_colors(const qtri_options *o, qtri_pixe
                                                 const qtri_small_color_curves *k, uint32_t x,
                                                 uint32_t count)
 {
-    const uint32_t passed = x & (k->piece - 1);
+    const uint32_t left = k->piece - (x & (k->piece - 1));
     qtri_small_ramp c, g;
-    qtri_small_set_color_chord(&c, &g, k, &w->state->options, x - passed);
+    qtri_small_set_color_chord(&c, &g, k, &w->state->options, x);
     w->c_step = c.dx;
-    w->c = c.at + passed * c.dx;
+    w->c = c.at;
     if (qtri_has_two_words(o)) {
         w->g_step = g.dx;
-        w->g = g.at + passed * g.dx;
+        w->g = g.at;
     }
-    return k->piece - passed < count ? k->piece - passed : count;
+    return left < count ? left : count;
 }
 
 QTRI_BODY void qtri_small_curves_next_row(const qtri_options *o, qtri_small_curves *curves)
@@ -160,7 +161,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     const ptrdiff_t pitch = surface->pitch, depth_pitch = w->state->depth_pitch;
     const uintptr_t skew = (uintptr_t)pitch - (uintptr_t)depth_pitch;
     const uint8_t *span = p->span;
-    uint32_t at = 0; /* the column */
+    uint32_t at = QTRI_SMALL_REACH; /* where the walk is, as spans count */
     w->pixel = surface->pixels + row * pitch + (ptrdiff_t)bytes * p->column;
     w->depth =
         tests ? (uint8_t *)surface->depth + row * depth_pitch + (ptrdiff_t)depth_bytes * p->column
@@ -340,7 +341,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
         t->light_q15 =
             t->light(t->from, t->indices, t->v[0], t->v[1 + p.turned], t->v[2 - p.turned]);
     }
-    if (o->per_pixel && !qtri_small_is_lit_by_vertex(t)) {
+    if (o->per_pixel && !qtri_small_is_lit_by_vertex(&p, t)) {
         return false;
     }
     if (o->shade == QTRI_TINT || (o->shade == QTRI_FLAT && !qtri_is_textured(o))) {

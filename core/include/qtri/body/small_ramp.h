@@ -90,7 +90,7 @@ QTRI_BODY int32_t qtri_small_clamp(int32_t x, int32_t low, int32_t high)
 
 /* Ramps ---------------------------------------------------------------------------------------- */
 
-/* n y / 2^17 / 2^down, rounded down. |n| < 2^30.5. */
+/* n y / 2^17 / 2^down, rounded down. |n| < 2^30.95, y < 2^16. */
 QTRI_BODY int32_t qtri_small_quotient(const qtri_small_place *p, int32_t n)
 {
 #if QTRI_LONG_MULTIPLY
@@ -140,31 +140,35 @@ QTRI_SMALL_PART void qtri_small_ramp_set(qtri_small_ramp *r, const qtri_small_pl
 /* Rows ----------------------------------------------------------------------------------------- */
 
 /*
- * An edge's pixels in rows up to `stop`; returns their sum. With |X|, |Y| <= 2 REACH and rows
- * within REACH of vertex 0's: 120 256 (60 256 + 30 256) + 60 60 256^2 < 2^30.9.
+ * An edge's pixels in rows up to `stop`; returns their sum. Of numerators 32 bits are right: they
+ * are a row's column, 2 REACH at most, times the denominator, REACH 256 256 at most, and a part:
+ * below 2^30.9.
  */
-QTRI_SMALL_PART int32_t qtri_small_walk_edge(uint8_t *side, const uint8_t *stop, int32_t numerator,
+QTRI_SMALL_PART int32_t qtri_small_walk_edge(uint8_t *side, const uint8_t *stop, uint32_t numerator,
                                              int32_t step, int32_t denominator)
 {
     int32_t sum = 0;
-#if !QTRI_DIVIDE
-    int32_t quotient = QTRI_SMALL_REACH;
+#if QTRI_DIVIDE
+    uint32_t rest = numerator;
+#else
+    int32_t rest = (int32_t)numerator, quotient = QTRI_SMALL_REACH;
 #endif
     do {
 #if QTRI_DIVIDE
-        const int32_t quotient = (int32_t)((uint32_t)numerator / (uint32_t)denominator);
+        const int32_t quotient = (int32_t)(rest / (uint32_t)denominator);
+        rest += (uint32_t)step;
 #else
         /* A pixel or two a row: cheaper than a division. */
-        while (numerator < 0) {
-            numerator += denominator;
+        while (rest < 0) {
+            rest += denominator;
             quotient--;
         }
-        while (numerator >= denominator) {
-            numerator -= denominator;
+        while (rest >= denominator) {
+            rest -= denominator;
             quotient++;
         }
+        rest += step;
 #endif
-        numerator += step;
         sum += quotient;
         *side = (uint8_t)quotient;
         side += 2;
@@ -173,21 +177,28 @@ QTRI_SMALL_PART int32_t qtri_small_walk_edge(uint8_t *side, const uint8_t *stop,
     return sum;
 }
 
+/* x dy + y dx, in 32 bits. */
+QTRI_BODY uint32_t qtri_small_cross(int32_t x, int32_t y, int32_t dx, int32_t dy)
+{
+    return (uint32_t)x * (uint32_t)dy + (uint32_t)y * (uint32_t)dx;
+}
+
 /*
  * An edge between rows `from` and `to`: it is on the left when it goes down. Columns count from
  * REACH left of vertex 0's, with a division, and else from there.
  */
-QTRI_SMALL_PART int32_t qtri_small_edge(uint8_t *spans, int32_t dx, int32_t dy, int32_t cross,
+QTRI_SMALL_PART int32_t qtri_small_edge(uint8_t *spans, int32_t dx, int32_t dy, uint32_t cross,
                                         int32_t from, int32_t to)
 {
     const int32_t step = dx * 256;
     if (from < to) {
-        return qtri_small_walk_edge(&spans[2 * from], &spans[2 * to], cross + from * step - 1, step,
-                                    dy * 256);
+        return qtri_small_walk_edge(&spans[2 * from], &spans[2 * to],
+                                    cross + (uint32_t)from * (uint32_t)step - 1, step, dy * 256);
     }
     if (from > to) {
         return -qtri_small_walk_edge(&spans[2 * to + 1], &spans[2 * from + 1],
-                                     -cross - to * step - 1, -step, dy * -256);
+                                     0u - cross - (uint32_t)to * (uint32_t)step - 1, -step,
+                                     dy * -256);
     }
     return 0;
 }

@@ -17,7 +17,7 @@
 extern "C" {
 #endif
 
-enum { QTRI_SMALL_ROWS = 2 * QTRI_SMALL_REACH + 1 };
+enum { QTRI_SMALL_ROWS = 2 * QTRI_SMALL_MIDDLE + 1 };
 
 #define QTRI_SMALL_LANES 0x01010101u
 
@@ -211,7 +211,7 @@ QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_body *p
     const bool has_light_curve = qtri_is_lit(o) && curved && curves->light_piece != 0;
     const ptrdiff_t pitch = w->state->surface->pitch, depth_pitch = w->state->depth_pitch;
     const uint32_t *left = &s->left[s->first], *right = &s->right[s->first];
-    int32_t at = 0; /* the column */
+    int32_t at = QTRI_SMALL_MIDDLE; /* where the walk is, as rows count */
     qtri_small_samples_begin(o, w, p, s);
     w->z = p->z.at + QTRI_DEPTH_HALF;
     w->z_step = p->z.dx;
@@ -234,18 +234,18 @@ QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_body *p
             qtri_small_samples_skip(o, w, (int32_t)first - at);
             at = (int32_t)first;
             while ((out & QTRI_SAMPLES_ALL) != QTRI_SAMPLES_ALL) {
-                const uint32_t x = (uint32_t)(at - QTRI_SMALL_REACH);
+                const uint32_t x = (uint32_t)(at - QTRI_SMALL_MIDDLE);
                 w->samples = in & ~out & QTRI_SAMPLES_ALL;
                 int32_t place = QTRI_CENTER;
                 if (qtri_small_has_places(o) && w->samples != QTRI_SAMPLES_ALL) {
-                    place = qtri_small_place_of(p, w->samples, at, y);
+                    place = qtri_small_place_of(p, w->samples, (int32_t)x, y);
                 }
                 if (curved && textured) {
                     w->u = qtri_small_curve_at_place(&curves->u, x, place);
                     w->v = qtri_small_curve_at_place(&curves->v, x, place);
                 }
                 if (has_light_curve) {
-                    w->c = qtri_small_curve_at_place(&curves->c, x, place);
+                    w->c = qtri_small_curve_at_place(&curves->c, x, place) >> QTRI_SMALL_FINE;
                 }
                 qtri_small_samples_pixel(o, pixel, w, values, place, textured && !curved,
                                          varies && !has_light_curve);
@@ -355,7 +355,7 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_pixel_body *p
         t->light_q15 =
             t->light(t->from, t->indices, t->v[0], t->v[1 + p.turned], t->v[2 - p.turned]);
     }
-    if (o->per_pixel && !qtri_small_is_lit_by_vertex(t)) {
+    if (o->per_pixel && !qtri_small_is_lit_by_vertex(&p, t)) {
         return false;
     }
     if (o->shade == QTRI_TINT || (o->shade == QTRI_FLAT && !qtri_is_textured(o))) {

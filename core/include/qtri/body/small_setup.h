@@ -12,8 +12,8 @@
  *     x = size 2^zeros / 2^16, rounded, in 2^15..2^16; y = 2^31 / x, rounded down
  *     n 2^16 / size = n y / 2^17 / 2^down, down = 14 - zeros
  *
- * Where the area is below a pixel steps go left by `up` bits, which they then have not: 120 pixels
- * away that is 120 units 2^up.
+ * Where the area is below a pixel steps go left by `up` bits, which they then have not: 240 pixels
+ * away that is 240 units 2^up.
  */
 #ifndef QTRI_BODY_SMALL_SETUP_H
 #define QTRI_BODY_SMALL_SETUP_H
@@ -73,17 +73,23 @@ QTRI_BODY bool qtri_small_set_depth(qtri_small_place *p, const qtri_small *t)
     return true;
 }
 
-/* Whether any of these is out of reach. */
-QTRI_BODY bool qtri_small_is_far(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
+/* Whether any of these is more than so many pixels. */
+QTRI_BODY bool qtri_small_is_far(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2,
+                                 uint32_t pixels)
 {
-    const uint32_t far = QTRI_SMALL_FAR;
+    const uint32_t far = 256 * pixels;
     return (uint32_t)dx1 + far >= 2 * far || (uint32_t)dy1 + far >= 2 * far ||
            (uint32_t)dx2 + far >= 2 * far || (uint32_t)dy2 + far >= 2 * far;
 }
 
+QTRI_BODY bool qtri_small_is_beyond_middle(const qtri_small_place *p)
+{
+    return p->wide && qtri_small_is_far(p->dx1, p->dy1, p->dx2, p->dy2, QTRI_SMALL_MIDDLE);
+}
+
 /* Light by vertex is as good as by pixel: vertices 1 and 2 are within 6 pixels of vertex 0, or
    light is linear between them. */
-QTRI_BODY bool qtri_small_is_lit_by_vertex(const qtri_small *t)
+QTRI_BODY bool qtri_small_is_lit_by_vertex(const qtri_small_place *p, const qtri_small *t)
 {
     const uint32_t half = 6 * 256;
     const qtri_point *a = &t->v[0]->at, *b = &t->v[1]->at, *c = &t->v[2]->at;
@@ -91,7 +97,7 @@ QTRI_BODY bool qtri_small_is_lit_by_vertex(const qtri_small *t)
             ((uint32_t)(b->y_24p8 - a->y_24p8) + half) |
             ((uint32_t)(c->x_24p8 - a->x_24p8) + half) |
             ((uint32_t)(c->y_24p8 - a->y_24p8) + half)) < 2 * half ||
-           t->state->has_linear_light(t);
+           (!qtri_small_is_beyond_middle(p) && t->state->has_linear_light(t));
 }
 
 /* What 1/w has more at vertices 1 and 2. False: too much. */
@@ -136,7 +142,8 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
     if ((((uint32_t)dx1 + near) | ((uint32_t)dy1 + near) | ((uint32_t)dx2 + near) |
          ((uint32_t)dy2 + near)) >= 2 * near) {
         QTRI_RARELY();
-        if (qtri_small_is_far(dx1, dy1, dx2, dy2)) {
+        if (qtri_small_is_far(dx1, dy1, dx2, dy2, QTRI_SMALL_REACH) ||
+            qtri_small_range(dy1, dy2) >= QTRI_SMALL_FAR) {
             return QTRI_SMALL_IS_LARGE;
         }
         p->wide = true;
@@ -166,17 +173,20 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
         return QTRI_SMALL_NOTHING;
     }
     const qtri_draw_state *state = t->state;
-    const int32_t column = (x0 >> 8) - QTRI_SMALL_REACH;
+    const int32_t column = x0 >> 8;
     p->left = 0;
     p->right = 0;
     p->cut = false;
-    if ((uint32_t)x0 - state->inner.x >= state->inner.width ||
+    if (p->wide || (uint32_t)x0 - state->inner.x >= state->inner.width ||
         (uint32_t)y0 - state->inner.y >= state->inner.height) {
         const qtri_rect *bounds = &state->bounds;
         QTRI_RARELY();
-        p->left = bounds->x0 - column;
-        p->right = bounds->x1 - column;
-        p->cut = p->left > 0 || p->right < 2 * QTRI_SMALL_REACH + 1;
+        if (p->wide || (uint32_t)x0 - state->inner.x >= state->inner.width) {
+            p->left = bounds->x0 - column + QTRI_SMALL_REACH;
+            p->right = bounds->x1 - column + QTRI_SMALL_REACH;
+            p->cut = (x0 + qtri_small_min(dx1, dx2)) >> 8 < bounds->x0 ||
+                     (x0 + qtri_small_max(dx1, dx2)) >> 8 >= bounds->x1;
+        }
         if (row + first < bounds->y0 || row + end > bounds->y1) {
             const int32_t least = bounds->y0 - row;
             const int32_t greatest = bounds->y1 - row;
@@ -190,27 +200,30 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
             end = end < greatest ? end : greatest;
         }
     }
-    uint8_t *const middle = &spans[2 * QTRI_SMALL_REACH];
+    uint8_t *const middle = spans - 2 * first; /* of vertex 0's row */
     const int32_t y = 255 - rest;
     const int32_t ax = (x0 & 255) + 128 + (QTRI_DIVIDE ? QTRI_SMALL_FAR : 0);
     p->column = column;
     p->row = row + first;
     p->first = first;
-    p->x = 256 - (QTRI_DIVIDE ? 0 : QTRI_SMALL_FAR) - ax;
+    p->x = 256 + (QTRI_DIVIDE ? QTRI_SMALL_FAR : 0) - ax;
     p->y = y + 256 * first;
     p->dx1 = dx1;
     p->dy1 = dy1;
     p->dx2 = dx2;
     p->dy2 = dy2;
-    p->span = &middle[2 * first];
+    p->span = spans;
     middle[2 * end] = QTRI_SMALL_STOP;
     middle[2 * end + 1] = QTRI_SMALL_STOP; /* read, and of no effect: nothing ends after a stop */
     QTRI_BODY_READ_AGAIN();
     const int32_t dx = dx2 - dx1;
     const int32_t dy = dy2 - dy1;
-    int32_t pixels = qtri_small_edge(middle, dx1, dy1, ax * dy1 + y * dx1, a_row, b_row);
-    pixels += qtri_small_edge(middle, dx, dy, (ax + dx1) * dy - (dy1 - y) * dx, b_row, c_row);
-    pixels += qtri_small_edge(middle, -dx2, -dy2, ax * -dy2 + y * -dx2, c_row, a_row);
+    int32_t pixels =
+        qtri_small_edge(middle, dx1, dy1, qtri_small_cross(ax, y, dx1, dy1), a_row, b_row);
+    pixels +=
+        qtri_small_edge(middle, dx, dy, qtri_small_cross(ax + dx1, y - dy1, dx, dy), b_row, c_row);
+    pixels +=
+        qtri_small_edge(middle, -dx2, -dy2, qtri_small_cross(ax, y, -dx2, -dy2), c_row, a_row);
     if (pixels == 0) {
         return QTRI_SMALL_NOTHING;
     }
@@ -336,14 +349,14 @@ QTRI_SMALL_PART void qtri_small_channel_set(qtri_small_ramp *r, const qtri_small
                                             int32_t f0, int32_t f1, int32_t f2, int32_t full,
                                             uint32_t half)
 {
-    qtri_setup_ramp_set_at(r, p, p->x + QTRI_SMALL_FAR, p->y - 256 * p->first,
-                           (uint32_t)(f0 * full * 2) + half, (f1 * full) >> 8, (f2 * full) >> 8, 1);
+    qtri_setup_ramp_set_at(r, p, p->x, p->y - 256 * p->first, (uint32_t)(f0 * full * 2) + half,
+                           (f1 * full) >> 8, (f2 * full) >> 8, 1);
 }
 
 /* Back to the base: what is packed steps in rounded steps. */
 QTRI_BODY void qtri_small_set_base(qtri_small_ramp *r, const qtri_small_place *p)
 {
-    r->at += (uint32_t)p->first * r->dy - QTRI_SMALL_REACH * r->dx;
+    r->at += (uint32_t)p->first * r->dy;
 }
 
 QTRI_BODY uint32_t qtri_small_signed_shift(uint32_t x, int by)

@@ -3,10 +3,11 @@
  * A small triangle of a mesh: where it is, and what varies over it. Internal, part of the
  * pipelines' body (pipeline_make.h).
  *
- * Small is a triangle whose vertices 1 and 2 are within 60 pixels of vertex 0 in x and in y, with
- * 1/w within 1/4 of that of vertex 0 and depths within 2^10 steps of linear16, and that is no
- * needle. That is asked of the vertices alone, and whether what varies bends little enough of
- * vertices and material; never of a scissor, a band or a pipeline. All that follows fits 32 bits.
+ * Small is a triangle less than 120 pixels high, whose vertices 1 and 2 are within 120 pixels of
+ * vertex 0 in x, with 1/w within 1/4 of that of vertex 0 and depths within 2^10 steps of linear16,
+ * and that is no needle. That is asked of the vertices alone, and whether what varies bends little
+ * enough of vertices and material; never of a scissor, a band or a pipeline. All that follows fits
+ * 32 bits.
  *
  * Rows are found exactly, by the top-left rule, as spans of bytes. What varies is linear on the
  * screen, set by products with 1/area; texture coordinates, light and colours are polynomials of
@@ -24,9 +25,11 @@ extern "C" {
 #endif
 
 enum {
-    QTRI_SMALL_REACH = 60,
-    QTRI_SMALL_SPANS = 2 * (2 * QTRI_SMALL_REACH + 1),
-    QTRI_SMALL_STOP = 255 /* begins the row after the last */
+    QTRI_SMALL_REACH = 120,
+    QTRI_SMALL_MIDDLE = 60, /* reach of samples, packed colours that are linear, light by pixel */
+    QTRI_SMALL_SPANS = 2 * (QTRI_SMALL_REACH + 1),
+    QTRI_SMALL_STOP = 255, /* begins the row after the last */
+    QTRI_SMALL_FINE = 3
 };
 
 /* A triangle of a draw call, inside all planes; front faces are culled by the caller. */
@@ -49,7 +52,7 @@ typedef struct qtri_small_ramp {
     uint32_t at, dx, dy;
 } qtri_small_ramp;
 
-/* Where it is. Columns count from QTRI_SMALL_REACH left of vertex 0's. */
+/* Where it is. The base is vertex 0's column; spans count from QTRI_SMALL_REACH left of it. */
 typedef struct qtri_small_place {
     bool turned;                /* a back face: vertices 1 and 2 have changed places */
     bool cut;                   /* rows may reach past the bounds */
@@ -62,12 +65,13 @@ typedef struct qtri_small_place {
     int32_t q1, q2;             /* what 1/w has more at vertices 1 and 2, in vertex 0's scale */
     uint32_t q_about;           /* their magnitudes, or-ed */
     uint8_t *span;              /* of each row the first pixel and the one after the last */
-    int32_t left, right;        /* columns of the bounds */
+    int32_t left, right;        /* of the bounds, as spans count */
     qtri_small_ramp z;          /* 16.16 */
 } qtri_small_place;
 
 /* What follows perspective: at + dx x + xx x^2 in a row, x columns from vertex 0's; in the next row
-   `at` is dy more, dx xy and dy yy. */
+   `at` is dy more, dx xy and dy yy. Light and colours have QTRI_SMALL_FINE bits more than ramps,
+   as 120 pixels away xx that is rounded is off by 7200 of its units. */
 typedef struct qtri_small_curve {
     uint32_t at, dx, dy, xx, xy, yy;
 } qtri_small_curve;
@@ -81,6 +85,19 @@ QTRI_BODY uint32_t qtri_small_curve_at(const qtri_small_curve *c, uint32_t x)
 QTRI_BODY uint32_t qtri_small_curve_step(const qtri_small_curve *c, uint32_t x, uint32_t n)
 {
     return c->dx + (2 * x + n) * c->xx;
+}
+
+/* A ramp along a chord of n pixels, a power of two, from a multiple of n on: x columns from vertex
+   0's, with steps that have none of the lowest `down` bits, so that packed ones are the same. */
+QTRI_BODY void qtri_small_set_chord(qtri_small_ramp *r, const qtri_small_curve *c, uint32_t x,
+                                    uint32_t n, uint32_t down)
+{
+    const uint32_t passed = x & (n - 1), half = (uint32_t)1 << down >> 1 << QTRI_SMALL_FINE;
+    const int32_t step = (int32_t)(qtri_small_curve_step(c, x - passed, n) + half);
+    r->dx = (uint32_t)(step >> (QTRI_SMALL_FINE + down)) << down;
+    r->at = (qtri_small_curve_at(c, x - passed) + (passed * r->dx << QTRI_SMALL_FINE)) >>
+            QTRI_SMALL_FINE;
+    r->dy = 0;
 }
 
 QTRI_BODY void qtri_small_curve_next_row(qtri_small_curve *c)
@@ -164,7 +181,7 @@ bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_plac
                                 const qtri_small *t, const qtri_options *o);
 bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_place *p,
                                  const qtri_small *t);
-/* Packed colours along a chord that begins x columns from vertex 0's. */
+/* Packed colours along the chord that has the pixel x columns from vertex 0's, from there on. */
 void qtri_small_set_color_chord(qtri_small_ramp *c, qtri_small_ramp *g,
                                 const qtri_small_color_curves *k, const qtri_options *o,
                                 uint32_t x);
