@@ -175,28 +175,30 @@ bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_pl
     return true;
 }
 
-void qtri_small_set_color_chord(qtri_small_ramp *c, qtri_small_ramp *g,
+/* Fields as state.h and pixel.h have them. */
+void qtri_small_set_color_chord(qtri_small_chord *c, qtri_small_chord *g,
                                 const qtri_small_color_curves *k, const qtri_options *o, uint32_t x)
 {
-    const qtri_color_kind kind = qtri_kind_of(o);
-    const bool is_packed = !qtri_is_textured(o) && kind == QTRI_IN_565;
-    const int down = qtri_is_textured(o) ? 9 : 8;
-    qtri_small_ramp r, b;
-    qtri_small_set_chord(g, &k->channel[1], x, k->piece, is_packed ? 11 : 0);
-    if (!qtri_is_textured(o) && kind == QTRI_IN_GRAY) {
+    const qtri_small_curve *channel = k->channel;
+    const uint32_t n = k->piece;
+    if (!qtri_is_textured(o) && qtri_kind_of(o) == QTRI_IN_565) {
+        const qtri_small_chord r = qtri_small_chord_of(&channel[0], x, n, 10);
+        const qtri_small_chord b = qtri_small_chord_of(&channel[2], x, n, 11);
+        const qtri_small_chord green = qtri_small_chord_of(&channel[1], x, n, 11);
+        c->at = (r.at << 21) + ((b.at & 0x3FF) << 11) + (green.at & 0x7FF);
+        c->step = (r.step << 21) + (b.step << 11) + green.step;
+        return;
+    }
+    *g = qtri_small_whole_chord_of(&channel[1], x, n);
+    if (!qtri_is_textured(o) && qtri_kind_of(o) == QTRI_IN_GRAY) {
         *c = *g;
         return;
     }
-    qtri_small_set_chord(&r, &k->channel[0], x, k->piece, is_packed ? 10 : (uint32_t)down);
-    qtri_small_set_chord(&b, &k->channel[2], x, k->piece, is_packed ? 11 : (uint32_t)down);
-    if (is_packed) {
-        qtri_small_pack_red_565(c, &r);
-        qtri_small_pack_blue_565(c, &b);
-        qtri_small_pack_green_565(c, g);
-    } else {
-        qtri_small_pack_red(c, &r, down);
-        qtri_small_pack_blue(c, &b, down);
-    }
+    const uint32_t down = qtri_is_textured(o) ? 9 : 8;
+    const qtri_small_chord r = qtri_small_chord_of(&channel[0], x, n, down);
+    const qtri_small_chord b = qtri_small_chord_of(&channel[2], x, n, down);
+    c->at = (r.at << 16) + (b.at & 0xFFFF);
+    c->step = (r.step << 16) + b.step;
 }
 
 void qtri_small_color_curves_next_row(qtri_small_color_curves *k)

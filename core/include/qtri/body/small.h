@@ -91,9 +91,8 @@ QTRI_BODY uint32_t qtri_small_curves_set_light(qtri_pixel_walk *w, const qtri_sm
                                                uint32_t x, uint32_t count)
 {
     const uint32_t left = curves->light_piece - (x & (curves->light_piece - 1));
-    qtri_small_ramp c;
-    qtri_small_set_chord(&c, &curves->c, x, curves->light_piece, 0);
-    w->c_step = c.dx;
+    const qtri_small_chord c = qtri_small_whole_chord_of(&curves->c, x, curves->light_piece);
+    w->c_step = c.step;
     w->c = c.at;
     return left < count ? left : count;
 }
@@ -104,12 +103,12 @@ QTRI_BODY uint32_t qtri_small_curves_set_colors(const qtri_options *o, qtri_pixe
                                                 uint32_t count)
 {
     const uint32_t left = k->piece - (x & (k->piece - 1));
-    qtri_small_ramp c, g;
+    qtri_small_chord c, g;
     qtri_small_set_color_chord(&c, &g, k, &w->state->options, x);
-    w->c_step = c.dx;
+    w->c_step = c.step;
     w->c = c.at;
     if (qtri_has_two_words(o)) {
-        w->g_step = g.dx;
+        w->g_step = g.step;
         w->g = g.at;
     }
     return left < count ? left : count;

@@ -87,17 +87,31 @@ QTRI_BODY uint32_t qtri_small_curve_step(const qtri_small_curve *c, uint32_t x, 
     return c->dx + (2 * x + n) * c->xx;
 }
 
-/* A ramp along a chord of n pixels, a power of two, from a multiple of n on: x columns from vertex
-   0's, with steps that have none of the lowest `down` bits, so that packed ones are the same. */
-QTRI_BODY void qtri_small_set_chord(qtri_small_ramp *r, const qtri_small_curve *c, uint32_t x,
-                                    uint32_t n, uint32_t down)
+/* Along a chord of a curve: a value, and a pixel's step. */
+typedef struct qtri_small_chord {
+    uint32_t at, step;
+} qtri_small_chord;
+
+/* Of n pixels, a power of two, from a multiple of n on: x columns from vertex 0's, in units of
+   2^down of a ramp's, as what is packed has them. Where a chord begins the value may be out of
+   range, so of `at`, which is 0 or more, the lowest 29 - down bits are right. */
+QTRI_BODY qtri_small_chord qtri_small_chord_of(const qtri_small_curve *c, uint32_t x, uint32_t n,
+                                               uint32_t down)
 {
-    const uint32_t passed = x & (n - 1), half = (uint32_t)1 << down >> 1 << QTRI_SMALL_FINE;
-    const int32_t step = (int32_t)(qtri_small_curve_step(c, x - passed, n) + half);
-    r->dx = (uint32_t)(step >> (QTRI_SMALL_FINE + down)) << down;
-    r->at = (qtri_small_curve_at(c, x - passed) + (passed * r->dx << QTRI_SMALL_FINE)) >>
-            QTRI_SMALL_FINE;
-    r->dy = 0;
+    const uint32_t passed = x & (n - 1), first = x - passed, bits = down + QTRI_SMALL_FINE;
+    const uint32_t half = (uint32_t)1 << down >> 1 << QTRI_SMALL_FINE;
+    qtri_small_chord chord;
+    chord.step = (uint32_t)((int32_t)(qtri_small_curve_step(c, first, n) + half) >> bits);
+    chord.at = (qtri_small_curve_at(c, first) >> bits) + passed * chord.step;
+    return chord;
+}
+
+QTRI_BODY qtri_small_chord qtri_small_whole_chord_of(const qtri_small_curve *c, uint32_t x,
+                                                     uint32_t n)
+{
+    qtri_small_chord chord = qtri_small_chord_of(c, x, n, 0);
+    chord.at &= UINT32_MAX >> QTRI_SMALL_FINE;
+    return chord;
 }
 
 QTRI_BODY void qtri_small_curve_next_row(qtri_small_curve *c)
@@ -182,7 +196,7 @@ bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_plac
 bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_place *p,
                                  const qtri_small *t);
 /* Packed colours along the chord that has the pixel x columns from vertex 0's, from there on. */
-void qtri_small_set_color_chord(qtri_small_ramp *c, qtri_small_ramp *g,
+void qtri_small_set_color_chord(qtri_small_chord *c, qtri_small_chord *g,
                                 const qtri_small_color_curves *k, const qtri_options *o,
                                 uint32_t x);
 void qtri_small_color_curves_next_row(qtri_small_color_curves *k);
