@@ -25,7 +25,7 @@ static const struct {
 } models[2][4] = {
     {
         [SCENE_KIND_FLAT] = {{{22, 528}, {16.2, 254}}, 25},
-        [SCENE_KIND_SMOOTH] = {{{48.8, 323}, {31.4, 141}}, 30},
+        [SCENE_KIND_SMOOTH] = {{{38.8, 492}, {24.7, 234}}, 30},
         [SCENE_KIND_TEXTURED] = {{{117.7, 220}, {68.3, 135}}, 45},
         [SCENE_KIND_LINES] = {{{36, 499}, {18.6, 217}}, 15},
     },
