@@ -384,6 +384,74 @@ static void coverage_is_exact(void **unused)
     assert_true(small > random_cases(20000) * 9 / 10);
 }
 
+SMALL_PIPELINE(by_pixel, .format = QTRI_GRAY8, .per_pixel = 1)
+
+static bool is_linear(const qtri_small *t)
+{
+    (void)t;
+    return true;
+}
+
+static bool is_small_of(const qtri_pipeline *pipeline, const qtri_surface *surface, int32_t x1,
+                        int32_t y1, int32_t x2, int32_t y2, int32_t rest)
+{
+    qtri_draw_state state;
+    set_state(&state, &scene, pipeline, surface);
+    state.has_linear_light = is_linear;
+    qtri_small t = {.state = &state, .mesh = &scene.mesh, .light_q15 = 0xFFFF};
+    for (int k = 0; k < 3; k++) {
+        t.v[k] = &scene.vertices[k];
+        t.v[k]->depth_16p8 = 8;
+        t.v[k]->inv_w = (uint32_t)1 << 30;
+        t.v[k]->at.x_24p8 = 120 * 256 + (k == 0 ? 0 : k == 1 ? x1 : x2);
+        t.v[k]->at.y_24p8 = 60 * 256 + rest + (k == 0 ? 0 : k == 1 ? y1 : y2);
+    }
+    return pipeline->small(&t);
+}
+
+static bool is_small(const qtri_surface *surface, int32_t x1, int32_t y1, int32_t x2, int32_t y2,
+                     int32_t rest)
+{
+    return is_small_of(&blank, surface, x1, y1, x2, y2, rest);
+}
+
+/* 120 pixels and their fractions, below which all rows fit a small triangle's spans. */
+static void small_ones_are_less_than_120_pixels_high_and_to_both_sides(void **unused)
+{
+    static uint8_t memory[BYTES];
+    const int32_t most = 120 * 256 - 1;
+    (void)unused;
+    qtri_surface surface;
+    scene.mesh.colors = NULL;
+    scene.material = qtri_material_default();
+    scene.material.cull = QTRI_CULL_NONE;
+    new_surface(&surface, &blank.options, memory, WIDTH * HEIGHT * 3 + 8, 0, HEIGHT);
+    for (int32_t rest = 0; rest < 256; rest++) {
+        for (int32_t up = 0; up <= most; up += most / 7) {
+            assert_true(is_small(&surface, 900, -up, -900, most - up, rest));
+            assert_true(is_small(&surface, -900, most - up, 900, -up, rest));
+            assert_false(is_small(&surface, 900, -up, -900, most - up + 1, rest));
+        }
+        assert_true(is_small(&surface, most, 700, -most - 1, 500, rest));
+        assert_false(is_small(&surface, most + 1, 700, -most, 500, rest));
+        assert_false(is_small(&surface, 700, 500, -most - 2, 600, rest));
+    }
+}
+
+/* What light is between its vertices is asked in a few places. */
+static void light_by_pixel_is_linear_within_60_pixels(void **unused)
+{
+    static uint8_t memory[BYTES];
+    const int32_t most = 60 * 256 - 1;
+    (void)unused;
+    qtri_surface surface;
+    new_surface(&surface, &by_pixel.options, memory, WIDTH * HEIGHT * 3 + 8, 0, HEIGHT);
+    assert_true(is_small_of(&by_pixel, &surface, most, 700, -most - 1, 500, 0));
+    assert_true(is_small_of(&by_pixel, &surface, 700, -most - 1, 500, most, 0));
+    assert_false(is_small_of(&by_pixel, &surface, most + 1, 700, -most, 500, 0));
+    assert_false(is_small_of(&by_pixel, &surface, 700, -most - 2, -500, most, 0));
+}
+
 /* Errors --------------------------------------------------------------------------------------- */
 
 /* Of the triangle being drawn, in double precision. */
@@ -616,6 +684,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(instances_draw_the_same_bits),
         cmocka_unit_test(coverage_is_exact),
+        cmocka_unit_test(small_ones_are_less_than_120_pixels_high_and_to_both_sides),
+        cmocka_unit_test(light_by_pixel_is_linear_within_60_pixels),
         cmocka_unit_test(values_are_near_those_in_double_precision),
         cmocka_unit_test(colors_are_near_those_in_double_precision),
     };
