@@ -180,7 +180,7 @@ static void set_state(qtri_draw_state *s, heap *h, const qtri_pipeline *pipeline
 {
     const qtri_options *o = &pipeline->options;
     const qtri_rect b = qtri_surface_bounds(surface);
-    const int32_t reach = 61 * 256;
+    const int32_t reach = 33 * 256; /* as in draw_state.c */
     memset(s, 0, sizeof *s);
     s->table = h->table;
     s->pipeline = pipeline;

@@ -144,8 +144,8 @@ bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_pl
     const bool is_packed = kind == QTRI_IN_565 && !textured;
     const uint32_t part = qtri_small_curve_part_of(o);
     const uint32_t half = textured ? qtri_light_half(o) : 0x8000u;
-    /* As long as rounded steps are off by a quarter of a step; of wide ones what is left of that is
-       for xx. */
+    /* Rounded steps may add up to a quarter of a step of a channel; where a triangle is wide, to an
+       eighth, as xx is rounded too. */
     uint32_t log2 = !is_packed ? 5 : p->wide ? 3 : 4;
     qtri_small_colors f;
     qtri_curvature c;

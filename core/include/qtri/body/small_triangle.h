@@ -29,7 +29,7 @@ enum {
     QTRI_SMALL_MIDDLE = 60, /* reach of samples, packed colours that are linear, light by pixel */
     QTRI_SMALL_SPANS = 2 * (QTRI_SMALL_REACH + 1),
     QTRI_SMALL_STOP = 255, /* begins the row after the last */
-    QTRI_SMALL_FINE = 3
+    QTRI_SMALL_FINE = 3    /* bits that curves of light and colours have more than ramps */
 };
 
 /* A triangle of a draw call, inside all planes; front faces are culled by the caller. */
@@ -106,6 +106,7 @@ QTRI_BODY qtri_small_chord qtri_small_chord_of(const qtri_small_curve *c, uint32
     return chord;
 }
 
+/* In a ramp's units, with all bits right. */
 QTRI_BODY qtri_small_chord qtri_small_whole_chord_of(const qtri_small_curve *c, uint32_t x,
                                                      uint32_t n)
 {
