@@ -364,6 +364,9 @@ static void pieces(void **state)
         const bool opaque = random_in(&seed, 0, 5) == 0;
         m.alphas = opaque ? NULL : s.alpha;
         of_corners.alphas = opaque ? NULL : s.corner_alpha;
+        if (s.mesh.colors == NULL) { /* coordinates beside what varies are found otherwise */
+            of_corners.shading = QTRI_FLAT_LAST;
+        }
         if (random_flag(&seed)) {
             view.vertices = vertices;
             view.vertex_count = POINTS;

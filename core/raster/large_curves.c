@@ -1,33 +1,52 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Perspective along rows. An attribute is s / q, both linear on the screen, and so a + b / q. It is
- * found by one reciprocal at points that are two pieces apart, counted from the left end of the
- * span; along a piece a coordinate is the parabola through both ends and the exact middle, colours
- * are the chord. With eps = (q1 - q0) / (q1 + q0) between two points and `rise` the difference of
- * an attribute, the middle is w / 2 above that of the chord, w = rise eps; of the chord of half of
- * it about w / 8, so that colours are w / 16 more than their chords. Points lie two pieces apart
- * and the middle is where the first piece ends, of which
+ * found by one reciprocal at points that are a span apart, counted from the left end of the row.
+ * With eps = (q1 - q0) / (q1 + q0) between two points and `rise` the difference of an attribute, at
+ * s of -1..1 between them it is above the chord by
  *
- *     eps1 = eps / (2 - eps),   eps2 = eps / (2 + eps).
+ *     rise eps / 2 (1 - s^2) / (1 + eps s).
  *
- * Along a piece of h pixels
+ * With w = rise eps, w2 = w eps, w3 = w eps^2 and a span of n pixels:
  *
- *     step = (rise + 2 w) / h + bend / 2,   bend = -4 w / h^2.
+ * Coordinates alone, along a whole span, are that with 1 - eps (1 + c eps^2) s + eps^2 s^2 in place
+ * of the last quotient, which with c = .382 is off least: by .04 rise eps^4. Pixels have of it a
+ * spline of second order, exact at its knots, one every n / 4 pixels: with eps (1 + c eps^2) in w2
+ *
+ *     bend = -(4 w + 9 w2 + 9 w3) / n^2 at first,
+ *     and 6 w2 + 12 w3, 6 w2, 6 w2 - 12 w3, all by n^2, more from a knot on,
+ *     step = (rise + 2 w + 15/8 w2 + 3/2 w3) / n + bend / 2.
+ *
+ * Beside colours, where textures have levels, and along spans so long that what bends lose by
+ * rounding would be seen at their ends, coordinates are two parabolas of h = n / 2 pixels, through
+ * both ends and the exact middle, (rise + w) / 2:
+ *
+ *     bend = -(4 w + 6 w2 + 4 w3) / n^2, -(4 w - 6 w2 + 4 w3) / n^2,
+ *     step = what half rises / h - bend h / 2 + bend / 2.
+ *
+ * Colours are two chords, of h pixels. The chord of half a span is w / 8 below its middle: w / 16
+ * is added to both.
  */
 #include "large_setup.h"
 
 /* Lengths ----------------------------------------------------------------------------------------
  *
- * With L the step of the coordinate and e = q' / q the parabola is off by .048 L e^2 h^3: h is the
- * greatest power of two for which that is below 2^-7 of L, and of a texel.
+ * With L the step of the coordinate and e = q' / q, so that eps is e n / 2, a whole span is off by
+ * .0025 L e^4 n^5, and the spline from it by .00075 L e^2 n^3 and terms of higher order; a half by
+ * .048 L e^2 h^3. n is the greatest power of two for which n^5 e^4 <= .62 and n^3 e^2 <= 6, or n^3
+ * e^2 <= 1.3 of halves: .0095 of L at most, measured for all n, or of a texel where L is more.
  *
- * A step has half of the bend, 2 L e at most, which wraps with the coordinate: where that may be
- * half a repeat, h is 1, and no pixel is a step away from where its piece begins.
+ * Bends are 4.2 L e and change by 1.8 L e at most, and steps have half of them, which wraps with
+ * the coordinate: where that may be half a repeat, n is 1, and no pixel is a step away from where
+ * its piece begins.
  */
 enum {
-    STEP_BOUND = -671, /* 256 log2(2^-7 / .048): of a step, and of a texel where steps are longer */
-    WRAP_BOUND = -512, /* 256 log2(1/4): of L e, in repeats */
-    LOG2_ERROR = 22    /* of log2_q8(), 1/256 */
+    SPAN_BOUND = -177,  /* 256 log2(.62) */
+    KNOT_BOUND = 662,   /* 256 log2(6) */
+    HALF_BOUND = 97,    /* 256 log2(1.3) */
+    WRAP_BOUND = -1024, /* 256 log2(1/16): of L e, in repeats */
+    LOG2_ERROR = 22,    /* of log2_q8(), 1/256 */
+    WHOLE_LOG2 = 6      /* of the longest whole span */
 };
 
 /* log2 x in 1/256, at most LOG2_ERROR too little: the mantissa in place of its logarithm. */
@@ -48,23 +67,29 @@ static int32_t texels_for(const qtri_large_job *job, uint32_t q)
     return qtri_greatest32(job->texel_log2 - log2_q8(q), 0);
 }
 
-/* log2 of a piece's pixels where q is this or more; may be negative. Points a piece apart must have
-   q' 4 h <= q, so that q is positive at the point behind a row's end. */
+/* log2 of a span's pixels where q is this or more; may be negative. Points must have q' 2 n <= q,
+   so that q is positive at the point behind a row's end. */
 static int32_t length_for(const qtri_large_job *job, uint32_t q)
 {
     const int32_t inverse_e = log2_q8(q) - job->q_slope_log2;
-    int32_t bound = STEP_BOUND;
+    int32_t log2 = inverse_e - 256;
     if (job->first_color != 0) {
-        bound -= texels_for(job, q);
-    }
-    int32_t log2 = (2 * inverse_e + bound) * 85 >> 8; /* / 3 */
-    log2 = qtri_least32(log2, inverse_e - 512);
-    if (job->first_color != 0 && job->repeat_log2 - log2_q8(q) - inverse_e >= WRAP_BOUND) {
-        log2 = qtri_least32(log2, 255); /* of one pixel */
+        const int32_t texels = texels_for(job, q);
+        const int32_t halves = (2 * inverse_e + HALF_BOUND - texels) * 85 >> 8;
+        log2 = qtri_least32(log2, halves);
+        if (job->is_whole && halves < (WHOLE_LOG2 + 1) * 256) {
+            const int32_t knots = (2 * inverse_e + KNOT_BOUND - texels) * 85 >> 8;
+            const int32_t whole = (4 * inverse_e + SPAN_BOUND - texels) * 51 >> 8;
+            log2 = qtri_least32(qtri_least32(knots, whole), inverse_e - 256);
+            log2 = qtri_least32(log2, (WHOLE_LOG2 + 1) * 256 - 1);
+        }
+        if (job->repeat_log2 - log2_q8(q) - inverse_e >= WRAP_BOUND) {
+            log2 = qtri_least32(log2, 0);
+        }
     }
     if (job->first_color != job->count) { /* chords: q'/q h^2 c'/8 <= bound, c' <= slope / q */
         const int32_t color = (2 * log2_q8(q) - job->q_slope_log2 + job->chord_log2) >> 1;
-        log2 = qtri_least32(log2, color);
+        log2 = qtri_least32(log2, color + 256);
     }
     return log2 >> 8;
 }
@@ -91,7 +116,7 @@ static void set_texel_slope(qtri_large_job *job)
 }
 
 /* The greatest slope of colours times q, and what of it comes of q. */
-static int32_t chord_log2(const qtri_large_job *job)
+static int32_t color_log2(const qtri_large_job *job)
 {
     uint32_t most = 1;
     const uint32_t q_slope = slope_of(job->q.dx);
@@ -107,25 +132,26 @@ static int32_t chord_log2(const qtri_large_job *job)
 
 static void set_lengths(qtri_large_job *job)
 {
+    job->is_whole = job->first_color == job->count && !job->t.options->mipmapped;
     const uint32_t slope = slope_of(job->q.dx);
     uint32_t least = UINT32_MAX;
     job->q_slope_log2 = (int16_t)(log2_q8(slope) + LOG2_ERROR);
-    job->chord_log2 = (int16_t)chord_log2(job);
+    job->chord_log2 = (int16_t)color_log2(job);
     set_texel_slope(job);
     const uint64_t steep = qtri_magnitude64(qtri_wrap64(job->q.dx)) >> 16; /* 2^-16 */
     job->may_be_level = steep >> 16 == 0;
     job->steep = (uint32_t)steep;
     job->level_log2 = QTRI_LARGE_NO_LEVEL;
-    job->steps_log2 = QTRI_LARGE_NO_LEVEL;
+    job->span_log2 = QTRI_LARGE_NO_LEVEL;
     for (int k = 0; k < 3; k++) {
         const uint64_t q = (uint64_t)job->q_at[k] << job->q_up;
         least = q < least ? (uint32_t)q : least;
     }
     least -= job->t.is_true ? least >> 5 : 0;
     const int32_t log2 = length_for(job, least);
-    job->piece_max = qtri_least32(job->run_log2, job->rounds ? QTRI_LARGE_RUN_LOG2 - 1
-                                                             : QTRI_LARGE_CHUNK_LOG2 - 1);
-    job->one_log2 = log2 >= job->piece_max                      ? job->piece_max
+    job->span_max =
+        qtri_least32(job->run_log2 + 1, job->rounds ? QTRI_LARGE_RUN_LOG2 : QTRI_LARGE_CHUNK_LOG2);
+    job->one_log2 = log2 >= job->span_max                       ? job->span_max
                     : log2 >= 0 && (job->t.pixels >> log2) == 0 ? log2
                                                                 : -1;
     for (int i = 0; i < job->count; i++) {
@@ -190,18 +216,17 @@ static void set_shifts(uint8_t *left, uint8_t *right, int32_t up)
     *right = (uint8_t)(up < 0 ? qtri_least32(-up, 31) : 0);
 }
 
-/* Points 2^log2 pixels apart, pieces 2^job->h_log2. */
-static void set_steps(qtri_large_job *job, int32_t log2)
+/* Points 2^log2 pixels apart; steps of what 2^chord_log2 pixels rise. */
+static void set_steps(qtri_large_job *job, int32_t log2, int32_t chord_log2)
 {
-    const int32_t h = qtri_greatest32(job->h_log2, 0);
     job->q.s_step = job->q.dx << log2;
     job->delta_step =
-        job->h_log2 < 0 ? 0 : qtri_large_whole(job->q.s_step); /* single pixels have no curve */
+        log2 == 0 ? 0 : qtri_large_whole(job->q.s_step); /* single pixels have no curve */
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
         a->along.plane.s_step = a->along.plane.dx << log2;
-        set_shifts(&a->step_left, &a->step_right, a->up + 2 - h);
-        set_shifts(&a->bend_left, &a->bend_right, a->up + 4 - 2 * h);
+        set_shifts(&a->step_left, &a->step_right, a->up + 2 - chord_log2);
+        set_shifts(&a->bend_left, &a->bend_right, a->up + 4 - 2 * log2);
     }
 }
 
@@ -232,7 +257,8 @@ static inline int32_t next_quotient(qtri_large_attribute *a, int32_t zeros, int3
 /* (q1 - q0) / 2 q at a point, Q16. */
 static inline int32_t delta_at(const qtri_large_job *job, int32_t reciprocal)
 {
-    return (((int32_t)(job->delta_step << job->zeros) >> 16) * (reciprocal >> 16)) >> 15;
+    const int32_t step = (int32_t)(job->delta_step << job->zeros) >> 16;
+    return ((2 * step + 1) * (reciprocal >> 16) + 0x8000) >> 16;
 }
 
 static void begin_chunk(qtri_large_job *job)
@@ -242,26 +268,28 @@ static void begin_chunk(qtri_large_job *job)
     job->chunk_end = qtri_least32(chunk + QTRI_LARGE_CHUNK, job->t.row_right);
     const int32_t width = job->chunk_end - chunk;
     int32_t log2 = job->one_log2;
+    job->has_second = false;
     if (log2 < 0) {
         const bool falls = (int32_t)qtri_large_whole(job->q.dx) < 0;
         /* The least: 2^31 at most, and behind the row's end it may be below 0. */
         const uint32_t q = qtri_large_plane_at(&job->q, falls ? chunk + width : chunk);
         log2 = length_for(job, q - 1 < 0x80000000u ? q : 1);
-        log2 = qtri_hold32(log2, -1, qtri_least32(job->piece_max, log2_above(width) - 1));
+        log2 = qtri_hold32(log2, 0, qtri_least32(job->span_max, log2_above(width)));
     }
-    while (log2 > 0 && width >> log2 == 0) { /* far behind a thin one's end values do not fit */
+    while (log2 > 0 && 2 * width >> log2 == 0) { /* far behind a thin one's end values do not fit */
         log2--;
     }
-    job->h_log2 = log2;
-    const int32_t apart = log2 + 1;
-    const int32_t number = (job->t.x - chunk) >> apart;
-    if (log2 != job->steps_log2) {
-        set_steps(job, apart);
-        job->steps_log2 = (int8_t)log2;
+    if (job->is_whole && log2 == 1) { /* too short for knots */
+        log2 = 0;
+    }
+    const int32_t number = (job->t.x - chunk) >> log2;
+    if (log2 != job->span_log2) {
+        set_steps(job, log2, log2 - 1);
+        job->span_log2 = (int8_t)log2;
         job->level_log2 = QTRI_LARGE_NO_LEVEL;
     }
     set_first(job, chunk);
-    job->t.x = chunk + number * ((int32_t)1 << apart);
+    job->t.x = chunk + number * ((int32_t)1 << log2);
     job->q.s += job->q.s_step * (uint64_t)(int64_t)number;
     for (int i = 0; i < job->count; i++) {
         job->a[i].along.plane.s += job->a[i].along.plane.s_step * (uint64_t)(int64_t)number;
@@ -296,9 +324,8 @@ QTRI_NOINLINE bool qtri_large_begin_level(qtri_large_job *job)
     const uint32_t beyond = (uint32_t)(job->t.row_right - job->t.row_left) - 1;
     if (beyond >> (job->level_log2 - 1) != 1) { /* longer or shorter than the row before */
         job->level_log2 = (uint8_t)qtri_greatest32(log2_above((int32_t)beyond + 1), 1);
-        job->h_log2 = job->level_log2;
-        set_steps(job, job->h_log2);
-        job->steps_log2 = QTRI_LARGE_NO_LEVEL;
+        set_steps(job, job->level_log2, job->level_log2);
+        job->span_log2 = QTRI_LARGE_NO_LEVEL;
     }
     set_first(job, job->t.row_left);
     const int32_t reciprocal = next_reciprocal(job);
@@ -317,22 +344,82 @@ static inline uint32_t both_shifts(int32_t x, uint8_t left, uint8_t right)
     return (uint32_t)((int32_t)((uint32_t)x << left) >> right);
 }
 
-/* Coordinate i of both pieces. */
-static inline void set_coordinate(qtri_large_job *job, int i, int32_t end, int32_t eps,
-                                  int32_t eps1, int32_t eps2)
+/* Of a span, Q16. |eps| <= 1/3. */
+typedef struct span_bend {
+    int32_t eps;
+    int32_t eps_c;  /* eps + c eps^3 of whole ones, else eps */
+    int32_t square; /* eps^2 */
+} span_bend;
+
+/* Of d = (q1 - q0) / 2 q with the greater q, |d| <= 1/4: eps = d / (1 - |d|). */
+static inline span_bend bend_of(int32_t d, bool whole)
+{
+    const int32_t d2 = d * d >> 14; /* Q18 */
+    const int32_t more = d2 + (d2 * d2 >> 18);
+    span_bend b;
+    b.eps = d + (((d < 0 ? -more : more) + (d2 * d >> 16) + 2) >> 2);
+    b.square = b.eps * b.eps >> 16;
+    b.eps_c = b.eps + (whole ? (b.square * b.eps >> 16) * 49 >> 7 : 0);
+    return b;
+}
+
+/* A coordinate along a whole span. */
+typedef struct span_curve {
+    uint32_t at, step, bend, third, fourth;
+} span_curve;
+
+static inline span_curve whole_curve(qtri_large_attribute *a, int32_t end, const span_bend *b)
+{
+    const int32_t from = a->point, rise = end - from;
+    const int32_t w = qtri_mul_s16(rise, b->eps);
+    const int32_t w2 = qtri_mul_s16(w, b->eps_c), w3 = qtri_mul_s16(w, b->square);
+    const int32_t half = ((rise + w) >> 1) + (w >> 1) + w2 + w3 - (w2 >> 4) - (w3 >> 2);
+    span_curve c;
+    a->point = end;
+    c.at = both_shifts(from, a->at_left, a->at_right);
+    c.third = both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
+    c.fourth = both_shifts(w3 + 2 * w3, a->bend_left, a->bend_right);
+    c.bend = 0 - both_shifts(w + 2 * (w2 + w3) + ((w2 + w3) >> 2), a->bend_left, a->bend_right);
+    c.step = both_shifts(half, a->step_left, a->step_right) + (uint32_t)((int32_t)c.bend >> 1);
+    c.third += c.fourth;
+    return c;
+}
+
+static inline void set_whole(qtri_large_job *job, int32_t end_u, int32_t end_v, const span_bend *b)
+{
+    qtri_large_piece *piece = job->piece;
+    const span_curve u = whole_curve(&job->a[0], end_u, b);
+    piece->u = u.at;
+    piece->u_step = u.step;
+    piece->u_bend = u.bend;
+    piece->u_third = u.third;
+    piece->u_fourth = u.fourth;
+    const span_curve v = whole_curve(&job->a[1], end_v, b);
+    piece->v = v.at;
+    piece->v_step = v.step;
+    piece->v_bend = v.bend;
+    piece->v_third = v.third;
+    piece->v_fourth = v.fourth;
+}
+
+/* Coordinate i of both halves. */
+static inline void set_halves(qtri_large_job *job, int i, int32_t end, const span_bend *b)
 {
     qtri_large_attribute *a = &job->a[i];
     const int32_t from = a->point, rise = end - from;
-    const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1, rise2 = rise - rise1;
-    const int32_t w1 = qtri_mul_s16(rise1, eps1), w2 = qtri_mul_s16(rise2, eps2);
-    const uint32_t bend1 = 0 - both_shifts(w1, a->bend_left, a->bend_right);
-    const uint32_t bend2 = 0 - both_shifts(w2, a->bend_left, a->bend_right);
+    const int32_t w = qtri_mul_s16(rise, b->eps);
+    const int32_t w2 = qtri_mul_s16(w, b->eps_c), w3 = qtri_mul_s16(w, b->square);
+    const int32_t rise1 = (rise + w) >> 1;
+    const uint32_t half_h = (uint32_t)1 << job->span_log2 >> 2;
+    const uint32_t bend = 0 - both_shifts(w + w3, a->bend_left, a->bend_right);
+    const uint32_t third = both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
+    const uint32_t bend1 = bend - third, bend2 = bend + third;
     const uint32_t at1 = both_shifts(from, a->at_left, a->at_right);
     const uint32_t at2 = both_shifts(from + rise1, a->at_left, a->at_right);
-    const uint32_t step1 =
-        both_shifts(rise1 + 2 * w1, a->step_left, a->step_right) + (uint32_t)((int32_t)bend1 >> 1);
-    const uint32_t step2 =
-        both_shifts(rise2 + 2 * w2, a->step_left, a->step_right) + (uint32_t)((int32_t)bend2 >> 1);
+    const uint32_t step1 = both_shifts(rise1, a->step_left, a->step_right) - bend1 * half_h +
+                           (uint32_t)((int32_t)bend1 >> 1);
+    const uint32_t step2 = both_shifts(rise - rise1, a->step_left, a->step_right) - bend2 * half_h +
+                           (uint32_t)((int32_t)bend2 >> 1);
     qtri_large_piece *piece = job->piece;
     a->point = end;
     if (i == 0) {
@@ -353,14 +440,15 @@ static inline void set_coordinate(qtri_large_job *job, int i, int32_t end, int32
 }
 
 /* Colours of both pieces along chords. */
-QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, int32_t eps)
+QTRI_NOINLINE static void set_chords(qtri_large_job *job, int32_t reciprocal, int32_t eps)
 {
     uint32_t at[2][QTRI_LARGE_ATTRIBUTES], step[2][QTRI_LARGE_ATTRIBUTES];
-    const int32_t h = (int32_t)1 << qtri_greatest32(job->h_log2, 0);
+    const int32_t h = (int32_t)1 << qtri_greatest32(job->span_log2 - 1, 0);
     const int32_t rest = job->t.row_right - job->t.x;
     for (int i = job->first_color; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
-        const int32_t from = a->point, rise = end[i] - from;
+        const int32_t end = next_quotient(a, job->zeros, reciprocal);
+        const int32_t from = a->point, rise = end - from;
         const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1;
         const int32_t lifted = from + ((2 * rise1 - rise) >> 4); /* w / 16 */
         at[0][i] = both_shifts(lifted, a->at_left, a->at_right) + a->start;
@@ -369,14 +457,40 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, const int32_t *end, in
         at[1][i] = both_shifts(lifted + rise1, a->at_left, a->at_right) + a->start;
         step[1][i] = both_shifts(rise - rise1, a->step_left, a->step_right);
         qtri_large_clamp_chord(a, &at[1][i], &step[1][i], qtri_hold32(rest - h, 1, h));
-        a->point = end[i];
+        a->point = end;
     }
     qtri_large_pack(job, &job->piece[0], at[0], step[0], qtri_least32(h, rest));
     qtri_large_pack(job, &job->piece[1], at[1], step[1], qtri_hold32(rest - h, 0, h));
 }
 
-/* Two pieces, or one of a pixel. */
-QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool textured, bool colored)
+/* The next half of a span that is too long to be whole, as one piece. */
+QTRI_NOINLINE static void next_of_halves(qtri_large_job *job)
+{
+    qtri_large_piece *piece = job->piece;
+    if (job->has_second) {
+        piece[0].count = piece[1].count;
+        piece[0].knot = piece[1].count;
+        piece[0].u = piece[1].u;
+        piece[0].u_step = piece[1].u_step;
+        piece[0].u_bend = piece[1].u_bend;
+        piece[0].v = piece[1].v;
+        piece[0].v_step = piece[1].v_step;
+        piece[0].v_bend = piece[1].v_bend;
+        job->has_second = false;
+        job->t.x = job->second_end;
+        return;
+    }
+    const int32_t middle = job->t.x + ((int32_t)1 << job->span_log2 >> 1);
+    qtri_large_next_halves(&job->t);
+    if (job->t.x > middle) {
+        job->has_second = true;
+        job->second_end = job->t.x;
+        job->t.x = middle;
+    }
+}
+
+/* A span: whole or a half, of coordinates alone, or both halves. */
+QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool whole, bool textured, bool colored)
 {
     qtri_large *t = &job->t;
     if (job->t.is_new) {
@@ -386,51 +500,52 @@ QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool textured, bool color
     } else if (t->x == job->chunk_end) {
         begin_chunk(job);
     }
-    const int32_t reciprocal = next_reciprocal(job);
+    if (whole && job->span_log2 > WHOLE_LOG2) {
+        next_of_halves(job);
+        return 1;
+    }
+    const int32_t reciprocal = next_reciprocal(job), zeros = job->zeros;
     const int32_t after = delta_at(job, reciprocal);
     /* Of the greater q: |d| <= 1/4. A point beyond the row may have a greater one, which wraps. */
     const int32_t d = (int32_t)job->delta_step < 0 ? job->delta : after;
+    const span_bend b = bend_of(d, whole);
     job->delta = after;
-    const int32_t d2 = d * d >> 16;
-    const int32_t d3 = d2 * d >> 16;
-    const int32_t sign = d < 0 ? -1 : 1;
-    const int32_t eps = d + sign * (d2 + (d2 * d2 >> 16)) + d3;
-    const int32_t square = eps * eps >> 17; /* eps^2 / 2 */
-    const int32_t cube = eps * square >> 18;
-    const int32_t eps1 = ((eps + square) >> 1) + cube;
-    const int32_t eps2 = ((eps - square) >> 1) + cube;
-    if (textured) {
-        const int32_t zeros = job->zeros;
-        set_coordinate(job, 0, next_quotient(&job->a[0], zeros, reciprocal), eps, eps1, eps2);
-        set_coordinate(job, 1, next_quotient(&job->a[1], zeros, reciprocal), eps, eps1, eps2);
+    if (whole) {
+        set_whole(job, next_quotient(&job->a[0], zeros, reciprocal),
+                  next_quotient(&job->a[1], zeros, reciprocal), &b);
+    } else if (textured) {
+        set_halves(job, 0, next_quotient(&job->a[0], zeros, reciprocal), &b);
+        set_halves(job, 1, next_quotient(&job->a[1], zeros, reciprocal), &b);
     }
     if (colored) {
-        int32_t end[QTRI_LARGE_ATTRIBUTES];
-        for (int i = job->first_color; i < job->count; i++) {
-            end[i] = next_quotient(&job->a[i], job->zeros, reciprocal);
-        }
-        set_chords(job, end, eps);
+        set_chords(job, reciprocal, b.eps);
     }
-    const int32_t x = job->t.x;
-    if (job->h_log2 < 0) {
-        job->piece[0].count = 1;
-        job->t.x = x + 1;
+    const int32_t x = job->t.x, left = job->chunk_end - x;
+    const int32_t n = (int32_t)1 << job->span_log2;
+    const bool cut = x < t->x0 || x + n > t->x1; /* a chunk ends between pieces, or with the row */
+    job->t.x = x + qtri_least32(n, left);
+    if (whole || n == 1) {
+        job->piece[0].count = qtri_least32(n, left);
+        job->piece[0].spacing = qtri_greatest32(n >> 2, 1);
+        job->piece[0].knot = job->piece[0].spacing;
+        if (cut) {
+            qtri_large_clip(job, &job->piece[0], x);
+        }
         return 1;
     }
-    const int32_t h = (int32_t)1 << job->h_log2;
-    job->piece[0].count = h;
-    job->piece[1].count = h;
-    job->t.x = qtri_least32(x + 2 * h, job->chunk_end);
-    if (x < t->x0 || x + 2 * h > t->x1) { /* a chunk ends between pieces, or with the row */
-        job->piece[1].count = qtri_hold32(job->chunk_end - x - h, 0, h);
-        job->piece[0].count = qtri_least32(job->chunk_end - x, h);
+    const int32_t h = n >> 1;
+    job->piece[0].count = qtri_least32(h, left);
+    job->piece[1].count = qtri_hold32(left - h, 0, h);
+    job->piece[0].knot = h;
+    job->piece[1].knot = h;
+    if (cut) {
         qtri_large_clip(job, &job->piece[0], x);
         qtri_large_clip(job, &job->piece[1], x + h);
     }
     return 2;
 }
 
-QTRI_INLINE int32_t next_pieces(qtri_large_job *job, bool textured, bool colored)
+QTRI_INLINE int32_t next_pieces(qtri_large_job *job, bool whole, bool textured, bool colored)
 {
     if (job->is_quadratic) {
         return qtri_large_quadratic_piece(job);
@@ -447,7 +562,7 @@ QTRI_INLINE int32_t next_pieces(qtri_large_job *job, bool textured, bool colored
             return qtri_large_linear_piece(job);
         }
     }
-    return curved_pieces(job, textured, colored);
+    return curved_pieces(job, whole, textured, colored);
 }
 
 void qtri_large_set_planes(qtri_large *t)
@@ -469,13 +584,18 @@ void qtri_large_set_planes(qtri_large *t)
     set_lengths(job);
 }
 
-int32_t qtri_large_next_uv(qtri_large *t)
+void qtri_large_next_uv(qtri_large *t)
 {
-    return next_pieces(qtri_large_job_of(t), true, false);
+    (void)next_pieces(qtri_large_job_of(t), true, true, false);
+}
+
+int32_t qtri_large_next_halves(qtri_large *t)
+{
+    return next_pieces(qtri_large_job_of(t), false, true, false);
 }
 
 int32_t qtri_large_next_any(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    return next_pieces(job, job->first_color != 0, job->first_color != job->count);
+    return next_pieces(job, false, job->first_color != 0, job->first_color != job->count);
 }

@@ -55,15 +55,31 @@ void qtri_large_pack_linear(const qtri_large_job *job, qtri_large_piece *piece)
     qtri_large_pack(job, piece, at, step, QTRI_LARGE_RUN);
 }
 
+/* Goes on by n pixels, to the next knot at most. */
+static void skip_coordinates(qtri_large_piece *piece, uint32_t n)
+{
+    const uint32_t bends = n * (n - 1) / 2;
+    piece->u += piece->u_step * n + piece->u_bend * bends;
+    piece->v += piece->v_step * n + piece->v_bend * bends;
+    piece->u_step += piece->u_bend * n;
+    piece->v_step += piece->v_bend * n;
+}
+
 /* What bounds cut off: goes on by n pixels. */
 static void skip(const qtri_large_job *job, qtri_large_piece *piece, uint32_t n)
 {
     if (job->first_color != 0) {
-        const uint32_t bends = n * (n - 1) / 2;
-        piece->u += piece->u_step * n + piece->u_bend * bends;
-        piece->v += piece->v_step * n + piece->v_bend * bends;
-        piece->u_step += piece->u_bend * n;
-        piece->v_step += piece->v_bend * n;
+        uint32_t left = n;
+        if (job->is_whole) {
+            while (left >= (uint32_t)piece->knot) {
+                left -= (uint32_t)piece->knot;
+                skip_coordinates(piece, (uint32_t)piece->knot);
+                qtri_large_pass_knot(piece, &piece->u_step, &piece->u_bend, &piece->v_step,
+                                     &piece->v_bend);
+            }
+            piece->knot -= (int32_t)left;
+        }
+        skip_coordinates(piece, left);
     }
     if (job->packing != NULL) {
         qtri_large_skip_colors(piece, n);
@@ -110,6 +126,7 @@ static inline int32_t whole_row(qtri_large_job *job)
     piece->u_bend = 0;
     piece->v_bend = 0;
     piece->count = job->t.x1 - job->t.x0;
+    piece->knot = piece->count;
     job->t.x = job->t.x1;
     return 1;
 }
@@ -147,6 +164,7 @@ int32_t qtri_large_linear_piece(qtri_large_job *job)
         piece->v_step = job->a[1].step;
         piece->u_bend = 0;
         piece->v_bend = 0;
+        piece->knot = run;
     }
     if (job->first_color != job->count) {
         qtri_large_pack_linear(job, piece);

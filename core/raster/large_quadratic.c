@@ -246,6 +246,7 @@ int32_t qtri_large_quadratic_piece(qtri_large_job *job)
         set_chords(job, right, down, n);
     }
     piece->count = n;
+    piece->knot = n;
     if (x < t->x0 || x + n > t->x1) {
         qtri_large_clip(job, piece, x);
     }

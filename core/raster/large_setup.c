@@ -241,6 +241,7 @@ void qtri_large_begin_pieces(qtri_large *t)
     job->packing = NULL;
     job->rounds = false;
     job->has_runs = false;
+    job->is_whole = false;
     job->first_color = 0;
     job->alpha = QTRI_LARGE_ATTRIBUTES;
 }

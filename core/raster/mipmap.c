@@ -242,10 +242,10 @@ static void set_levels(qtri_large *t)
         job->levels->only = (uint8_t)linear_level(job, state->last_level);
         return;
     }
-    const int32_t most = LEVEL_PIECE_LOG2;
+    const int32_t most = LEVEL_PIECE_LOG2 + 1;
     job->levels->are_found = true;
     job->levels->run_log2 = (uint8_t)qtri_least32(job->run_log2, LEVEL_RUN_LOG2);
-    job->piece_max = qtri_least32(job->piece_max, most);
+    job->span_max = qtri_least32(job->span_max, most);
     job->one_log2 = qtri_least32(job->one_log2, most);
     set_footprint(&job->levels->footprint, job);
 }
@@ -473,8 +473,8 @@ QTRI_NOINLINE static void set_apart(qtri_large_job *job, int32_t pieces, int32_t
    which is one and a half steps before the next point. */
 static int32_t curved_pieces(qtri_large_job *job)
 {
-    const int32_t pieces =
-        job->first_color == job->count ? qtri_large_next_uv(&job->t) : qtri_large_next_any(&job->t);
+    const int32_t pieces = job->first_color == job->count ? qtri_large_next_halves(&job->t)
+                                                          : qtri_large_next_any(&job->t);
     qtri_large_piece *piece = job->piece;
     const int32_t h = piece[0].count;
     if (pieces == 1 || piece[1].count != h ||

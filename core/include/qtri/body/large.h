@@ -21,6 +21,9 @@ extern "C" {
 typedef struct qtri_large_piece {
     int32_t count; /* 0: there is nothing to draw */
     uint32_t u, u_step, u_bend, v, v_step, v_bend;
+    int32_t knot, spacing;       /* pixels to the first knot, and from one to the next */
+    uint32_t u_third, v_third;   /* what bends gain there */
+    uint32_t u_fourth, v_fourth; /* what that loses from knot to knot */
     uint32_t c, c_step, g, g_step;
     uint32_t c_other;
     uint32_t alpha, alpha_step;
@@ -226,20 +229,23 @@ typedef struct qtri_large_job {
     uint8_t quadratic_more;                       /* bits of their coefficients of second order */
     bool may_be_level;                            /* q hardly changes along rows: by `steep` */
     uint32_t steep;                               /* 2^-16 a pixel */
-    int8_t steps_log2;                            /* of pieces that steps are for */
+    int8_t span_log2;                             /* of pixels between points */
+    bool is_whole;                                /* spans are one piece, with knots */
     uint8_t level_log2;                           /* of the row's pixels that steps are for */
     bool is_level;                                /* nor in this row */
     int16_t q_slope_log2, chord_log2, texel_log2; /* see large_curves.c */
     int16_t repeat_log2;                          /* of repeats that a pixel steps, as these */
-    int32_t piece_max;                            /* log2 of the longest piece */
-    int32_t one_log2;          /* of pieces, where one length serves all rows; else -1 */
+    int32_t span_max;                             /* log2 of the longest span */
+    int32_t one_log2;          /* of spans, where one length serves all rows; else -1 */
     qtri_large_levels *levels; /* of a texture that is mipmapped */
     uint32_t center[3];        /* half of what rounding of packed steps sums up to, n.16 */
 
-    int32_t chunk_end, h_log2; /* h_log2: of a piece; -1: points are a pixel apart */
-    int32_t zeros;             /* of q at the last point */
-    uint32_t delta_step;       /* of q from a point to the next */
-    int32_t delta;             /* (q1 - q0) / 2 q at the last point, Q16 */
+    int32_t chunk_end;
+    bool has_second; /* piece[1] is drawn next, up to second_end */
+    int32_t second_end;
+    int32_t zeros;       /* of q at the last point */
+    uint32_t delta_step; /* of q from a point to the next */
+    int32_t delta;       /* (q1 - q0) / 2 q at the last point, Q16 */
 } qtri_large_job;
 
 static inline qtri_large_job *qtri_large_job_of(qtri_large *t)
@@ -266,9 +272,10 @@ void qtri_large_set_planes(qtri_large *t);
 /* Goes on to the next row, which may have no pixels to draw; false: there is none. */
 bool qtri_large_next_row(qtri_large *t);
 
-/* Finds the row's next pieces, from t->x < x1 on: returns how many. Of texture coordinates only; of
-   any attributes. */
-int32_t qtri_large_next_uv(qtri_large *t);
+/* Finds what the row has next, from t->x < x1 on: a piece of texture coordinates alone, which may
+   have knots; pieces of these without knots, or of any attributes: returns how many. */
+void qtri_large_next_uv(qtri_large *t);
+int32_t qtri_large_next_halves(qtri_large *t);
 int32_t qtri_large_next_any(qtri_large *t);
 
 /* In mipmap.c: of a texture that is mipmapped. Set once planes are; then pieces, with or
@@ -349,13 +356,16 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
     }
 }
 
+/* Texture coordinates alone vary, in pieces that may have knots. */
+QTRI_BODY bool qtri_large_has_knots(const qtri_options *o)
+{
+    return qtri_is_textured(o) && !qtri_large_varies(o) && !o->vertex_alpha && !o->mipmapped;
+}
+
 QTRI_BODY int32_t qtri_large_next(const qtri_options *o, qtri_large *t)
 {
     if (o->mipmapped) {
         return qtri_large_next_levels(t);
-    }
-    if (qtri_is_textured(o) && !qtri_large_varies(o) && !o->vertex_alpha) {
-        return qtri_large_next_uv(t);
     }
     return qtri_large_next_any(t);
 }
@@ -442,28 +452,23 @@ QTRI_BODY void qtri_large_octaves(const qtri_options *o, qtri_pixel_body *pixel,
 /* Loops that few options repeat have one call of what they repeat: calls are inlined and looked at
    by the compiler, which is most of its time, before what options do not ask for is left out. */
 QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_pixel_body *pixel,
-                                         qtri_large *t, qtri_pixel_walk *w, int32_t count)
+                                         qtri_large *t, qtri_pixel_walk *w, bool bent,
+                                         int32_t count)
 {
-    const bool curves = qtri_is_textured(o);
-    if (curves && qtri_is_short(o) && !qtri_large_job_of(t)->is_bent) {
-        qtri_large_octaves(o, pixel, w, false,
-                           count); /* a second loop saves two additions a pixel */
-    } else {
-        do {
-            int32_t n = count;
-            if (o->fog && count > 0) {
-                n = qtri_large_next_fog(t, count);
-                w->fog = t->fog;
-                w->fog_step = t->fog_step;
-            }
-            qtri_large_octaves(o, pixel, w, curves, n);
-            count -= n;
-        } while (o->fog && count > 0);
-    }
+    do {
+        int32_t n = count;
+        if (o->fog && count > 0) {
+            n = qtri_large_next_fog(t, count);
+            w->fog = t->fog;
+            w->fog_step = t->fog_step;
+        }
+        qtri_large_octaves(o, pixel, w, bent, n);
+        count -= n;
+    } while (o->fog && count > 0);
 }
 
 QTRI_BODY void qtri_large_pixels(const qtri_options *o, qtri_pixel_body *pixel, qtri_large *t,
-                                 qtri_pixel_walk *w, int32_t count)
+                                 qtri_pixel_walk *w, bool bent, int32_t count)
 {
     do {
         int32_t n = count;
@@ -472,9 +477,68 @@ QTRI_BODY void qtri_large_pixels(const qtri_options *o, qtri_pixel_body *pixel, 
             n = light->next(t, count);
             qtri_large_load_colors(o, w, &light->piece);
         }
-        qtri_large_colored_pixels(o, pixel, t, w, n);
+        qtri_large_colored_pixels(o, pixel, t, w, bent, n);
         count -= n;
     } while (o->per_pixel && count > 0);
+}
+
+/* The row's next pieces. A second loop over pixels, where coordinates do not bend, saves two
+   additions a pixel; there is one piece then. */
+QTRI_BODY void qtri_large_pieces_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_large *t,
+                                      qtri_pixel_walk *w)
+{
+    int32_t pieces = qtri_large_next(o, t);
+    qtri_large_job *job = qtri_large_job_of(t);
+    qtri_large_piece *piece = job->piece;
+    if (qtri_is_textured(o) && qtri_is_short(o) && !job->is_bent) {
+        qtri_large_load(o, t, w, piece);
+        qtri_large_pixels(o, pixel, t, w, false, piece->count);
+        return;
+    }
+    do {
+        qtri_large_load(o, t, w, piece);
+        qtri_large_pixels(o, pixel, t, w, qtri_is_textured(o), piece->count);
+        piece++;
+    } while (--pieces != 0);
+}
+
+/* At a knot of a piece, of whose coordinates these are the steps and bends. */
+QTRI_BODY void qtri_large_pass_knot(qtri_large_piece *piece, uint32_t *u_step, uint32_t *u_bend,
+                                    uint32_t *v_step, uint32_t *v_bend)
+{
+    *u_bend += piece->u_third;
+    *v_bend += piece->v_third;
+    *u_step += (uint32_t)((int32_t)piece->u_third >> 1);
+    *v_step += (uint32_t)((int32_t)piece->v_third >> 1);
+    piece->u_third -= piece->u_fourth;
+    piece->v_third -= piece->v_fourth;
+    piece->knot = piece->spacing;
+}
+
+/* The row's next piece, which may have knots. */
+QTRI_BODY void qtri_large_spline_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_large *t,
+                                      qtri_pixel_walk *w)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    qtri_large_piece *piece = job->piece;
+    qtri_large_next_uv(t);
+    qtri_large_load(o, t, w, piece);
+    if (qtri_is_short(o) && !job->is_bent) {
+        qtri_large_pixels(o, pixel, t, w, false, piece->count);
+        return;
+    }
+    if (!QTRI_LONG_MULTIPLY) {
+        QTRI_BODY_BARRIER(piece); /* or Armv6-M would find it anew for each access */
+    }
+    for (;;) {
+        const int32_t n = piece->knot < piece->count ? piece->knot : piece->count;
+        qtri_large_pixels(o, pixel, t, w, true, n);
+        piece->count -= n;
+        if (piece->count <= 0) {
+            return;
+        }
+        qtri_large_pass_knot(piece, &w->u_step, &w->u_bend, &w->v_step, &w->v_bend);
+    }
 }
 
 /* Red, green and blue n.16 in a word. */
@@ -561,7 +625,7 @@ QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, qtri_pixel_body *pixe
         }
         qtri_large_begin_row(o, t, w);
         if (!qtri_large_has_pieces(o)) {
-            qtri_large_pixels(o, pixel, t, w, count);
+            qtri_large_pixels(o, pixel, t, w, false, count);
             continue;
         }
         if (qtri_is_packed_565(o) && qtri_large_job_of(t)->has_runs) {
@@ -569,13 +633,11 @@ QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, qtri_pixel_body *pixe
             continue;
         }
         do {
-            int32_t pieces = qtri_large_next(o, t);
-            const qtri_large_piece *piece = qtri_large_job_of(t)->piece;
-            do {
-                qtri_large_load(o, t, w, piece);
-                qtri_large_pixels(o, pixel, t, w, piece->count);
-                piece++;
-            } while (--pieces != 0);
+            if (qtri_large_has_knots(o)) {
+                qtri_large_spline_draw(o, pixel, t, w);
+            } else {
+                qtri_large_pieces_draw(o, pixel, t, w);
+            }
         } while (t->x < t->x1);
     }
 }
