@@ -463,47 +463,10 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, int32_t reciprocal, in
     qtri_large_pack(job, &job->piece[1], at[1], step[1], qtri_hold32(rest - h, 0, h));
 }
 
-/* The next half of a span that is too long to be whole, as one piece. */
-QTRI_NOINLINE static void next_of_halves(qtri_large_job *job)
-{
-    qtri_large_piece *piece = job->piece;
-    if (job->has_second) {
-        piece[0].count = piece[1].count;
-        piece[0].knot = piece[1].count;
-        piece[0].u = piece[1].u;
-        piece[0].u_step = piece[1].u_step;
-        piece[0].u_bend = piece[1].u_bend;
-        piece[0].v = piece[1].v;
-        piece[0].v_step = piece[1].v_step;
-        piece[0].v_bend = piece[1].v_bend;
-        job->has_second = false;
-        job->t.x = job->second_end;
-        return;
-    }
-    const int32_t middle = job->t.x + ((int32_t)1 << job->span_log2 >> 1);
-    qtri_large_next_halves(&job->t);
-    if (job->t.x > middle) {
-        job->has_second = true;
-        job->second_end = job->t.x;
-        job->t.x = middle;
-    }
-}
-
-/* A span: whole or a half, of coordinates alone, or both halves. */
-QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool whole, bool textured, bool colored)
+/* The next span: whole, of coordinates alone, or its halves. */
+QTRI_INLINE int32_t span_pieces(qtri_large_job *job, bool whole, bool textured, bool colored)
 {
     qtri_large *t = &job->t;
-    if (job->t.is_new) {
-        job->t.is_new = false;
-        qtri_large_planes_move(job);
-        begin_chunk(job);
-    } else if (t->x == job->chunk_end) {
-        begin_chunk(job);
-    }
-    if (whole && job->span_log2 > WHOLE_LOG2) {
-        next_of_halves(job);
-        return 1;
-    }
     const int32_t reciprocal = next_reciprocal(job), zeros = job->zeros;
     const int32_t after = delta_at(job, reciprocal);
     /* Of the greater q: |d| <= 1/4. A point beyond the row may have a greater one, which wraps. */
@@ -545,7 +508,39 @@ QTRI_INLINE int32_t curved_pieces(qtri_large_job *job, bool whole, bool textured
     return 2;
 }
 
-QTRI_INLINE int32_t next_pieces(qtri_large_job *job, bool whole, bool textured, bool colored)
+QTRI_NOINLINE static int32_t both_halves(qtri_large_job *job)
+{
+    return span_pieces(job, false, true, false);
+}
+
+/* The next half of a span that is too long to be whole, as one piece. */
+QTRI_NOINLINE static void next_of_halves(qtri_large_job *job)
+{
+    qtri_large_piece *piece = job->piece;
+    if (job->has_second) {
+        piece[0].count = piece[1].count;
+        piece[0].knot = piece[1].count;
+        piece[0].u = piece[1].u;
+        piece[0].u_step = piece[1].u_step;
+        piece[0].u_bend = piece[1].u_bend;
+        piece[0].v = piece[1].v;
+        piece[0].v_step = piece[1].v_step;
+        piece[0].v_bend = piece[1].v_bend;
+        job->has_second = false;
+        job->t.x = job->second_end;
+        return;
+    }
+    const int32_t middle = job->t.x + ((int32_t)1 << job->span_log2 >> 1);
+    both_halves(job);
+    if (job->t.x > middle) {
+        job->has_second = true;
+        job->second_end = job->t.x;
+        job->t.x = middle;
+    }
+}
+
+/* Pieces of a row along which nothing is found from span to span; 0: a span is next. */
+QTRI_INLINE int32_t other_pieces(qtri_large_job *job)
 {
     if (job->is_quadratic) {
         return qtri_large_quadratic_piece(job);
@@ -562,7 +557,14 @@ QTRI_INLINE int32_t next_pieces(qtri_large_job *job, bool whole, bool textured, 
             return qtri_large_linear_piece(job);
         }
     }
-    return curved_pieces(job, whole, textured, colored);
+    if (job->t.is_new) {
+        job->t.is_new = false;
+        qtri_large_planes_move(job);
+        begin_chunk(job);
+    } else if (job->t.x == job->chunk_end) {
+        begin_chunk(job);
+    }
+    return 0;
 }
 
 void qtri_large_set_planes(qtri_large *t)
@@ -586,16 +588,29 @@ void qtri_large_set_planes(qtri_large *t)
 
 void qtri_large_next_uv(qtri_large *t)
 {
-    (void)next_pieces(qtri_large_job_of(t), true, true, false);
+    qtri_large_job *job = qtri_large_job_of(t);
+    if (other_pieces(job) != 0) {
+        return;
+    }
+    if (job->span_log2 > WHOLE_LOG2) {
+        next_of_halves(job);
+    } else {
+        (void)span_pieces(job, true, true, false);
+    }
 }
 
 int32_t qtri_large_next_halves(qtri_large *t)
 {
-    return next_pieces(qtri_large_job_of(t), false, true, false);
+    qtri_large_job *job = qtri_large_job_of(t);
+    const int32_t pieces = other_pieces(job);
+    return pieces != 0 ? pieces : both_halves(job);
 }
 
 int32_t qtri_large_next_any(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    return next_pieces(job, false, job->first_color != 0, job->first_color != job->count);
+    const int32_t pieces = other_pieces(job);
+    return pieces != 0
+               ? pieces
+               : span_pieces(job, false, job->first_color != 0, job->first_color != job->count);
 }
