@@ -681,8 +681,8 @@ static void draws_batches(void **state)
 
 /* ---- What there need not be ---- */
 
-/* Without levels, and with a null pointer among them, it is the filter without levels, give or take
-   what its longer pieces are off by. */
+/* Without levels, and with a null pointer among them, it is the filter without levels, but at edges
+   of texels: that one's spans are longer. */
 static void does_without(void **state)
 {
     (void)state;
