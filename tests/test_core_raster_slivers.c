@@ -457,10 +457,7 @@ static void half_a_unit_of_area(void **state)
     }
 }
 
-/*
- * As long as quadratics serve, and 16 pixels wide: what second differences need beyond 32 bits is
- * left to the planes of perspective. Colour and 1/w are of one vertex, across or along.
- */
+/* Long ones in perspective, 16 pixels wide. Colour and 1/w are of one vertex, across or along. */
 static void long_ones_in_perspective(void **state)
 {
     (void)state;

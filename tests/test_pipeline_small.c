@@ -515,7 +515,7 @@ static void values_are_near_those_in_double_precision(void **unused)
     for (int n = 0; n < random_cases(4000); n++) {
         const int i = n % COUNT;
         set_triangle(&scene, i, &seed, n % 5 == 4 ? 30719 : 1500 << n % 5,
-                     n % 3 == 0   ? 240
+                     n % 3 == 0   ? 400
                      : n % 3 == 1 ? 60
                                   : 5);
         for (int k = 3 * i; k < 3 * i + 3; k++) { /* a texel a pixel, or fewer */
@@ -606,7 +606,7 @@ static double worst_color(const qtri_pipeline *pipeline, uint64_t *seed, int *sm
     double worst = 0;
     for (int n = 0; n < random_cases(1500); n++) {
         set_triangle(&scene, 0, seed, n % 5 == 4 ? 30719 : 1500 << n % 5,
-                     n % 3 == 0   ? 240
+                     n % 3 == 0   ? 400
                      : n % 3 == 1 ? 120
                                   : 30);
         for (int k = 0; k < 3; k++) {

@@ -105,7 +105,7 @@ static void set_texel_slope(qtri_large_job *job)
         uint32_t least, greatest;
         qtri_find_range(&least, &greatest, a->f);
         const uint32_t slope =
-            (slope_of(a->along.plane.dx) >> 1) + (qtri_mul_high32(greatest, q_slope) >> 1) + 1;
+            (slope_of(a->plane.dx) >> 1) + (qtri_mul_high32(greatest, q_slope) >> 1) + 1;
         const int32_t log2 = log2_q8(slope) + LOG2_ERROR + (33 - job->axis[i].shift) * 256;
         const int32_t side_log2 = i == 0 ? job->t.state->width_log2 : job->t.state->height_log2;
         most = qtri_greatest32(log2, most);
@@ -115,18 +115,21 @@ static void set_texel_slope(qtri_large_job *job)
     job->texel_log2 = (int16_t)(qtri_large_has_levels(job) ? INT16_MIN : most);
 }
 
-/* The greatest slope of colours times q, and what of it comes of q. */
+/* The greatest slope of colours times q, and what of it comes of q. They may stray by 1/4 of a step
+   for going along chords. */
 static int32_t chord_log2(const qtri_large_job *job)
 {
+    const int32_t quarter_log2 =
+        !job->rounds && qtri_stores_565(job->t.options) ? 16 : 14; /* 8.16 */
     uint32_t most = 1;
     const uint32_t q_slope = slope_of(job->q.dx);
     for (int i = job->first_color; i < job->count; i++) {
         const qtri_large_attribute *a = &job->a[i];
         const uint32_t range = (a->most - a->least) << QTRI_LARGE_COLOR_UP;
-        const uint32_t slope = slope_of(a->along.plane.dx) + qtri_mul_high32(range, q_slope) + 1;
+        const uint32_t slope = slope_of(a->plane.dx) + qtri_mul_high32(range, q_slope) + 1;
         most = slope > most ? slope : most;
     }
-    const int32_t bound = 3 + qtri_large_chord_bound_log2(job) + QTRI_LARGE_COLOR_UP - 32;
+    const int32_t bound = 3 + quarter_log2 + QTRI_LARGE_COLOR_UP - 32;
     return bound * 256 - log2_q8(most) - LOG2_ERROR;
 }
 
@@ -224,7 +227,7 @@ static void set_steps(qtri_large_job *job, int32_t log2, int32_t rise_log2)
         log2 == 0 ? 0 : qtri_large_whole(job->q.s_step); /* single pixels have no curve */
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
-        a->along.plane.s_step = a->along.plane.dx << log2;
+        a->plane.s_step = a->plane.dx << log2;
         set_shifts(&a->step_left, &a->step_right, a->up + 2 - rise_log2);
         set_shifts(&a->bend_left, &a->bend_right, a->up + 4 - 2 * log2);
     }
@@ -235,7 +238,7 @@ static inline void set_first(qtri_large_job *job, int32_t x)
 {
     job->q.s = qtri_large_plane_from(&job->q, x);
     for (int i = 0; i < job->count; i++) {
-        job->a[i].along.plane.s = qtri_large_plane_from(&job->a[i].along.plane, x);
+        job->a[i].plane.s = qtri_large_plane_from(&job->a[i].plane, x);
     }
 }
 
@@ -249,8 +252,8 @@ static int32_t next_reciprocal(qtri_large_job *job)
 
 static inline int32_t next_quotient(qtri_large_attribute *a, int32_t zeros, int32_t reciprocal)
 {
-    const uint64_t s = a->along.plane.s;
-    a->along.plane.s = s + a->along.plane.s_step;
+    const uint64_t s = a->plane.s;
+    a->plane.s = s + a->plane.s_step;
     return quotient_of(s, zeros, reciprocal);
 }
 
@@ -292,7 +295,7 @@ static void begin_chunk(qtri_large_job *job)
     job->t.x = chunk + number * ((int32_t)1 << log2);
     job->q.s += job->q.s_step * (uint64_t)(int64_t)number;
     for (int i = 0; i < job->count; i++) {
-        job->a[i].along.plane.s += job->a[i].along.plane.s_step * (uint64_t)(int64_t)number;
+        job->a[i].plane.s += job->a[i].plane.s_step * (uint64_t)(int64_t)number;
     }
     const int32_t reciprocal = next_reciprocal(job);
     job->delta = delta_at(job, reciprocal);
@@ -332,7 +335,7 @@ QTRI_NOINLINE bool qtri_large_begin_level(qtri_large_job *job)
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
         const int32_t from = next_quotient(a, job->zeros, reciprocal);
-        const int32_t rise = quotient_of(a->along.plane.s_step, job->zeros, reciprocal);
+        const int32_t rise = quotient_of(a->plane.s_step, job->zeros, reciprocal);
         a->at = (uint32_t)((int32_t)((uint32_t)from << a->at_left) >> a->at_right) + a->start;
         a->step = (uint32_t)((int32_t)((uint32_t)rise << a->step_left) >> a->step_right);
     }
@@ -439,6 +442,20 @@ static inline void set_halves(qtri_large_job *job, int i, int32_t end, const spa
     }
 }
 
+/* Clamps a chord of `count` pixels to the range of the vertices, at its last pixel too. */
+static inline void clamp_chord(const qtri_large_attribute *a, uint32_t *at, uint32_t *step,
+                               int32_t count)
+{
+    const int32_t min = (int32_t)a->start, max = (int32_t)(a->start + a->most - a->least);
+    const int32_t from = qtri_hold32((int32_t)*at, min, max);
+    const int32_t end = from + (int32_t)*step * (count - 1);
+    const int32_t to = qtri_hold32(end, min, max);
+    if (to != end && count > 1) { /* rare */
+        *step = (uint32_t)qtri_divide32(to - from, (uint32_t)count - 1);
+    }
+    *at = (uint32_t)from;
+}
+
 /* Colours of both pieces along chords. */
 QTRI_NOINLINE static void set_chords(qtri_large_job *job, int32_t reciprocal, int32_t eps)
 {
@@ -453,10 +470,10 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, int32_t reciprocal, in
         const int32_t lifted = from + ((2 * rise1 - rise) >> 4); /* w / 16 */
         at[0][i] = both_shifts(lifted, a->at_left, a->at_right) + a->start;
         step[0][i] = both_shifts(rise1, a->step_left, a->step_right);
-        qtri_large_clamp_chord(a, &at[0][i], &step[0][i], qtri_least32(h, rest));
+        clamp_chord(a, &at[0][i], &step[0][i], qtri_least32(h, rest));
         at[1][i] = both_shifts(lifted + rise1, a->at_left, a->at_right) + a->start;
         step[1][i] = both_shifts(rise - rise1, a->step_left, a->step_right);
-        qtri_large_clamp_chord(a, &at[1][i], &step[1][i], qtri_hold32(rest - h, 1, h));
+        clamp_chord(a, &at[1][i], &step[1][i], qtri_hold32(rest - h, 1, h));
         a->point = end;
     }
     qtri_large_pack(job, &job->piece[0], at[0], step[0], qtri_least32(h, rest));
@@ -542,9 +559,6 @@ QTRI_NOINLINE static void next_half(qtri_large_job *job)
 /* Begins the next span: 0; or, of a row that needs none, finds pieces: how many. */
 QTRI_INLINE int32_t begin_span(qtri_large_job *job)
 {
-    if (job->is_quadratic) {
-        return qtri_large_quadratic_piece(job);
-    }
     if (!job->is_curved) {
         return qtri_large_linear_piece(job);
     }
@@ -573,13 +587,6 @@ void qtri_large_set_planes(qtri_large *t)
     int64_t q_q8[3];
     if (qtri_large_set_linear(job, q_q8)) {
         return;
-    }
-    if (qtri_large_is_quadratic(job)) {
-        /* Colours where vertices are snapped to, so that they stay within those of the vertices. */
-        qtri_large_use_weights(t, t->is_true && job->first_color != 0);
-        if (qtri_large_set_quadratics(job)) {
-            return;
-        }
     }
     qtri_large_use_weights(t, t->is_true);
     qtri_large_set_curved(job, q_q8);

@@ -13,7 +13,7 @@ void qtri_large_planes_move(qtri_large_job *job)
     const qtri_large_attribute *const end = &job->a[job->count];
     for (int32_t rows = job->t.y - job->t.plane_y; rows > 0; rows--) { /* one, mostly */
         for (qtri_large_attribute *a = job->a; a != end; a++) {
-            a->along.plane.row += a->along.plane.dy;
+            a->plane.row += a->plane.dy;
         }
         job->q.row += job->q.dy;
     }
@@ -26,7 +26,7 @@ static inline void set_left(qtri_large_job *job)
     qtri_large_planes_move(job);
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
-        a->at = shifted(qtri_large_plane_at(&a->along.plane, job->t.row_left), a->up) + a->start;
+        a->at = shifted(qtri_large_plane_at(&a->plane, job->t.row_left), a->up) + a->start;
     }
 }
 
@@ -224,9 +224,4 @@ int32_t qtri_large_next_fog(qtri_large *t, int32_t count)
     const int32_t done = qtri_least32(count, last + 1 - x);
     t->fog_x = x + done;
     return done;
-}
-
-int32_t qtri_large_chord_bound_log2(const qtri_large_job *job)
-{
-    return !job->rounds && qtri_stores_565(job->t.options) ? 16 : 14;
 }

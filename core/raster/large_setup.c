@@ -313,7 +313,7 @@ static void set_plane(qtri_large_job *job, int i, const uint32_t f[3])
 {
     /* Colours are where vertices are snapped to, so that they stay within those of the vertices. */
     qtri_large_use_weights(&job->t, job->t.is_true && i < job->first_color);
-    qtri_large_plane_of(&job->a[i].along.plane, &job->t, f);
+    qtri_large_plane_of(&job->a[i].plane, &job->t, f);
 }
 
 static void set_linear_planes(qtri_large_job *job)
@@ -330,8 +330,8 @@ static void set_linear_planes(qtri_large_job *job)
         qtri_large_attribute *a = &job->a[i];
         const int32_t down = 32 - a->up; /* 11..52 */
         set_plane(job, i, a->f);
-        a->step = (uint32_t)((
-            uint64_t)(qtri_wrap64(a->along.plane.dx + ((uint64_t)1 << (down - 1))) >> down));
+        a->step =
+            (uint32_t)((uint64_t)(qtri_wrap64(a->plane.dx + ((uint64_t)1 << (down - 1))) >> down));
     }
 }
 
@@ -422,13 +422,12 @@ static void set_projected(qtri_large_job *job, qtri_large_attribute *a, const in
         const uint64_t part = qtri_mul_u32(a->f[k], (uint32_t)q_q8[k] & 0xFF) >> 8;
         product[k] = (int64_t)((whole + part + 0x800000u) >> 24);
     }
-    plane_init(&a->along.plane, &job->t, product, job->q_up);
+    plane_init(&a->plane, &job->t, product, job->q_up);
 }
 
 bool qtri_large_set_linear(qtri_large_job *job, int64_t q_q8[3])
 {
     set_q(job, q_q8);
-    job->is_quadratic = false;
     if (!job->t.state->is_linear && needs_perspective(job)) {
         return false;
     }

@@ -130,30 +130,7 @@ void qtri_large_skip_colors(qtri_large_piece *piece, uint32_t n);
 void qtri_large_clip(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
 void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
 
-/* Clamps a chord of `count` pixels to the range of the vertices, at its last pixel too. */
-static inline void qtri_large_clamp_chord(const qtri_large_attribute *a, uint32_t *at,
-                                          uint32_t *step, int32_t count)
-{
-    const int32_t min = (int32_t)a->start, max = (int32_t)(a->start + a->most - a->least);
-    const int32_t from = qtri_hold32((int32_t)*at, min, max);
-    const int32_t end = from + (int32_t)*step * (count - 1);
-    const int32_t to = qtri_hold32(end, min, max);
-    if (to != end && count > 1) { /* rare */
-        *step = (uint32_t)qtri_divide32(to - from, (uint32_t)count - 1);
-    }
-    *at = (uint32_t)from;
-}
-
-/* In large_pieces.c: by how much, n.16, colours may stray for going along chords: 2^this, 1/4 of a
- * step. */
-int32_t qtri_large_chord_bound_log2(const qtri_large_job *job);
 /* In large_curves.c: sets job->is_level, and steps along the row if it is; planes are the row's. */
 bool qtri_large_begin_level(qtri_large_job *job);
-
-/* In large_quadratic.c: whether all attributes are close to quadratics; quadratics of them, by the
-   weights in use; false: they do not serve. Then pieces. */
-bool qtri_large_is_quadratic(const qtri_large_job *job);
-bool qtri_large_set_quadratics(qtri_large_job *job);
-int32_t qtri_large_quadratic_piece(qtri_large_job *job);
 
 #endif

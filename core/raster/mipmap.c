@@ -191,7 +191,7 @@ static uint32_t linear_level(const qtri_large_job *job, uint32_t last)
 {
     uint32_t right[2], down[2];
     for (int i = 0; i < 2; i++) {
-        const qtri_large_plane *plane = &job->a[i].along.plane;
+        const qtri_large_plane *plane = &job->a[i].plane;
         right[i] = linear_step(plane->dx, job->levels->axis[i].shift);
         down[i] = linear_step(plane->dy, job->levels->axis[i].shift);
     }

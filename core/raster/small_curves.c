@@ -8,15 +8,16 @@ enum { FINE = QTRI_SMALL_FINE };
 void qtri_small_find_e(int32_t e_q18[2], const qtri_small_place *p, const qtri_small *t)
 {
     const int32_t y = (int32_t)qtri_small_reciprocal(t->v[0]->inv_w >> 15);
-    e_q18[0] = ((p->q1 >> 14) * y + ((int32_t)1 << 13)) >> 14;
-    e_q18[1] = ((p->q2 >> 14) * y + ((int32_t)1 << 13)) >> 14;
+    e_q18[0] = ((p->q1 >> 15) * y + ((int32_t)1 << 12)) >> 13;
+    e_q18[1] = ((p->q2 >> 15) * y + ((int32_t)1 << 12)) >> 13;
 }
 
-/* e / (1 + e/2) = 2 h / (1 + h), h = e/2: off by 2 h^4, 2^-11, at most. */
+/* e / (1 + e/2) = 2 h (1 - h (1 - h + h^2)), h = e/2: off by 2 h^5, 2^-9, at most. */
 static int32_t bend_of(int32_t e_q18)
 {
-    const int32_t h = e_q18 >> 1; /* |h| <= 2^15 */
-    return 2 * (h - ((h * (h - ((h * h) >> 18))) >> 18));
+    const int32_t h = e_q18 >> 3; /* Q16, |h| <= 2^14 */
+    const int32_t rest = 0x10000 - ((h * (0x10000 - h)) >> 16);
+    return e_q18 - ((h * ((h * rest) >> 16)) >> 13);
 }
 
 bool qtri_small_set_curvature(qtri_curvature *c, const qtri_small_place *p, const qtri_small *t)
@@ -39,16 +40,16 @@ bool qtri_small_set_curvature(qtri_curvature *c, const qtri_small_place *p, cons
     c->e = ((int32_t)ramp.at + round) >> down;
     c->ex = ((int32_t)ramp.dx + round) >> down;
     c->ey = ((int32_t)ramp.dy + round) >> down;
-    const uint32_t range = qtri_small_range(e[0], e[1]) >> 8;                   /* Q10, <= 2^9 */
-    const uint32_t q_min = 1024u + (uint32_t)(qtri_small_min(e[0], e[1]) >> 8); /* >= 3/4 2^10 */
+    const uint32_t range = qtri_small_range(e[0], e[1]) >> 8; /* Q10, 3/4 at most */
+    const uint32_t q_mid = 1024u + (uint32_t)(qtri_small_min(e[0], e[1]) >> 8) + range / 2;
     c->ratio_q12 = (range * range >> 8) + 1;
-    c->q_min2_q10 = q_min * q_min >> 10;
+    c->q_mid2_q10 = 35 * (q_mid * q_mid >> 10) >> 5;
     return c->bits >= 17;
 }
 
 bool qtri_small_is_near_curve(const qtri_curvature *c, uint32_t range, uint32_t by)
 {
-    return range <= (uint32_t)1 << 20 && range * c->ratio_q12 <= c->q_min2_q10 << (by + 2);
+    return range <= (uint32_t)1 << 20 && range * c->ratio_q12 <= c->q_mid2_q10 << (by + 2);
 }
 
 /* F E / 2^14, rounded: |F| < 2^30.2, |E| < 2^13.6. */

@@ -8,9 +8,10 @@
  *
  *     u_0 + G - F E,   F = 0, f_1, f_2,   E = 0, k_1, k_2,   G = F (1 + E) at the vertices,
  *
- * which on the third edge has k_2 - k_1 in place of (e_2 - e_1) / (1 + (e_1 + e_2) / 2), 1/64 of it
- * off at most. It strays by the third derivative, 6 range(u) (range(q) / q_min)^2, times .048 / 6,
- * .0481 being the maximum of s (1/2 - s) (1 - s).
+ * which on the third edge has k_2 - k_1 in place of (e_2 - e_1) / (1 + (e_1 + e_2) / 2). With q_mid
+ * the middle of the least and the greatest q, it strays by .0481 range(u) (range(q) / q_mid)^2 for
+ * small e, .0481 being the maximum of s (1/2 - s) (1 - s), and by .056 of that for e of -1/4 to 1/2
+ * at most, found by search: 2/35 is allowed for.
  */
 #ifndef QTRI_RASTER_SMALL_CURVES_H
 #define QTRI_RASTER_SMALL_CURVES_H
@@ -27,12 +28,12 @@ typedef struct qtri_curvature {
     int32_t e, ex, ey;   /* E at the pixel of vertex 0, and its steps, below 2^13.1 */
     int32_t bits;        /* of their fractions, 17 or more */
     uint32_t ratio_q12;  /* (range(q) / q_0)^2 */
-    uint32_t q_min2_q10; /* (q_min / q_0)^2 */
+    uint32_t q_mid2_q10; /* (q_mid / q_0)^2 times 35/32, below 2^10.8 */
 } qtri_curvature;
 
 /* False: E changes too much from pixel to pixel, over a triangle of hardly any width. */
 bool qtri_small_set_curvature(qtri_curvature *c, const qtri_small_place *p, const qtri_small *t);
-/* Whether a curve is off by range / 2^by (range(q) / q_min)^2 <= 1 at most, by <= 22. */
+/* Whether a curve is off by 2/35 range (range(q) / q_mid)^2 <= 2^(by - 4) at most, by <= 18. */
 bool qtri_small_is_near_curve(const qtri_curvature *c, uint32_t range, uint32_t by);
 /* `value` at vertex 0, more by f1 and f2, of units 2^(8 + up), at vertices 1 and 2. */
 void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const qtri_curvature *c,
@@ -43,7 +44,7 @@ bool qtri_small_light_curve(qtri_small_curves *curves, const qtri_curvature *c,
 /* What 1/w has more at vertices 1 and 2, as a part of that of vertex 0. */
 void qtri_small_find_e(int32_t e_q18[2], const qtri_small_place *p, const qtri_small *t);
 
-/* f (1 + e), |f| <= 2^16, |e| <= 1/4 and a part. */
+/* f (1 + e), |f| <= 2^16, |e| <= 1/2. */
 QTRI_BODY int32_t qtri_small_scaled(int32_t f, int32_t e_q18)
 {
     return f + (((f >> 2) * e_q18 + ((int32_t)1 << 15)) >> 16);

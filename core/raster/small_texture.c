@@ -104,13 +104,14 @@ static bool set_texture_curves(qtri_small_curves *curves, const qtri_curvature *
                                const qtri_options *o)
 {
     texture_units units;
+    /* 1/16 texel at most; 1/32 where more pixels show it, and a quarter of that of filtered ones */
+    const uint32_t by = 6u - qtri_small_is_beyond_middle(p) - (o->bilinear ? 2u : 0);
     for (int k = 0; k < 2; k++) {
         const uint32_t side_log2 =
             k == 0 ? qtri_texture_width_log2(o, t->state) : qtri_texture_height_log2(o, t->state);
-        /* 2^-6 texel; by 1/16 (range(q) / q_min)^2 of it, 1/16 texel at most; 1/32 where more
-           pixels show it */
+        /* 2^-6 texel */
         if (!qtri_small_is_near_curve(c, qtri_small_range(f[k][1], f[k][2]) >> (10 - side_log2),
-                                      6u - qtri_small_is_beyond_middle(p))) {
+                                      by)) {
             return false;
         }
     }

@@ -22,10 +22,11 @@ static inline int32_t more_of(const qtri_vertex *a, const qtri_vertex *b)
 
 bool qtri_small_find_uneven(int32_t q[2], const qtri_small *t)
 {
-    const uint32_t most = t->v[0]->inv_w >> 2;
+    const uint32_t inv_w = t->v[0]->inv_w;
     q[0] = more_of(t->v[0], t->v[1]);
     q[1] = more_of(t->v[0], t->v[2]);
-    return qtri_small_about(q[0]) <= most && qtri_small_about(q[1]) <= most;
+    return qtri_small_about(q[0]) <= inv_w >> (q[0] < 0 ? 2 : 1) &&
+           qtri_small_about(q[1]) <= inv_w >> (q[1] < 0 ? 2 : 1);
 }
 
 bool qtri_small_turn(qtri_small *t, int32_t size)

@@ -103,19 +103,8 @@ typedef struct qtri_large_plane {
     uint64_t s, s_step; /* at the next point of the row */
 } qtri_large_plane;
 
-/* A polynomial of second order in pixels from vertex 0's. See large_quadratic.c. */
-typedef struct qtri_large_quadratic {
-    uint32_t at;                                /* at the pixel of vertex 0 */
-    int32_t right, down;                        /* its slopes there */
-    int32_t right_right, right_down, down_down; /* of second order, with more bits */
-    uint32_t bend;                              /* a coordinate's, as pieces have it */
-} qtri_large_quadratic;
-
 typedef struct qtri_large_attribute {
-    union {
-        qtri_large_plane plane;
-        qtri_large_quadratic quadratic; /* where the triangle has quadratics */
-    } along;
+    qtri_large_plane plane;
     uint32_t f[3];        /* of the vertices */
     uint32_t least, most; /* of colours: 8.16, f counts from the least */
     uint32_t start;       /* what is added where pieces start: the least, the half that rounds */
@@ -224,9 +213,6 @@ typedef struct qtri_large_job {
     uint32_t q_at[3];
     qtri_large_plane q;
     bool is_curved;                               /* planes are times q */
-    bool is_quadratic;                            /* attributes are quadratics */
-    uint8_t quadratic_length;                     /* pixels of a piece of these */
-    uint8_t quadratic_more;                       /* bits of their coefficients of second order */
     bool may_be_level;                            /* q hardly changes along rows: by `steep` */
     uint32_t steep;                               /* 2^-16 a pixel */
     int8_t span_log2;                             /* of pixels between points */
@@ -261,8 +247,7 @@ bool qtri_large_begin_rows(qtri_large *t);
 bool qtri_large_begin_samples(qtri_large *t, int32_t place);
 bool qtri_large_next_samples(qtri_large *t);
 
-/* Before the first row: nothing varies yet; what varies; then planes of all of
- * it, or quadratics where these serve. */
+/* Before the first row: nothing varies yet; what varies; then planes of all of it. */
 void qtri_large_begin_pieces(qtri_large *t);
 void qtri_large_set_texture(qtri_large *t);
 void qtri_large_set_colors(qtri_large *t, const qtri_large_packing *packing, uint32_t half);

@@ -262,7 +262,7 @@ QTRI_BODY bool qtri_small_is_linear(const qtri_small_place *p, const qtri_small 
                                     int32_t f2, uint32_t part)
 {
     const uint32_t sum = qtri_small_about(f1) + qtri_small_about(f2) + 2;
-    if (sum * ((p->q_about >> 14) + 1) <= (uint32_t)3 << (30 - part)) {
+    if (sum * ((p->q_about >> 15) + 1) <= (uint32_t)3 << (29 - part)) {
         return true;
     }
     const uint32_t q_min = t->v[0]->inv_w + (uint32_t)qtri_small_min(p->q1, p->q2);
@@ -474,7 +474,7 @@ QTRI_BODY bool qtri_small_is_texture_curved(const qtri_small_uv *f, const qtri_s
     const uint32_t u = qtri_small_range(f->u1, f->u2) >> (10 - width_log2);
     const uint32_t v = qtri_small_range(f->v1, f->v2) >> (10 - height_log2);
     const uint32_t range = u > v ? u : v;                          /* 2^-6 of a texel */
-    const uint32_t q_range = qtri_small_range(p->q1, p->q2) >> 16; /* < 2^14 */
+    const uint32_t q_range = qtri_small_range(p->q1, p->q2) >> 16; /* < 2^14.6 */
     const uint32_t q_min = (t->v[0]->inv_w + (uint32_t)qtri_small_min(p->q1, p->q2)) >> 16;
     return range >> 17 != 0 || (range + 1) * (q_range + 1) > q_min << (8 - QTRI_SMALL_TEXEL_LOG2);
 }

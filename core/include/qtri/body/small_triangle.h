@@ -4,10 +4,10 @@
  * pipelines' body (pipeline_make.h).
  *
  * Small is a triangle less than 120 pixels high, whose vertices 1 and 2 are within 120 pixels of
- * vertex 0 in x, with 1/w within 1/4 of that of vertex 0 and depths within 2^10 steps of linear16,
- * and that is no needle. That is asked of the vertices alone, and whether what varies bends little
- * enough of vertices and material; never of a scissor, a band or a pipeline. All that follows fits
- * 32 bits.
+ * vertex 0 in x, with 1/w from 3/4 to 3/2 of that of vertex 0 and depths within 2^10 steps of
+ * linear16, and that is no needle. That is asked of the vertices alone, and whether what varies
+ * bends little enough of vertices and material; never of a scissor, a band or a pipeline. All that
+ * follows fits 32 bits.
  *
  * Rows are found exactly, by the top-left rule, as spans of bytes. What varies is linear on the
  * screen, set by products with 1/area; texture coordinates, light and colours are polynomials of
@@ -154,8 +154,7 @@ bool qtri_small_cut(uint8_t *span, int32_t left, int32_t right);
 /* Turns a back face round. False: it is culled, or has no area. */
 bool qtri_small_turn(qtri_small *t, int32_t size);
 
-/* What 1/w has more at vertices 1 and 2, where exponents differ or it is much. False: more than
-   1/4. */
+/* What 1/w has more at vertices 1 and 2, where exponents differ or it is much. False: too much. */
 bool qtri_small_find_uneven(int32_t q[2], const qtri_small *t);
 
 /* state->color, or the mesh's of the provoking vertex, in the triangle's light. */
