@@ -598,20 +598,25 @@ static uint32_t pixel_at(const qtri_surface *s, uint8_t format, int32_t x, int32
     return word;
 }
 
-static double worst_color(const qtri_pipeline *pipeline, uint64_t *seed, int *small)
+/* Of triangles of any size; or, at the ends, of nearly 32 pixels and of channels of 0 and 255. */
+static double worst_color(const qtri_pipeline *pipeline, uint64_t *seed, int cases, bool at_ends,
+                          int *small)
 {
     static uint8_t memory[BYTES];
     qtri_surface surface;
     qtri_draw_state state;
     double worst = 0;
-    for (int n = 0; n < random_cases(1500); n++) {
-        set_triangle(&scene, 0, seed, n % 5 == 4 ? 30719 : 1500 << n % 5,
-                     n % 3 == 0   ? 400
-                     : n % 3 == 1 ? 120
-                                  : 30);
+    for (int n = 0; n < cases; n++) {
+        set_triangle(&scene, 0, seed,
+                     at_ends      ? 8191
+                     : n % 5 == 4 ? 30719
+                                  : 1500 << n % 5,
+                     at_ends || n % 3 == 2 ? 30
+                     : n % 3 == 0          ? 400
+                                           : 120);
         for (int k = 0; k < 3; k++) {
             qtri_rgb *color = &scene.colors[k];
-            const int32_t ends = random_in(seed, 0, 63);
+            const int32_t ends = random_in(seed, 0, 63) | (at_ends ? 1 + 4 + 16 : 0);
             color->r = (ends & 1) != 0 ? (ends & 2) != 0 ? 255 : 0 : color->r;
             color->g = (ends & 4) != 0 ? (ends & 8) != 0 ? 255 : 0 : color->g;
             color->b = (ends & 16) != 0 ? (ends & 32) != 0 ? 255 : 0 : color->b;
@@ -662,10 +667,24 @@ static void colors_are_near_those_in_double_precision(void **unused)
     scene.texture.height_log2 = 3;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         int small = 0;
-        const double worst = worst_color(cases[i].pipeline, &seed, &small);
+        const double worst =
+            worst_color(cases[i].pipeline, &seed, random_cases(1500), false, &small);
         printf("%d small: colours off by %.3f of a step\n", small, worst);
         assert_true(worst < cases[i].most);
     }
+}
+
+/* Steps that are rounded add up over 31 pixels each way. */
+static void channels_of_565_stay_in_their_fields(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 5;
+    int small = 0;
+    scene.mesh.colors = scene.colors;
+    scene.material = qtri_material_default();
+    scene.material.cull = QTRI_CULL_NONE;
+    assert_true(worst_color(&colored, &seed, random_cases(6000), true, &small) < 1.3);
+    assert_true(small > random_cases(6000) / 2);
 }
 
 int main(void)
@@ -688,6 +707,7 @@ int main(void)
         cmocka_unit_test(light_by_pixel_is_linear_within_60_pixels),
         cmocka_unit_test(values_are_near_those_in_double_precision),
         cmocka_unit_test(colors_are_near_those_in_double_precision),
+        cmocka_unit_test(channels_of_565_stay_in_their_fields),
     };
     return cmocka_run_group_tests_name("pipeline small", tests, NULL, NULL);
 }

@@ -84,10 +84,49 @@ void qtri_small_lit_channels(qtri_small_colors *f, const qtri_small *t, bool tur
     set_channels(&f->d2, lit[2 - turned]);
 }
 
-bool qtri_small_set_colors_565(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t,
-                               const qtri_options *o)
+/*
+ * Steps that are rounded stray most at vertices 1 and 2, from the pixel of vertex 0 on. Half a step
+ * of a channel is there before, of which the pixel may have 1/32 less, its centre lies up to half a
+ * pixel each way from the vertex, and a ramp strays by 1/100: 7/16 are left.
+ */
+static bool keeps_field(const qtri_small_place *p, int32_t more_x, int32_t more_y)
 {
-    return qtri_setup_set_colors_565(c, p, t, o);
+    const uint32_t most = 0x7000u << 8; /* of 24.8 times n.16 */
+    return qtri_small_about(more_x * p->dx1 + more_y * p->dy1) < most &&
+           qtri_small_about(more_x * p->dx2 + more_y * p->dy2) < most;
+}
+
+/* To nearest, or else one or both to the other side. Not needed where all three vertices are 6/10
+   of a step of 31 or more from both ends: over 32 pixels each way steps stray by 1, and half is
+   there. */
+bool qtri_small_round_steps(qtri_small_ramp *r, const qtri_small_place *p, int32_t f0, int32_t f1,
+                            int32_t f2, int down)
+{
+    const int32_t least = f0 + qtri_small_min(f1, f2) - 640;
+    const int32_t most = f0 + qtri_small_max(f1, f2) + 640;
+    if (least >= 0 && most <= QTRI_SMALL_ONE) {
+        return true;
+    }
+    const int32_t unit = (int32_t)1 << down, half = unit / 2;
+    const int32_t x = half - (int32_t)((r->dx + (uint32_t)half) & (uint32_t)(unit - 1));
+    const int32_t y = half - (int32_t)((r->dy + (uint32_t)half) & (uint32_t)(unit - 1));
+    const int32_t more_x[2] = {x, x > 0 ? x - unit : x + unit};
+    const int32_t more_y[2] = {y, y > 0 ? y - unit : y + unit};
+    for (int i = 0; i < 4; i++) {
+        if (keeps_field(p, more_x[i >> 1], more_y[i & 1])) {
+            r->dx += (uint32_t)more_x[i >> 1];
+            r->dy += (uint32_t)more_y[i & 1];
+            return true;
+        }
+    }
+    return false;
+}
+
+bool qtri_small_set_colors_565(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t)
+{
+    /* Steps of a wide one leave their fields. */
+    return !p->wide &&
+           qtri_setup_set_colors_565(c, p, t, &t->state->options, qtri_small_keeps_fields(p));
 }
 
 /* Linear, and near enough for rounded steps of 2^-8: 60 + 60 of them are off by 1/4 at most. */

@@ -15,6 +15,7 @@
 #define qtri_small_lit_channels          narrow_small_lit_channels
 #define qtri_small_set_alpha             narrow_small_set_alpha
 #define qtri_small_set_colors_565        narrow_small_set_colors_565
+#define qtri_small_round_steps           narrow_small_round_steps
 #define qtri_small_set_colors_888        narrow_small_set_colors_888
 #define qtri_small_set_colors_gray       narrow_small_set_colors_gray
 #define qtri_small_color_curves_next_row narrow_small_color_curves_next_row

@@ -305,7 +305,9 @@ QTRI_BODY bool qtri_small_set_rows_colors(const qtri_options *o, qtri_small_rows
     if (qtri_is_textured(o)) {
         is_set = qtri_small_set_weights(&c, &g, qtri_small_kept(copy, p), t, qtri_light_half(o));
     } else if (qtri_kind_of(o) == QTRI_IN_565) {
-        is_set = QTRI_SMALL_SETUP(set_colors_565)(&c, p, t, o);
+        is_set = QTRI_SMALL_IN_PLACE && qtri_small_keeps_fields(p)
+                     ? qtri_setup_set_colors_565(&c, p, t, o, true)
+                     : qtri_small_set_colors_565(&c, qtri_small_kept(copy, p), t);
     } else if (qtri_kind_of(o) == QTRI_IN_GRAY) {
         is_set = qtri_small_set_colors_gray(&c, qtri_small_kept(copy, p), t);
     } else {

@@ -288,7 +288,7 @@ QTRI_BODY bool qtri_small_samples_colors(const qtri_options *o, qtri_small_sampl
         qtri_small_ramp c, g = {0, 0, 0};
         qtri_small_move(&at, i);
         if (!(qtri_is_textured(o) ? qtri_small_set_weights(&c, &g, &at, t, qtri_light_half(o))
-              : qtri_kind_of(o) == QTRI_IN_565  ? qtri_small_set_colors_565(&c, &at, t, o)
+              : qtri_kind_of(o) == QTRI_IN_565  ? qtri_small_set_colors_565(&c, &at, t)
               : qtri_kind_of(o) == QTRI_IN_GRAY ? qtri_small_set_colors_gray(&c, &at, t)
                                                 : qtri_small_set_colors_888(&c, &g, &at, t))) {
             return false;

@@ -411,22 +411,42 @@ QTRI_BODY void qtri_small_pack_green_565(qtri_small_ramp *c, const qtri_small_ra
     c->dy += qtri_small_signed_shift(g->dy + 0x400, 11);
 }
 
+/* Whether vertices are so near that channels of 565, whose steps are off by 1/64 at most, stay in
+   their fields. */
+QTRI_BODY bool qtri_small_keeps_fields(const qtri_small_place *p)
+{
+    return !qtri_small_is_far(p->dx1, p->dy1, p->dx2, p->dy2, 14);
+}
+
+/* In small_values.c: rounds steps to 2^down, so that a channel of 565, f0 at vertex 0 and f1 and f2
+   more at the others, stays in its field. False: it does not. */
+bool qtri_small_round_steps(qtri_small_ramp *r, const qtri_small_place *p, int32_t f0, int32_t f1,
+                            int32_t f2, int down);
+
+/* Keeps fields: as they are rounded, whatever they are. */
 QTRI_BODY bool qtri_setup_set_colors_565(qtri_small_ramp *c, const qtri_small_place *p,
-                                         const qtri_small *t, const qtri_options *o)
+                                         const qtri_small *t, const qtri_options *o,
+                                         bool keeps_fields)
 {
     qtri_small_colors f;
     qtri_small_ramp g;
-    if (p->wide) { /* steps of a wide one, rounded, leave their fields */
-        return false;
-    }
     if (!qtri_small_colors_find(&f, p, t, o)) {
         return false;
     }
     qtri_small_channel_set(&g, p, f.at.r, f.d1.r, f.d2.r, 31, 0x8000u);
+    if (!keeps_fields && !qtri_small_round_steps(&g, p, f.at.r, f.d1.r, f.d2.r, 10)) {
+        return false;
+    }
     qtri_small_pack_red_565(c, &g);
     qtri_small_channel_set(&g, p, f.at.b, f.d1.b, f.d2.b, 31, 0x8000u);
+    if (!keeps_fields && !qtri_small_round_steps(&g, p, f.at.b, f.d1.b, f.d2.b, 11)) {
+        return false;
+    }
     qtri_small_pack_blue_565(c, &g);
     qtri_small_channel_set(&g, p, f.at.g, f.d1.g, f.d2.g, 63, 0x8000u);
+    if (!keeps_fields && !qtri_small_round_steps(&g, p, f.at.g, f.d1.g, f.d2.g, 11)) {
+        return false;
+    }
     qtri_small_pack_green_565(c, &g);
     qtri_small_set_base(c, p);
     return true;

@@ -169,8 +169,7 @@ void qtri_small_set_light(qtri_small_ramp *c, const qtri_small_place *p, const q
 bool qtri_small_set_alpha(qtri_small_ramp *alpha, const qtri_small_place *p, const qtri_small *t);
 bool qtri_small_are_linear(const int32_t differences[6], uint32_t inv_w, int32_t q1, int32_t q2,
                            uint32_t part);
-bool qtri_small_set_colors_565(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t,
-                               const qtri_options *o);
+bool qtri_small_set_colors_565(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t);
 bool qtri_small_set_colors_888(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
                                const qtri_small *t);
 bool qtri_small_set_colors_gray(qtri_small_ramp *c, const qtri_small_place *p, const qtri_small *t);
