@@ -154,9 +154,11 @@ static void set_lengths(qtri_large_job *job)
     const int32_t log2 = length_for(job, least);
     job->span_max =
         qtri_least32(job->run_log2 + 1, job->rounds ? QTRI_LARGE_RUN_LOG2 : QTRI_LARGE_CHUNK_LOG2);
-    job->one_log2 = log2 >= job->span_max                       ? job->span_max
-                    : log2 >= 0 && (job->t.pixels >> log2) == 0 ? log2
-                                                                : -1;
+    /* Longer ones than whole ones would save less than to look for them costs. */
+    const int32_t enough = job->is_whole ? qtri_least32(WHOLE_LOG2, job->span_max) : job->span_max;
+    job->one_log2 = log2 >= enough || (log2 >= 0 && (job->t.pixels >> log2) == 0)
+                        ? qtri_least32(log2, job->span_max)
+                        : -1;
     for (int i = 0; i < job->count; i++) {
         job->a[i].at_left = (uint8_t)qtri_greatest32(job->a[i].up + 2, 0);
         job->a[i].at_right = (uint8_t)qtri_greatest32(-(job->a[i].up + 2), 0);
