@@ -62,6 +62,11 @@ QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_body *pixel, 
 #else
     const bool paired = qtri_is_paired(o);
     const uint32_t bytes = qtri_pixel_bytes(o);
+    if (QTRI_SMALL_IN_PLACE && qtri_is_plain(o) && count >= 16) { /* by fours, or unrolled */
+        w->pixel = paired ? qtri_small_pixel_of(w) : w->pixel;
+        qtri_pixels_draw(o, pixel, w, bent, count);
+        return;
+    }
     const uint8_t *end = paired ? w->depth + (uint32_t)count * bytes : w->depth;
     do {
         pixel(w, bent, paired ? qtri_small_pixel_of(w) : w->pixel, w->depth);
