@@ -154,7 +154,7 @@ static void set_lengths(qtri_large_job *job)
     const int32_t log2 = length_for(job, least);
     job->span_max =
         qtri_least32(job->run_log2 + 1, job->rounds ? QTRI_LARGE_RUN_LOG2 : QTRI_LARGE_CHUNK_LOG2);
-    /* Longer ones than whole ones would save less than to look for them costs. */
+    /* To look for longer ones than whole ones costs quads turned by 10 to 20 degrees 4 %. */
     const int32_t enough = job->is_whole ? qtri_least32(WHOLE_LOG2, job->span_max) : job->span_max;
     job->one_log2 = log2 >= enough || (log2 >= 0 && (job->t.pixels >> log2) == 0)
                         ? qtri_least32(log2, job->span_max)

@@ -20,13 +20,18 @@ static inline int32_t more_of(const qtri_vertex *a, const qtri_vertex *b)
     return (int32_t)((up == 0 ? b->inv_w >> 1 : b->inv_w << (up - 1)) - a->inv_w);
 }
 
+/* From 3/4 to 3/2 of inv_w with q more. */
+static inline bool is_near(int32_t q, uint32_t inv_w)
+{
+    return qtri_small_about(q) <= inv_w >> (q < 0 ? 2 : 1);
+}
+
 bool qtri_small_find_uneven(int32_t q[2], const qtri_small *t)
 {
     const uint32_t inv_w = t->v[0]->inv_w;
     q[0] = more_of(t->v[0], t->v[1]);
     q[1] = more_of(t->v[0], t->v[2]);
-    return qtri_small_about(q[0]) <= inv_w >> (q[0] < 0 ? 2 : 1) &&
-           qtri_small_about(q[1]) <= inv_w >> (q[1] < 0 ? 2 : 1);
+    return is_near(q[0], inv_w) && is_near(q[1], inv_w);
 }
 
 bool qtri_small_turn(qtri_small *t, int32_t size)

@@ -62,7 +62,9 @@ QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_body *pixel, 
 #else
     const bool paired = qtri_is_paired(o);
     const uint32_t bytes = qtri_pixel_bytes(o);
-    if (QTRI_SMALL_IN_PLACE && qtri_is_plain(o) && count >= 16) { /* by fours, or unrolled */
+    /* By fours, or unrolled: flat quads of 40 pixels take 14 % less on a Cortex-M3, of 100 pixels
+       31 %, 64 cubes (S14) 1.5 %. */
+    if (QTRI_SMALL_IN_PLACE && qtri_is_plain(o) && count >= 16) {
         w->pixel = paired ? qtri_small_pixel_of(w) : w->pixel;
         qtri_pixels_draw(o, pixel, w, bent, count);
         return;

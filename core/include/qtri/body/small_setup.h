@@ -423,28 +423,31 @@ QTRI_BODY bool qtri_small_keeps_fields(const qtri_small_place *p)
 bool qtri_small_round_steps(qtri_small_ramp *r, const qtri_small_place *p, int32_t f0, int32_t f1,
                             int32_t f2, int down);
 
-/* Keeps fields: as they are rounded, whatever they are. */
+/* A channel of 565 and its steps, rounded where they might leave its field. False: they do. */
+QTRI_BODY bool qtri_small_channel_set_565(qtri_small_ramp *r, const qtri_small_place *p, int32_t f0,
+                                          int32_t f1, int32_t f2, int32_t full, int down,
+                                          bool keeps_field)
+{
+    qtri_small_channel_set(r, p, f0, f1, f2, full, 0x8000u);
+    return keeps_field || qtri_small_round_steps(r, p, f0, f1, f2, down);
+}
+
 QTRI_BODY bool qtri_setup_set_colors_565(qtri_small_ramp *c, const qtri_small_place *p,
                                          const qtri_small *t, const qtri_options *o,
                                          bool keeps_fields)
 {
     qtri_small_colors f;
     qtri_small_ramp g;
-    if (!qtri_small_colors_find(&f, p, t, o)) {
-        return false;
-    }
-    qtri_small_channel_set(&g, p, f.at.r, f.d1.r, f.d2.r, 31, 0x8000u);
-    if (!keeps_fields && !qtri_small_round_steps(&g, p, f.at.r, f.d1.r, f.d2.r, 10)) {
+    if (!qtri_small_colors_find(&f, p, t, o) ||
+        !qtri_small_channel_set_565(&g, p, f.at.r, f.d1.r, f.d2.r, 31, 10, keeps_fields)) {
         return false;
     }
     qtri_small_pack_red_565(c, &g);
-    qtri_small_channel_set(&g, p, f.at.b, f.d1.b, f.d2.b, 31, 0x8000u);
-    if (!keeps_fields && !qtri_small_round_steps(&g, p, f.at.b, f.d1.b, f.d2.b, 11)) {
+    if (!qtri_small_channel_set_565(&g, p, f.at.b, f.d1.b, f.d2.b, 31, 11, keeps_fields)) {
         return false;
     }
     qtri_small_pack_blue_565(c, &g);
-    qtri_small_channel_set(&g, p, f.at.g, f.d1.g, f.d2.g, 63, 0x8000u);
-    if (!keeps_fields && !qtri_small_round_steps(&g, p, f.at.g, f.d1.g, f.d2.g, 11)) {
+    if (!qtri_small_channel_set_565(&g, p, f.at.g, f.d1.g, f.d2.g, 63, 11, keeps_fields)) {
         return false;
     }
     qtri_small_pack_green_565(c, &g);
