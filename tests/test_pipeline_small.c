@@ -459,7 +459,7 @@ static struct measured {
     const qtri_small *triangle;
     double side[2];
     double depth, light, texel;
-    int pixels, far;
+    int small, pixels, far;
 } now;
 
 /* Shares of the vertices at a pixel's centre, and those times 1/w. */
@@ -504,47 +504,68 @@ static bool measure(qtri_fragment *f)
 SMALL_PIPELINE(measured, LESS_565, .shade = QTRI_LIGHT, .texel = QTRI_TEXEL_RGB565,
                .fragment = measure)
 
-static void values_are_near_those_in_double_precision(void **unused)
+/* Coordinates are from 0 to `most` / 2^16 of a texture of 64 x 32. */
+static void draw_measured(int i, int32_t reach, int32_t slope, int32_t most, uint64_t *seed)
 {
     static uint8_t memory[BYTES];
-    (void)unused;
-    uint64_t seed = 11;
     qtri_surface surface;
     qtri_draw_state state;
+    set_triangle(&scene, i, seed, reach, slope);
+    for (int k = 3 * i; k < 3 * i + 3; k++) {
+        scene.uvs[k].x %= most;
+        scene.uvs[k].y %= most;
+    }
+    scene.material = qtri_material_default();
+    scene.mesh.uvs = scene.uvs;
+    scene.texture.texels = scene.texels;
+    scene.texture.width_log2 = 6;
+    scene.texture.height_log2 = 5;
+    now.side[0] = 64;
+    now.side[1] = 32;
+    new_surface(&surface, &measured.options, memory, BYTES, 0, HEIGHT);
+    memset(surface.depth, 0xFF, (size_t)surface.depth_pitch * 2 * HEIGHT);
+    set_state(&state, &scene, &measured, &surface);
+    qtri_small t = {.state = &state, .mesh = &scene.mesh, .light_q15 = 0xFFFF};
+    for (int k = 0; k < 3; k++) {
+        t.index[k] = (uint32_t)(3 * i + k);
+        t.v[k] = &scene.vertices[3 * i + k];
+    }
+    now.triangle = &t;
+    now.small += measured_small(&t);
+}
+
+static void values_are_near_those_in_double_precision(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 11;
     memset(&now, 0, sizeof now);
     for (int n = 0; n < random_cases(4000); n++) {
-        const int i = n % COUNT;
-        set_triangle(&scene, i, &seed, n % 5 == 4 ? 30719 : 1500 << n % 5,
-                     n % 3 == 0   ? 400
-                     : n % 3 == 1 ? 60
-                                  : 5);
-        for (int k = 3 * i; k < 3 * i + 3; k++) { /* a texel a pixel, or fewer */
-            scene.uvs[k].x %= 20000;
-            scene.uvs[k].y %= 20000;
-        }
-        scene.material = qtri_material_default();
-        scene.mesh.uvs = scene.uvs;
-        scene.texture.texels = scene.texels;
-        scene.texture.width_log2 = 6;
-        scene.texture.height_log2 = 5;
-        now.side[0] = 64;
-        now.side[1] = 32;
-        new_surface(&surface, &measured.options, memory, BYTES, 0, HEIGHT);
-        memset(surface.depth, 0xFF, (size_t)surface.depth_pitch * 2 * HEIGHT);
-        set_state(&state, &scene, &measured, &surface);
-        qtri_small t = {.state = &state, .mesh = &scene.mesh, .light_q15 = 0xFFFF};
-        for (int k = 0; k < 3; k++) {
-            t.index[k] = (uint32_t)(3 * i + k);
-            t.v[k] = &scene.vertices[3 * i + k];
-        }
-        now.triangle = &t;
-        (void)measured_small(&t);
+        draw_measured(n % COUNT, n % 5 == 4 ? 30719 : 1500 << n % 5,
+                      n % 3 == 0   ? 400
+                      : n % 3 == 1 ? 60
+                                   : 5,
+                      20000, &seed); /* a texel a pixel, or fewer */
     }
     printf("%d pixels: depth off by %.3f, light by %.2f of 256, coordinates by %.4f texel, %d by "
            "more than 1/16\n",
            now.pixels, now.depth, now.light, now.texel, now.far);
     assert_true(now.depth < .25);
     assert_true(now.light < 3);
+    assert_int_equal(now.far, 0);
+}
+
+/* Most bend by more than a curve over the whole triangle does; rows of all lengths up to 240. */
+static void textures_are_divided_in_steep_perspective(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 12;
+    memset(&now, 0, sizeof now);
+    for (int n = 0; n < random_cases(3000); n++) {
+        draw_measured(n % COUNT, n % 2 == 0 ? 30719 : 18000, 500, 60000, &seed);
+    }
+    printf("%d small, %d pixels: coordinates off by %.4f texel\n", now.small, now.pixels,
+           now.texel);
+    assert_true(now.small > random_cases(3000) * 17 / 20);
     assert_int_equal(now.far, 0);
 }
 
@@ -709,6 +730,7 @@ int main(void)
         cmocka_unit_test(small_ones_are_less_than_120_pixels_high_and_to_both_sides),
         cmocka_unit_test(light_by_pixel_is_linear_within_60_pixels),
         cmocka_unit_test(values_are_near_those_in_double_precision),
+        cmocka_unit_test(textures_are_divided_in_steep_perspective),
         cmocka_unit_test(colors_are_near_those_in_double_precision),
         cmocka_unit_test(channels_of_565_stay_in_their_fields),
     };

@@ -160,7 +160,7 @@ static const struct {
     {"filtered alpha test",
      STAGE GLASS
      "texformat alpha8\ntexalpha 0 255\nalphatest 128\ntexfilter bilinear\n" LOOK BACK CARD,
-     8, 0},
+     17, 0},
     {"alpha test with a blend",
      STAGE GLASS "texformat argb4444\ntexalpha 20 200\nalphatest 100\nblend alpha\n" LOOK BACK CARD,
      5, 0},

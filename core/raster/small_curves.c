@@ -22,7 +22,7 @@ static int32_t bend_of(int32_t e_q18)
 
 bool qtri_small_set_curvature(qtri_curvature *c, const qtri_small_place *p, const qtri_small *t)
 {
-    int32_t e[2];
+    int32_t *e = c->e_q18;
     const int wide = p->wide;
     qtri_small_ramp ramp;
     qtri_small_find_e(e, p, t);

@@ -24,7 +24,7 @@ extern "C" {
 
 /* What all curves of a triangle have in common. */
 typedef struct qtri_curvature {
-    int32_t k_q18[2];
+    int32_t e_q18[2], k_q18[2];
     int32_t e, ex, ey;   /* E at the pixel of vertex 0, and its steps, below 2^13.1 */
     int32_t bits;        /* of their fractions, 17 or more */
     uint32_t ratio_q12;  /* (range(q) / q_0)^2 */
@@ -41,6 +41,17 @@ void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const 
 /* Light; false: it bends too much. */
 bool qtri_small_light_curve(qtri_small_curves *curves, const qtri_curvature *c,
                             const qtri_small_place *p, const qtri_small *t, const qtri_options *o);
+/* Where texture coordinates begin at vertex 0, by how much differences go left, and log2 of a
+   texel: in the walk's units. */
+typedef struct qtri_small_units {
+    uint32_t base[2], up[2], texel_log2[2];
+} qtri_small_units;
+
+/* In small_division.c: coordinates f[k][i] more at vertex i, off by 2^(by - 10) texel at
+   most. False: points would have to be near each other. */
+bool qtri_small_set_division(qtri_small_curves *curves, const qtri_small_units *units,
+                             const qtri_curvature *c, const qtri_small_place *p, int32_t f[2][3],
+                             uint32_t by);
 /* What 1/w has more at vertices 1 and 2, as a part of that of vertex 0. */
 void qtri_small_find_e(int32_t e_q18[2], const qtri_small_place *p, const qtri_small *t);
 

@@ -4,7 +4,8 @@
  *
  * What is interpolated linearly on the screen strays from perspective by the covariance of 1/w and
  * the value, which is at most range(u) range(q) / (4 q_min); where that could be more than
- * 2^-QTRI_SMALL_TEXEL_LOG2 texel it is a curve (small_curves.h).
+ * 2^-QTRI_SMALL_TEXEL_LOG2 texel it is a curve (small_curves.h), or found by division
+ * (small_division.c).
  */
 #include "small_curves.h"
 
@@ -44,14 +45,8 @@ static uint32_t clamp_axis_set(qtri_clamp_axis *axis, int32_t u0, uint32_t side_
     return (uint32_t)shifted(u0, 12 - (int32_t)down);
 }
 
-/* Where coordinates begin at vertex 0, and by how much differences go left, in the walk's units. */
-typedef struct texture_units {
-    uint32_t base[2];
-    uint32_t up[2];
-} texture_units;
-
 /* Of any axes and differences. */
-static void set_units(texture_units *units, qtri_small_curves *curves, int32_t f[2][3],
+static void set_units(qtri_small_units *units, qtri_small_curves *curves, int32_t f[2][3],
                       const qtri_small_place *p, const qtri_draw_state *state,
                       const qtri_options *o)
 {
@@ -87,6 +82,7 @@ static void set_units(texture_units *units, qtri_small_curves *curves, int32_t f
         }
         units->base[k] = base;
         units->up[k] = up;
+        units->texel_log2[k] = shift;
     }
 }
 
@@ -99,23 +95,30 @@ bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
 
 /* Curves --------------------------------------------------------------------------------------- */
 
+static bool are_near_curves(const qtri_curvature *c, int32_t f[2][3], uint32_t by,
+                            const qtri_small *t, const qtri_options *o)
+{
+    const uint32_t u = qtri_small_range(f[0][1], f[0][2]) >> /* 2^-6 texel */
+                       (10 - qtri_texture_width_log2(o, t->state));
+    const uint32_t v =
+        qtri_small_range(f[1][1], f[1][2]) >> (10 - qtri_texture_height_log2(o, t->state));
+    return qtri_small_is_near_curve(c, u > v ? u : v, by);
+}
+
 static bool set_texture_curves(qtri_small_curves *curves, const qtri_curvature *c, int32_t f[2][3],
                                const qtri_small_place *p, const qtri_small *t,
                                const qtri_options *o)
 {
-    texture_units units;
+    qtri_small_units units;
     /* 1/16 texel at most; 1/32 where more pixels show it, and a quarter of that of filtered ones */
     const uint32_t by = 6u - qtri_small_is_beyond_middle(p) - (o->bilinear ? 2u : 0);
-    for (int k = 0; k < 2; k++) {
-        const uint32_t side_log2 =
-            k == 0 ? qtri_texture_width_log2(o, t->state) : qtri_texture_height_log2(o, t->state);
-        /* 2^-6 texel */
-        if (!qtri_small_is_near_curve(c, qtri_small_range(f[k][1], f[k][2]) >> (10 - side_log2),
-                                      by)) {
-            return false;
-        }
-    }
+    const bool is_near = are_near_curves(c, f, by, t, o);
     set_units(&units, curves, f, p, t->state, o);
+    curves->division.log2 = 0;
+    curves->division.goes_on = 0;
+    if (!is_near) { /* samples have no rows that begin anew */
+        return !qtri_has_samples(o) && qtri_small_set_division(curves, &units, c, p, f, by);
+    }
     for (int k = 0; k < 2; k++) {
         qtri_small_curve *r = k == 0 ? &curves->u : &curves->v;
         if ((int32_t)units.up[k] + p->up > 16) {
@@ -137,7 +140,7 @@ bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
     curves->is_curved =
         curved || (!t->state->is_linear && qtri_small_is_texture_curved(&at, p, t, o));
     if (!curves->is_curved) {
-        texture_units units;
+        qtri_small_units units;
         set_units(&units, curves, f, p, t->state, o);
         for (int k = 0; k < 2; k++) {
             qtri_small_ramp_set(&curves->linear[k], p, units.base[k], f[k][1], f[k][2],

@@ -19,6 +19,8 @@
 #define qtri_small_set_colors_888        narrow_small_set_colors_888
 #define qtri_small_set_colors_gray       narrow_small_set_colors_gray
 #define qtri_small_color_curves_next_row narrow_small_color_curves_next_row
+#define qtri_small_divide                narrow_small_divide
+#define qtri_small_set_division          narrow_small_set_division
 #define qtri_small_find_e                narrow_small_find_e
 #define qtri_small_is_near_curve         narrow_small_is_near_curve
 #define qtri_small_light_curve           narrow_small_light_curve
@@ -43,6 +45,7 @@
 #include "raster/small_values.c"
 
 #include "raster/small_curves.c"
+#include "raster/small_division.c"
 #include "raster/small_texture.c"
 
 #include "qtri/body/small.h"

@@ -166,7 +166,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     const ptrdiff_t row = p->row - surface->first_row;
     const ptrdiff_t pitch = surface->pitch, depth_pitch = w->state->depth_pitch;
     const uintptr_t skew = (uintptr_t)pitch - (uintptr_t)depth_pitch;
-    const uint8_t *span = p->span;
+    uint8_t *span = p->span;
     uint32_t at = QTRI_SMALL_REACH; /* where the walk is, as spans count */
     w->pixel = surface->pixels + row * pitch + (ptrdiff_t)bytes * p->column;
     w->depth =
@@ -208,7 +208,9 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
                 w->depth += (ptrdiff_t)(int32_t)(x - at) * (ptrdiff_t)depth_bytes;
             }
             if (o->fog) {
-                qtri_small_set_fog_along(w, end - x);
+                if (!curved || !textured || curves->division.goes_on == 0) {
+                    qtri_small_set_fog_along(w, end - x);
+                }
                 if (p->cut) {
                     const uint32_t first =
                         (uint32_t)qtri_small_clamp(p->left, (int32_t)x, (int32_t)end);
@@ -220,6 +222,12 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
                 }
             }
             if (curved && textured) {
+                if (curves->division.log2 != 0) {
+                    QTRI_RARELY();
+                    end = qtri_small_divide(curves, x, end, span - 2);
+                    w->u_bend = 2 * curves->u.xx;
+                    w->v_bend = 2 * curves->v.xx;
+                }
                 qtri_small_curves_begin(w, curves, x - QTRI_SMALL_REACH);
             }
             at = end;
@@ -247,6 +255,11 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
             }
         } else if (x == QTRI_SMALL_STOP) {
             return;
+        }
+        if (curved && textured && curves->division.goes_on != 0) {
+            QTRI_RARELY();
+            span -= 2;
+            continue;
         }
         w->z += p->z.dy;
         if (varies) {

@@ -11,7 +11,8 @@
  *
  * Rows are found exactly, by the top-left rule, as spans of bytes. What varies is linear on the
  * screen, set by products with 1/area; texture coordinates, light and colours are polynomials of
- * second order where perspective could be seen: see small_curves.h.
+ * second order where perspective could be seen, see small_curves.h; texture coordinates that bend
+ * too much for that are divided at points along rows, see small_division.c.
  */
 #ifndef QTRI_BODY_SMALL_TRIANGLE_H
 #define QTRI_BODY_SMALL_TRIANGLE_H
@@ -122,14 +123,34 @@ QTRI_BODY void qtri_small_curve_next_row(qtri_small_curve *c)
     c->dx += c->xy;
 }
 
+/* Texture coordinates that bend more than a curve does: exact at points a power of two columns
+   apart, by a division, and parabolas between them. See small_division.c. */
+typedef struct qtri_small_divided {
+    qtri_small_ramp s; /* what it has more than at vertex 0, times 1 + q */
+    uint32_t value;    /* at vertex 0 */
+    int32_t point;     /* what it has more at the last point */
+    uint8_t at_left, at_right, step_left, step_right, bend_left, bend_right;
+} qtri_small_divided;
+
+typedef struct qtri_small_division {
+    uint32_t log2;        /* of columns from point to point; 0: coordinates are curves */
+    uint32_t goes_on;     /* not 0: along the row, from the last point on */
+    const uint8_t *spans; /* of the first row */
+    int32_t left;         /* column of a point, from vertex 0's, no more than any pixel's */
+    int32_t reciprocal;   /* 1 / (1 + q) at the last point, Q16 */
+    qtri_small_ramp q;    /* 1/w by that of vertex 0, less 1: Q24 */
+    qtri_small_divided a[2];
+} qtri_small_division;
+
 /* Texture coordinates, and light where it follows perspective. Not curved: coordinates only, and
    linear. */
 typedef struct qtri_small_curves {
-    qtri_small_curve u, v, c;
+    qtri_small_curve u, v, c; /* by division: u and v up to the next point */
     qtri_small_ramp linear[2];
     bool is_curved;
     uint32_t light_piece; /* pixels over which light is near a chord, a power of two; 0: linear */
     qtri_clamp_axis axis[2];
+    qtri_small_division division;
 } qtri_small_curves;
 
 /* Colours that follow perspective. */
@@ -188,6 +209,10 @@ bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
    colours are. */
 bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
                            const qtri_small *t, const qtri_options *o, bool curved);
+
+/* In small_division.c: u and v from column x of a span's row on, as spans count; returns up to
+   which: `end`, or a point, where the span begins then, and goes on. */
+uint32_t qtri_small_divide(qtri_small_curves *curves, uint32_t x, uint32_t end, uint8_t *span);
 
 /* In small_curves.c: light without texture, and colours. False as above. */
 bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_place *p,
