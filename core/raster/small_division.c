@@ -23,7 +23,8 @@
 enum {
     FRACTION = 4,   /* bits that s has more than ramps of differences */
     LEAST_LOG2 = 3, /* of columns between points */
-    MOST_LOG2 = 7
+    MOST_LOG2 = 7,
+    MOST_TEXELS = 4 /* a pixel: where there are more the snap of vertices shows */
 };
 
 /* a b / 2^15, rounded; |a| < 2^30, |b| <= 2^14. */
@@ -79,6 +80,7 @@ static bool is_near_parabola(const steepness s[2], uint32_t q_dx, uint32_t q_lea
     c.q_mid2_q10 = 35 * (q2 * q2 >> 10) >> 5;
     for (int k = 0; k < 2; k++) {
         if (s[k].slope >> (28 - log2) != 0 || s[k].texel_log2 < 0 ||
+            s[k].slope >> s[k].texel_log2 > MOST_TEXELS * 64 ||
             !qtri_small_is_near_curve(&c, (s[k].slope << log2 >> s[k].texel_log2) + 1, by)) {
             return false;
         }
