@@ -554,7 +554,7 @@ static void values_are_near_those_in_double_precision(void **unused)
     assert_int_equal(now.far, 0);
 }
 
-/* Most bend by more than a curve over the whole triangle does; rows of all lengths up to 240. */
+/* A fifth of those that are small bend by more than a curve over the whole triangle may. */
 static void textures_are_divided_in_steep_perspective(void **unused)
 {
     (void)unused;

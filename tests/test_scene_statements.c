@@ -157,6 +157,7 @@ static const struct {
      0, 48},
     {"alpha test",
      STAGE GLASS "texformat argb8888\ntexalpha 100 99\nalphatest 100\n" LOOK BACK CARD, 5, 0},
+    /* Row 37 lies on the edge of texels, where alpha is half: any error shows. */
     {"filtered alpha test",
      STAGE GLASS
      "texformat alpha8\ntexalpha 0 255\nalphatest 128\ntexfilter bilinear\n" LOOK BACK CARD,

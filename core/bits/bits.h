@@ -440,4 +440,16 @@ static inline uint32_t qtri_reciprocal_q31(uint32_t x)
     return y;
 }
 
+/* How far left, or else right, x goes for x 2^up, up < 32; and that: without a branch. */
+static inline void qtri_set_shifts(uint8_t *left, uint8_t *right, int32_t up)
+{
+    *left = (uint8_t)(up > 0 ? up : 0);
+    *right = (uint8_t)(up < 0 ? qtri_least32(-up, 31) : 0);
+}
+
+static inline uint32_t qtri_both_shifts(int32_t x, uint8_t left, uint8_t right)
+{
+    return (uint32_t)((int32_t)((uint32_t)x << left) >> right);
+}
+
 #endif

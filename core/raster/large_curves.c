@@ -215,12 +215,6 @@ static int32_t log2_above(int32_t x)
     return x <= 1 ? 0 : 32 - qtri_clz32((uint32_t)x - 1);
 }
 
-static void set_shifts(uint8_t *left, uint8_t *right, int32_t up)
-{
-    *left = (uint8_t)(up > 0 ? up : 0);
-    *right = (uint8_t)(up < 0 ? qtri_least32(-up, 31) : 0);
-}
-
 /* Points 2^log2 pixels apart; steps of what 2^rise_log2 pixels rise. */
 static void set_steps(qtri_large_job *job, int32_t log2, int32_t rise_log2)
 {
@@ -230,8 +224,8 @@ static void set_steps(qtri_large_job *job, int32_t log2, int32_t rise_log2)
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
         a->plane.s_step = a->plane.dx << log2;
-        set_shifts(&a->step_left, &a->step_right, a->up + 2 - rise_log2);
-        set_shifts(&a->bend_left, &a->bend_right, a->up + 4 - 2 * log2);
+        qtri_set_shifts(&a->step_left, &a->step_right, a->up + 2 - rise_log2);
+        qtri_set_shifts(&a->bend_left, &a->bend_right, a->up + 4 - 2 * log2);
     }
 }
 
@@ -344,11 +338,6 @@ QTRI_NOINLINE bool qtri_large_begin_level(qtri_large_job *job)
     return true;
 }
 
-static inline uint32_t both_shifts(int32_t x, uint8_t left, uint8_t right)
-{
-    return (uint32_t)((int32_t)((uint32_t)x << left) >> right);
-}
-
 /* Of a span, Q16. |eps| <= 1/3. */
 typedef struct span_bend {
     int32_t eps;
@@ -381,11 +370,12 @@ static inline span_curve whole_curve(qtri_large_attribute *a, int32_t end, const
     const int32_t half = ((rise + w) >> 1) + (w >> 1) + w2 + w3 - (w2 >> 4) - (w3 >> 2);
     span_curve c;
     a->point = end;
-    c.at = both_shifts(from, a->at_left, a->at_right);
-    c.third = both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
-    c.fourth = both_shifts(w3 + 2 * w3, a->bend_left, a->bend_right);
-    c.bend = 0 - both_shifts(w + 2 * (w2 + w3) + ((w2 + w3) >> 2), a->bend_left, a->bend_right);
-    c.step = both_shifts(half, a->step_left, a->step_right) + (uint32_t)((int32_t)c.bend >> 1);
+    c.at = qtri_both_shifts(from, a->at_left, a->at_right);
+    c.third = qtri_both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
+    c.fourth = qtri_both_shifts(w3 + 2 * w3, a->bend_left, a->bend_right);
+    c.bend =
+        0 - qtri_both_shifts(w + 2 * (w2 + w3) + ((w2 + w3) >> 2), a->bend_left, a->bend_right);
+    c.step = qtri_both_shifts(half, a->step_left, a->step_right) + (uint32_t)((int32_t)c.bend >> 1);
     c.third += c.fourth;
     return c;
 }
@@ -416,15 +406,15 @@ static inline void set_halves(qtri_large_job *job, int i, int32_t end, const spa
     const int32_t w2 = qtri_mul_s16(w, b->eps_c), w3 = qtri_mul_s16(w, b->square);
     const int32_t rise1 = (rise + w) >> 1;
     const uint32_t half_h = (uint32_t)1 << job->span_log2 >> 2;
-    const uint32_t bend = 0 - both_shifts(w + w3, a->bend_left, a->bend_right);
-    const uint32_t third = both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
+    const uint32_t bend = 0 - qtri_both_shifts(w + w3, a->bend_left, a->bend_right);
+    const uint32_t third = qtri_both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
     const uint32_t bend1 = bend - third, bend2 = bend + third;
-    const uint32_t at1 = both_shifts(from, a->at_left, a->at_right);
-    const uint32_t at2 = both_shifts(from + rise1, a->at_left, a->at_right);
-    const uint32_t step1 = both_shifts(rise1, a->step_left, a->step_right) - bend1 * half_h +
+    const uint32_t at1 = qtri_both_shifts(from, a->at_left, a->at_right);
+    const uint32_t at2 = qtri_both_shifts(from + rise1, a->at_left, a->at_right);
+    const uint32_t step1 = qtri_both_shifts(rise1, a->step_left, a->step_right) - bend1 * half_h +
                            (uint32_t)((int32_t)bend1 >> 1);
-    const uint32_t step2 = both_shifts(rise - rise1, a->step_left, a->step_right) - bend2 * half_h +
-                           (uint32_t)((int32_t)bend2 >> 1);
+    const uint32_t step2 = qtri_both_shifts(rise - rise1, a->step_left, a->step_right) -
+                           bend2 * half_h + (uint32_t)((int32_t)bend2 >> 1);
     qtri_large_piece *piece = job->piece;
     a->point = end;
     if (i == 0) {
@@ -470,11 +460,11 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, int32_t reciprocal, in
         const int32_t from = a->point, rise = end - from;
         const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1;
         const int32_t lifted = from + ((2 * rise1 - rise) >> 4); /* w / 16 */
-        at[0][i] = both_shifts(lifted, a->at_left, a->at_right) + a->start;
-        step[0][i] = both_shifts(rise1, a->step_left, a->step_right);
+        at[0][i] = qtri_both_shifts(lifted, a->at_left, a->at_right) + a->start;
+        step[0][i] = qtri_both_shifts(rise1, a->step_left, a->step_right);
         clamp_chord(a, &at[0][i], &step[0][i], qtri_least32(h, rest));
-        at[1][i] = both_shifts(lifted + rise1, a->at_left, a->at_right) + a->start;
-        step[1][i] = both_shifts(rise - rise1, a->step_left, a->step_right);
+        at[1][i] = qtri_both_shifts(lifted + rise1, a->at_left, a->at_right) + a->start;
+        step[1][i] = qtri_both_shifts(rise - rise1, a->step_left, a->step_right);
         clamp_chord(a, &at[1][i], &step[1][i], qtri_hold32(rest - h, 1, h));
         a->point = end;
     }

@@ -52,14 +52,10 @@ bool qtri_small_is_near_curve(const qtri_curvature *c, uint32_t range, uint32_t 
     return range <= (uint32_t)1 << 20 && range * c->ratio_q12 <= c->q_mid2_q10 << (by + 2);
 }
 
-/* F E / 2^14, rounded: |F| < 2^30.2, |E| < 2^13.6. */
+/* F E / 2^14. */
 static inline int32_t product(int32_t f, int32_t e)
 {
-#if QTRI_LONG_MULTIPLY
-    return (int32_t)(((int64_t)f * e + (1 << 13)) >> 14);
-#else
-    return (f >> 16) * e * 4 + (((int32_t)qtri_low16((uint32_t)f) * e + (1 << 13)) >> 14);
-#endif
+    return qtri_small_product(f, e, 14);
 }
 
 /* x 2^up, rounded. */

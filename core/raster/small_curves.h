@@ -61,6 +61,18 @@ QTRI_BODY int32_t qtri_small_scaled(int32_t f, int32_t e_q18)
     return f + (((f >> 2) * e_q18 + ((int32_t)1 << 15)) >> 16);
 }
 
+/* a b / 2^down, rounded; |a| < 2^30.2, |b| < 2^13.6 with 14 for `down`, 2^14.4 with 15. */
+QTRI_BODY int32_t qtri_small_product(int32_t a, int32_t b, int down)
+{
+    const int32_t half = (int32_t)1 << (down - 1);
+#if QTRI_LONG_MULTIPLY
+    return (int32_t)(((int64_t)a * b + half) >> down);
+#else
+    return (a >> 16) * b * (1 << (16 - down)) +
+           (((int32_t)qtri_low16((uint32_t)a) * b + half) >> down);
+#endif
+}
+
 #ifdef __cplusplus
 }
 #endif

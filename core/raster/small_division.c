@@ -14,6 +14,9 @@
  * rise eps^2 / 2 times .385, the maximum of z (1 - z^2), or .0481 rise (q_2 - q_1)^2, and terms of
  * higher order; 2/35 is allowed for.
  *
+ * Quads of 70 pixels turned by 30 degrees take 39 % less on a Cortex-M0+ and 26 % less on a
+ * Cortex-M3 than as large triangles, the torus of 96 triangles (S13a) 11 and 8 %.
+ *
  * Points count from the leftmost column of the triangle, so that what is drawn of it changes none.
  */
 #include "small_curves.h"
@@ -26,16 +29,6 @@ enum {
     MOST_LOG2 = 7,
     MOST_TEXELS = 4 /* a pixel: where there are more the snap of vertices shows */
 };
-
-/* a b / 2^15, rounded; |a| < 2^30, |b| <= 2^14. */
-static inline int32_t times_q15(int32_t a, int32_t b)
-{
-#if QTRI_LONG_MULTIPLY
-    return (int32_t)(((int64_t)a * b + (1 << 14)) >> 15);
-#else
-    return (a >> 16) * b * 2 + (((int32_t)qtri_low16((uint32_t)a) * b + (1 << 14)) >> 15);
-#endif
-}
 
 /* 1 / (1 + q), Q16, of 1 + q in Q15 from 1/2 to 2. */
 static inline int32_t reciprocal_of(uint32_t x)
@@ -79,8 +72,7 @@ static bool is_near_parabola(const steepness s[2], uint32_t q_dx, uint32_t q_lea
     c.ratio_q12 = (q_rise * q_rise >> 8) + 1;
     c.q_mid2_q10 = 35 * (q2 * q2 >> 10) >> 5;
     for (int k = 0; k < 2; k++) {
-        if (s[k].slope >> (28 - log2) != 0 || s[k].texel_log2 < 0 ||
-            s[k].slope >> s[k].texel_log2 > MOST_TEXELS * 64 ||
+        if (s[k].slope >> (28 - log2) != 0 ||
             !qtri_small_is_near_curve(&c, (s[k].slope << log2 >> s[k].texel_log2) + 1, by)) {
             return false;
         }
@@ -95,12 +87,6 @@ static void set_product(qtri_small_ramp *s, const qtri_small_place *p, const int
     QTRI_SMALL_SETUP(ramp_set_at)
     (s, p, p->x, p->y, 0, qtri_small_scaled(f[0], e_q18[0]), qtri_small_scaled(f[1], e_q18[1]),
      FRACTION + p->wide);
-}
-
-static void set_shifts(uint8_t *left, uint8_t *right, int32_t up)
-{
-    *left = (uint8_t)(up > 0 ? up : 0);
-    *right = (uint8_t)(up < 0 ? -up : 0);
 }
 
 bool qtri_small_set_division(qtri_small_curves *curves, const qtri_small_units *units,
@@ -125,6 +111,9 @@ bool qtri_small_set_division(qtri_small_curves *curves, const qtri_small_units *
         set_product(ramp, p, e, f_s);
         s[k].slope = slope_of(ramp, q_dx, e, f_s, p->wide);
         s[k].texel_log2 = (int32_t)units->texel_log2[k] - (int32_t)units->up[k] + FRACTION - 6;
+        if (s[k].texel_log2 < 0 || s[k].slope >> s[k].texel_log2 > MOST_TEXELS * 64) {
+            return false;
+        }
     }
     uint32_t log2 = MOST_LOG2;
     while (log2 > LEAST_LOG2 && width >> (log2 - 1) == 0) {
@@ -137,17 +126,15 @@ bool qtri_small_set_division(qtri_small_curves *curves, const qtri_small_units *
         log2--;
     }
     d->log2 = log2;
-    d->goes_on = 0;
-    d->goes_on = 0;
     d->spans = p->span;
     d->left = leftmost >> 8;
     for (int k = 0; k < 2; k++) {
         qtri_small_divided *a = &d->a[k];
         const int32_t up = (int32_t)units->up[k] - FRACTION;
         a->value = units->base[k];
-        set_shifts(&a->at_left, &a->at_right, up);
-        set_shifts(&a->step_left, &a->step_right, up - (int32_t)log2);
-        set_shifts(&a->bend_left, &a->bend_right, up + 1 - 2 * (int32_t)log2);
+        qtri_set_shifts(&a->at_left, &a->at_right, up);
+        qtri_set_shifts(&a->step_left, &a->step_right, up - (int32_t)log2);
+        qtri_set_shifts(&a->bend_left, &a->bend_right, up + 1 - 2 * (int32_t)log2);
     }
     return true;
 }
@@ -164,14 +151,9 @@ static void find_point(qtri_small_division *d, uint32_t x, uint32_t row)
     d->reciprocal = reciprocal_of(0x8000u + (uint32_t)(q >> 9));
     const int32_t r = (d->reciprocal - 0x10000) >> 1;
     const int32_t u = (int32_t)ramp_at(&d->a[0].s, x, row);
-    d->a[0].point = u + times_q15(u, r);
+    d->a[0].point = u + qtri_small_product(u, r, 15);
     const int32_t v = (int32_t)ramp_at(&d->a[1].s, x, row);
-    d->a[1].point = v + times_q15(v, r);
-}
-
-static inline uint32_t both_shifts(int32_t x, uint8_t left, uint8_t right)
-{
-    return (uint32_t)((int32_t)((uint32_t)x << left) >> right);
+    d->a[1].point = v + qtri_small_product(v, r, 15);
 }
 
 /* From a point at column x to the next, whose middle is above the chord by `rise` eps / 2. */
@@ -179,10 +161,10 @@ static inline void set_parabola(qtri_small_curve *c, const qtri_small_divided *a
                                 int32_t eps, uint32_t x)
 {
     const int32_t rise = a->point - from;
-    const int32_t w = times_q15(rise, eps);
-    c->xx = 0u - both_shifts(w, a->bend_left, a->bend_right);
-    c->dx = both_shifts(rise + 2 * w, a->step_left, a->step_right) - 2 * x * c->xx;
-    c->at = a->value + both_shifts(from, a->at_left, a->at_right) - x * (c->dx + x * c->xx);
+    const int32_t w = qtri_small_product(rise, eps, 15);
+    c->xx = 0u - qtri_both_shifts(w, a->bend_left, a->bend_right);
+    c->dx = qtri_both_shifts(rise + 2 * w, a->step_left, a->step_right) - 2 * x * c->xx;
+    c->at = a->value + qtri_both_shifts(from, a->at_left, a->at_right) - x * (c->dx + x * c->xx);
 }
 
 uint32_t qtri_small_divide(qtri_small_curves *curves, uint32_t x, uint32_t end, uint8_t *span)

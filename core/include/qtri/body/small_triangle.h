@@ -132,6 +132,7 @@ typedef struct qtri_small_divided {
     uint8_t at_left, at_right, step_left, step_right, bend_left, bend_right;
 } qtri_small_divided;
 
+/* What is asked once a row is a word, which Armv6-M reads from the stack by one instruction. */
 typedef struct qtri_small_division {
     uint32_t log2;        /* of columns from point to point; 0: coordinates are curves */
     uint32_t goes_on;     /* not 0: along the row, from the last point on */
