@@ -563,10 +563,11 @@ static void textures_are_divided_in_steep_perspective(void **unused)
     for (int n = 0; n < random_cases(3000); n++) {
         draw_measured(n % COUNT, n % 2 == 0 ? 30719 : 18000, 500, 60000, &seed);
     }
-    printf("%d small, %d pixels: coordinates off by %.4f texel\n", now.small, now.pixels,
-           now.texel);
+    printf("%d small, %d pixels: coordinates off by %.4f texel, light by %.2f of 256\n", now.small,
+           now.pixels, now.texel, now.light);
     assert_true(now.small > random_cases(3000) * 17 / 20);
     assert_int_equal(now.far, 0);
+    assert_true(now.light < 3);
 }
 
 /* Colours: of channels of 0 and 255 as often as of others, so that none may leave its field. */
@@ -619,23 +620,30 @@ static uint32_t pixel_at(const qtri_surface *s, uint8_t format, int32_t x, int32
     return word;
 }
 
-/* Of triangles of any size; or, at the ends, of nearly 32 pixels and of channels at one end of
-   their range or at both. */
-static double worst_color(const qtri_pipeline *pipeline, uint64_t *seed, int cases, bool at_ends,
+/* Triangles of any size; of nearly 32 pixels and channels at one end of their range or at both; or
+   large and steep ones with such channels. */
+typedef enum kind { ANY, AT_ENDS, STEEP } kind;
+
+static double worst_color(const qtri_pipeline *pipeline, uint64_t *seed, int cases, kind which,
                           int *small)
 {
+    const bool at_ends = which != ANY;
     static uint8_t memory[BYTES];
     qtri_surface surface;
     qtri_draw_state state;
     double worst = 0;
     for (int n = 0; n < cases; n++) {
-        set_triangle(&scene, 0, seed,
-                     at_ends      ? 8191
-                     : n % 5 == 4 ? 30719
-                                  : 1500 << n % 5,
-                     at_ends || n % 3 == 2 ? 30
-                     : n % 3 == 0          ? 400
-                                           : 120);
+        if (which == STEEP) {
+            set_triangle(&scene, 0, seed, n % 2 == 0 ? 30719 : 9000, 500);
+        } else {
+            set_triangle(&scene, 0, seed,
+                         at_ends      ? 8191
+                         : n % 5 == 4 ? 30719
+                                      : 1500 << n % 5,
+                         at_ends || n % 3 == 2 ? 30
+                         : n % 3 == 0          ? 400
+                                               : 120);
+        }
         for (int k = 0; k < 3; k++) {
             qtri_rgb *color = &scene.colors[k];
             const int32_t ends = random_in(seed, 0, 63) | (at_ends ? 1 + 4 + 16 : 0);
@@ -692,7 +700,7 @@ static void colors_are_near_those_in_double_precision(void **unused)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         int small = 0;
         const double worst =
-            worst_color(cases[i].pipeline, &seed, random_cases(1500), false, &small);
+            worst_color(cases[i].pipeline, &seed, random_cases(1500), ANY, &small);
         printf("%d small: colours off by %.3f of a step\n", small, worst);
         assert_true(worst < cases[i].most);
     }
@@ -707,8 +715,26 @@ static void channels_of_565_stay_in_their_fields(void **unused)
     scene.mesh.colors = scene.colors;
     scene.material = qtri_material_default();
     scene.material.cull = QTRI_CULL_NONE;
-    assert_true(worst_color(&colored, &seed, random_cases(12000), true, &small) < 1.3);
+    assert_true(worst_color(&colored, &seed, random_cases(12000), AT_ENDS, &small) < 1.3);
     assert_true(small > random_cases(12000) / 2);
+}
+
+/* Of those that bend by more than a curve over the whole triangle may most are small as well. */
+static void colors_are_divided_in_steep_perspective(void **unused)
+{
+    static const qtri_pipeline *const pipelines[] = {&colored, &xrgb_colors, &gray_colors};
+    (void)unused;
+    uint64_t seed = 23;
+    scene.mesh.colors = scene.colors;
+    scene.material = qtri_material_default();
+    scene.material.cull = QTRI_CULL_NONE;
+    for (int i = 0; i < 3; i++) {
+        int small = 0;
+        const double worst = worst_color(pipelines[i], &seed, random_cases(2000), STEEP, &small);
+        printf("%d small: steep colours off by %.3f of a step\n", small, worst);
+        assert_true(worst < 1.3);
+        assert_true(small > random_cases(2000) * 3 / 4);
+    }
 }
 
 int main(void)
@@ -733,6 +759,7 @@ int main(void)
         cmocka_unit_test(textures_are_divided_in_steep_perspective),
         cmocka_unit_test(colors_are_near_those_in_double_precision),
         cmocka_unit_test(channels_of_565_stay_in_their_fields),
+        cmocka_unit_test(colors_are_divided_in_steep_perspective),
     };
     return cmocka_run_group_tests_name("pipeline small", tests, NULL, NULL);
 }

@@ -65,18 +65,18 @@ static inline uint32_t to_units(int32_t x, int32_t up)
 }
 
 void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const qtri_curvature *c,
-                          uint32_t value, int32_t f1, int32_t f2, int32_t up)
+                          const qtri_small_value *value)
 {
     const int32_t x = p->x, y = p->y - 256 * p->first;
     const uint32_t rows = (uint32_t)p->first;
     const int32_t wide = p->wide;
     qtri_small_ramp f, g;
-    f1 = (f1 + wide) >> wide; /* as they are scaled they have to be below 2^14.4 */
-    f2 = (f2 + wide) >> wide;
-    up += wide;
+    const int32_t f1 = (value->f1 + wide) >> wide; /* scaled they have to be below 2^14.4 */
+    const int32_t f2 = (value->f2 + wide) >> wide;
+    int32_t up = value->up + wide;
     QTRI_SMALL_SETUP(ramp_set_at)(&f, p, x, y, 0, f1, f2, -p->up);
     QTRI_SMALL_SETUP(ramp_set_at)
-    (&g, p, x, y, value, qtri_small_scaled(f1, c->k_q18[0]), qtri_small_scaled(f2, c->k_q18[1]),
+    (&g, p, x, y, value->value, qtri_small_scaled(f1, c->k_q18[0]), qtri_small_scaled(f2, c->k_q18[1]),
      up);
     const int32_t at = (int32_t)f.at, fx = (int32_t)f.dx, fy = (int32_t)f.dy;
     up += p->up + 14 - c->bits; /* of what product() is of */
@@ -91,13 +91,11 @@ void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const 
     r->yy = 2 * yy;
 }
 
-/* How many pixels a chord may have, as a power of two: over n pixels it is off by n^2 / 4 of xx,
-   which is to be a quarter of `limit` at most. */
-static uint32_t chord_log2(const qtri_small_curve *c, uint32_t most, uint32_t limit)
+int32_t qtri_small_chord_log2(const qtri_small_curve *c, int32_t most, uint32_t bend)
 {
-    const uint32_t bend = qtri_small_about((int32_t)c->xx);
-    uint32_t log2 = most;
-    while (log2 > 0 && bend > limit >> 2 * log2) {
+    const uint32_t by = qtri_small_about((int32_t)c->xx);
+    int32_t log2 = most;
+    while (log2 > 0 && by > bend >> 2 * log2) {
         log2--;
     }
     return log2;
@@ -105,29 +103,38 @@ static uint32_t chord_log2(const qtri_small_curve *c, uint32_t most, uint32_t li
 
 /* Light ---------------------------------------------------------------------------------------- */
 
-bool qtri_small_light_curve(qtri_small_curves *curves, const qtri_curvature *c,
-                            const qtri_small_place *p, const qtri_small *t, const qtri_options *o)
+void qtri_small_find_light(qtri_small_value *light, const qtri_small *t, const qtri_options *o)
 {
-    const uint32_t part = qtri_small_curve_part_of(o) - qtri_is_textured(o);
     const int32_t i0 = t->v[0]->intensity_q15;
-    const int32_t f1 = t->v[1]->intensity_q15 - i0, f2 = t->v[2]->intensity_q15 - i0;
-    /* half of 2^-part of full, 2^15, by 1/16 of (range(q) / q_min)^2 */
-    if (!qtri_small_is_near_curve(c, qtri_small_range(f1, f2), 18 - part)) {
-        return false;
-    }
-    qtri_small_set_curve(&curves->c, p, c, (((uint32_t)i0 << 9) + qtri_light_half(o)) << FINE, f1,
-                         f2, 1 + FINE);
-    curves->light_piece = (uint32_t)1
-                          << chord_log2(&curves->c, 6, (uint32_t)1 << (25 + FINE - part));
-    return true;
+    const uint32_t part = qtri_small_curve_part_of(o) - qtri_is_textured(o);
+    light->value = (((uint32_t)i0 << 9) + qtri_light_half(o)) << FINE;
+    light->f1 = t->v[1]->intensity_q15 - i0;
+    light->f2 = t->v[2]->intensity_q15 - i0;
+    light->up = 1 + FINE;
+    light->unit_log2 = 8;  /* Q15 of full */
+    light->by = 18 - part; /* half of 2^-part of full */
+    light->bend = (uint32_t)1 << (25 + FINE - part);
+}
+
+void qtri_small_set_light_along(qtri_small_curves *curves, const qtri_curvature *c,
+                                const qtri_small_place *p, const qtri_small_value *light)
+{
+    qtri_small_set_curve(&curves->c, p, c, light);
+    curves->light_piece = (uint32_t)1 << qtri_small_chord_log2(&curves->c, 6, light->bend);
 }
 
 bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_place *p,
                                 const qtri_small *t, const qtri_options *o)
 {
     qtri_curvature c;
+    qtri_small_value light;
     curves->is_curved = true;
-    return qtri_small_set_curvature(&c, p, t) && qtri_small_light_curve(curves, &c, p, t, o);
+    qtri_small_find_light(&light, t, o);
+    if (!qtri_small_set_curvature(&c, p, t) || !qtri_small_is_near(&c, &light)) {
+        return false;
+    }
+    qtri_small_set_light_along(curves, &c, p, &light);
+    return true;
 }
 
 /* Colours -------------------------------------------------------------------------------------- */
@@ -143,7 +150,7 @@ bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_pl
     const uint32_t half = textured ? qtri_light_half(o) : 0x8000u;
     /* Rounded steps may add up to a quarter of a step of a channel; where a triangle is wide, to an
        eighth, as xx is rounded too. */
-    uint32_t log2 = !is_packed ? 5 : p->wide ? 3 : 4;
+    int32_t log2 = !is_packed ? 5 : p->wide ? 3 : 4;
     qtri_small_colors f;
     qtri_curvature c;
     /* Packed ones without perspective go in longer runs where they are large: quads of 70 and 100
@@ -160,18 +167,42 @@ bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_pl
     }
     const int32_t channels[3][3] = {
         {f.at.r, f.d1.r, f.d2.r}, {f.at.g, f.d1.g, f.d2.g}, {f.at.b, f.d1.b, f.d2.b}};
+    qtri_small_value value[3];
+    bool is_near = true;
     for (int i = 0; i < 3; i++) {
         const int32_t *channel = channels[i]; /* Q15 of full */
         const int32_t full = textured ? 256 : !is_packed ? 255 : i == 1 ? 63 : 31;
-        if (!qtri_small_is_near_curve(&c, qtri_small_range(channel[1], channel[2]), 18 - part)) {
+        qtri_small_value *v = &value[i];
+        is_near = is_near &&
+                  qtri_small_is_near_curve(&c, qtri_small_range(channel[1], channel[2]), 18 - part);
+        v->value = ((uint32_t)(channel[0] * full * 2) + half) << FINE;
+        v->f1 = (channel[1] * full) >> 8;
+        v->f2 = (channel[2] * full) >> 8;
+        v->up = 1 + FINE;
+        /* Q15 of full, or the 31/32 and 63/64 of it: 2/35 has room for that. */
+        v->unit_log2 = !is_packed ? 8 : i == 1 ? 6 : 5;
+        v->by = 18 - part;
+        v->bend = (uint32_t)full << (17 + FINE - part);
+    }
+    qtri_small_divide_nothing(&k->division);
+    if (is_near) {
+        for (int i = 0; i < 3; i++) {
+            qtri_small_set_curve(&k->channel[i], p, &c, &value[i]);
+            log2 = qtri_small_chord_log2(&k->channel[i], log2, value[i].bend);
+        }
+        k->piece = (uint32_t)1 << log2;
+        return true;
+    }
+    k->piece = 1; /* divided with the first pixels */
+    if (textured || !qtri_small_begin_division(&k->division, &c, p)) {
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        if (!qtri_small_add_divided(&k->division, &k->channel[i], &value[i], &c, p)) {
             return false;
         }
-        qtri_small_set_curve(&k->channel[i], p, &c,
-                             ((uint32_t)(channel[0] * full * 2) + half) << FINE,
-                             (channel[1] * full) >> 8, (channel[2] * full) >> 8, 1 + FINE);
-        log2 = chord_log2(&k->channel[i], log2, (uint32_t)full << (17 + FINE - part));
     }
-    k->piece = (uint32_t)1 << log2;
+    qtri_small_end_division(&k->division);
     return true;
 }
 

@@ -46,9 +46,9 @@ static uint32_t clamp_axis_set(qtri_clamp_axis *axis, int32_t u0, uint32_t side_
 }
 
 /* Of any axes and differences. */
-static void set_units(qtri_small_units *units, qtri_small_curves *curves, int32_t f[2][3],
-                      const qtri_small_place *p, const qtri_draw_state *state,
-                      const qtri_options *o)
+static void set_values(qtri_small_value value[2], qtri_small_curves *curves, int32_t f[2][3],
+                       uint32_t by, const qtri_small_place *p, const qtri_draw_state *state,
+                       const qtri_options *o)
 {
     const uint32_t side_log2[2] = {qtri_texture_width_log2(o, state),
                                    qtri_texture_height_log2(o, state)};
@@ -80,9 +80,13 @@ static void set_units(qtri_small_units *units, qtri_small_curves *curves, int32_
         if (o->bilinear) {
             base -= (uint32_t)1 << (shift - 1);
         }
-        units->base[k] = base;
-        units->up[k] = up;
-        units->texel_log2[k] = shift;
+        value[k].value = base;
+        value[k].f1 = f[k][1];
+        value[k].f2 = f[k][2];
+        value[k].up = (int32_t)up;
+        value[k].unit_log2 = (int32_t)shift - (int32_t)up - 6; /* 2^-6 texel */
+        value[k].by = by;
+        value[k].bend = 0;
     }
 }
 
@@ -105,51 +109,59 @@ static bool are_near_curves(const qtri_curvature *c, int32_t f[2][3], uint32_t b
     return qtri_small_is_near_curve(c, u > v ? u : v, by);
 }
 
-static bool set_texture_curves(qtri_small_curves *curves, const qtri_curvature *c, int32_t f[2][3],
-                               const qtri_small_place *p, const qtri_small *t,
-                               const qtri_options *o)
-{
-    qtri_small_units units;
-    /* 1/16 texel at most; 1/32 where more pixels show it, and a quarter of that of filtered ones */
-    const uint32_t by = 6u - qtri_small_is_beyond_middle(p) - (o->bilinear ? 2u : 0);
-    const bool is_near = are_near_curves(c, f, by, t, o);
-    set_units(&units, curves, f, p, t->state, o);
-    curves->division.log2 = 0;
-    curves->division.goes_on = 0;
-    if (!is_near) { /* samples have no rows that begin anew */
-        return !qtri_has_samples(o) && qtri_small_set_division(curves, &units, c, p, f, by);
-    }
-    for (int k = 0; k < 2; k++) {
-        qtri_small_curve *r = k == 0 ? &curves->u : &curves->v;
-        if ((int32_t)units.up[k] + p->up > 16) {
-            return false;
-        }
-        qtri_small_set_curve(r, p, c, units.base[k], f[k][1], f[k][2], (int32_t)units.up[k]);
-    }
-    return true;
-}
-
 bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
                            const qtri_small *t, const qtri_options *o, bool curved)
 {
+    /* 1/16 texel at most; 1/32 where more pixels show it, and a quarter of that of filtered ones */
+    const uint32_t by = 6u - qtri_small_is_beyond_middle(p) - (o->bilinear ? 2u : 0);
+    const bool lit = curved && qtri_is_lit(o);
     qtri_small_uv at;
+    qtri_small_value value[2], light;
     qtri_curvature c;
+    bool is_near = true, is_lit_near = true;
     qtri_small_uv_find(&at, t);
     int32_t f[2][3] = {{at.u0, at.u1, at.u2}, {at.v0, at.v1, at.v2}};
     curves->light_piece = 0;
     curves->is_curved =
         curved || (!t->state->is_linear && qtri_small_is_texture_curved(&at, p, t, o));
+    if (curves->is_curved) {
+        if (!qtri_small_set_curvature(&c, p, t)) {
+            return false;
+        }
+        is_near = are_near_curves(&c, f, by, t, o);
+        if (lit) {
+            qtri_small_find_light(&light, t, o);
+            is_lit_near = qtri_small_is_near(&c, &light);
+        }
+    }
+    set_values(value, curves, f, by, p, t->state, o);
     if (!curves->is_curved) {
-        qtri_small_units units;
-        set_units(&units, curves, f, p, t->state, o);
         for (int k = 0; k < 2; k++) {
-            qtri_small_ramp_set(&curves->linear[k], p, units.base[k], f[k][1], f[k][2],
-                                (int32_t)units.up[k]);
+            qtri_small_ramp_set(&curves->linear[k], p, value[k].value, value[k].f1, value[k].f2,
+                                value[k].up);
         }
         return true;
     }
-    return qtri_small_set_curvature(&c, p, t) && set_texture_curves(curves, &c, f, p, t, o) &&
-           (!curved || !qtri_is_lit(o) || qtri_small_light_curve(curves, &c, p, t, o));
+    qtri_small_divide_nothing(&curves->division);
+    if (lit && is_lit_near) {
+        qtri_small_set_light_along(curves, &c, p, &light);
+    }
+    if (is_near && is_lit_near) {
+        qtri_small_set_curve(&curves->u, p, &c, &value[0]);
+        qtri_small_set_curve(&curves->v, p, &c, &value[1]);
+        return value[0].up + p->up <= 16 && value[1].up + p->up <= 16;
+    }
+    if (qtri_has_samples(o) || /* these have no rows that begin anew */
+        !qtri_small_begin_division(&curves->division, &c, p) ||
+        !qtri_small_add_divided(&curves->division, &curves->u, &value[0], &c, p) ||
+        !qtri_small_add_divided(&curves->division, &curves->v, &value[1], &c, p) ||
+        (!is_lit_near &&
+         !qtri_small_add_divided(&curves->division, &curves->c, &light, &c, p))) {
+        return false;
+    }
+    curves->light_piece = !is_lit_near ? 1 : curves->light_piece; /* found with the curve */
+    qtri_small_end_division(&curves->division);
+    return true;
 }
 
 /* Mipmap levels -------------------------------------------------------------------------------- */

@@ -19,11 +19,15 @@
 #define qtri_small_set_colors_888        narrow_small_set_colors_888
 #define qtri_small_set_colors_gray       narrow_small_set_colors_gray
 #define qtri_small_color_curves_next_row narrow_small_color_curves_next_row
+#define qtri_small_add_divided           narrow_small_add_divided
+#define qtri_small_begin_division        narrow_small_begin_division
+#define qtri_small_chord_log2            narrow_small_chord_log2
 #define qtri_small_divide                narrow_small_divide
-#define qtri_small_set_division          narrow_small_set_division
+#define qtri_small_end_division          narrow_small_end_division
+#define qtri_small_set_light_along       narrow_small_set_light_along
 #define qtri_small_find_e                narrow_small_find_e
+#define qtri_small_find_light            narrow_small_find_light
 #define qtri_small_is_near_curve         narrow_small_is_near_curve
-#define qtri_small_light_curve           narrow_small_light_curve
 #define qtri_small_set_color_chord       narrow_small_set_color_chord
 #define qtri_small_set_color_curves      narrow_small_set_color_curves
 #define qtri_small_set_curvature         narrow_small_set_curvature

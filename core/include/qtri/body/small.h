@@ -163,6 +163,10 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     /* Curved or not: what rows and pieces begin with is read from memory, so that pixels have the
        registers. Texels take more of them than that leaves. */
     const bool shares_loop = !QTRI_SMALL_IN_PLACE && !textured && qtri_is_lit(o);
+    const bool has_channels = o->shade == QTRI_COLORS && !textured;
+    const bool divides = textured || has_channels; /* by a call: the loop of light has none */
+    qtri_small_division *division = has_channels ? &colors->division : &curves->division;
+    uint32_t *piece = has_channels ? &colors->piece : &curves->light_piece;
     const ptrdiff_t row = p->row - surface->first_row;
     const ptrdiff_t pitch = surface->pitch, depth_pitch = w->state->depth_pitch;
     const uintptr_t skew = (uintptr_t)pitch - (uintptr_t)depth_pitch;
@@ -208,7 +212,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
                 w->depth += (ptrdiff_t)(int32_t)(x - at) * (ptrdiff_t)depth_bytes;
             }
             if (o->fog) {
-                if (!curved || !textured || curves->division.goes_on == 0) {
+                if (!curved || !divides || division->goes_on == 0) {
                     qtri_small_set_fog_along(w, end - x);
                 }
                 if (p->cut) {
@@ -221,13 +225,13 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
                     x = first;
                 }
             }
+            if (curved && divides && division->log2 != 0) {
+                QTRI_RARELY();
+                end = qtri_small_divide(division, piece, x, end, span - 2);
+                w->u_bend = textured ? 2 * curves->u.xx : 0;
+                w->v_bend = textured ? 2 * curves->v.xx : 0;
+            }
             if (curved && textured) {
-                if (curves->division.log2 != 0) {
-                    QTRI_RARELY();
-                    end = qtri_small_divide(curves, x, end, span - 2);
-                    w->u_bend = 2 * curves->u.xx;
-                    w->v_bend = 2 * curves->v.xx;
-                }
                 qtri_small_curves_begin(w, curves, x - QTRI_SMALL_REACH);
             }
             at = end;
@@ -256,7 +260,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
         } else if (x == QTRI_SMALL_STOP) {
             return;
         }
-        if (curved && textured && curves->division.goes_on != 0) {
+        if (curved && divides && division->goes_on != 0) {
             QTRI_RARELY();
             span -= 2;
             continue;

@@ -11,8 +11,8 @@
  *
  * Rows are found exactly, by the top-left rule, as spans of bytes. What varies is linear on the
  * screen, set by products with 1/area; texture coordinates, light and colours are polynomials of
- * second order where perspective could be seen, see small_curves.h; texture coordinates that bend
- * too much for that are divided at points along rows, see small_division.c.
+ * second order where perspective could be seen, see small_curves.h; what bends too much for that is
+ * divided at points along rows, see small_division.c.
  */
 #ifndef QTRI_BODY_SMALL_TRIANGLE_H
 #define QTRI_BODY_SMALL_TRIANGLE_H
@@ -123,30 +123,34 @@ QTRI_BODY void qtri_small_curve_next_row(qtri_small_curve *c)
     c->dx += c->xy;
 }
 
-/* Texture coordinates that bend more than a curve does: exact at points a power of two columns
-   apart, by a division, and parabolas between them. See small_division.c. */
+/* What bends more than a curve does: exact at points a power of two columns apart, by a division,
+   and parabolas between them. See small_division.c. */
 typedef struct qtri_small_divided {
-    qtri_small_ramp s; /* what it has more than at vertex 0, times 1 + q */
-    uint32_t value;    /* at vertex 0 */
-    int32_t point;     /* what it has more at the last point */
     uint8_t at_left, at_right, step_left, step_right, bend_left, bend_right;
+    int8_t up;               /* of s to units of the value */
+    qtri_small_curve *curve; /* up to the next point */
+    qtri_small_ramp s;       /* what it has more than at vertex 0, times 1 + q */
+    uint32_t value;          /* at vertex 0 */
+    int32_t point;           /* what it has more at the last point */
+    uint32_t bend;           /* of light and colours: the most along a chord of a pixel; else 0 */
 } qtri_small_divided;
 
 /* What is asked once a row is a word, which Armv6-M reads from the stack by one instruction. */
 typedef struct qtri_small_division {
-    uint32_t log2;        /* of columns from point to point; 0: coordinates are curves */
+    uint32_t log2;        /* of columns from point to point; 0: nothing is divided */
     uint32_t goes_on;     /* not 0: along the row, from the last point on */
     const uint8_t *spans; /* of the first row */
     int32_t left;         /* column of a point, from vertex 0's, no more than any pixel's */
     int32_t reciprocal;   /* 1 / (1 + q) at the last point, Q16 */
     qtri_small_ramp q;    /* 1/w by that of vertex 0, less 1: Q24 */
-    qtri_small_divided a[2];
+    int32_t count;
+    qtri_small_divided a[3];
 } qtri_small_division;
 
 /* Texture coordinates, and light where it follows perspective. Not curved: coordinates only, and
    linear. */
 typedef struct qtri_small_curves {
-    qtri_small_curve u, v, c; /* by division: u and v up to the next point */
+    qtri_small_curve u, v, c;
     qtri_small_ramp linear[2];
     bool is_curved;
     uint32_t light_piece; /* pixels over which light is near a chord, a power of two; 0: linear */
@@ -158,6 +162,7 @@ typedef struct qtri_small_curves {
 typedef struct qtri_small_color_curves {
     qtri_small_curve channel[3]; /* red, green, blue; of gray, luma in the place of green */
     uint32_t piece;              /* as light_piece */
+    qtri_small_division division;
 } qtri_small_color_curves;
 
 typedef enum qtri_small_found {
@@ -211,9 +216,11 @@ bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
 bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
                            const qtri_small *t, const qtri_options *o, bool curved);
 
-/* In small_division.c: u and v from column x of a span's row on, as spans count; returns up to
-   which: `end`, or a point, where the span begins then, and goes on. */
-uint32_t qtri_small_divide(qtri_small_curves *curves, uint32_t x, uint32_t end, uint8_t *span);
+/* In small_division.c: curves, and of light and colours the pixels of a chord, from column x of a
+   span's row on, as spans count; returns up to which: `end`, or a point, where the span begins
+   then, and goes on. */
+uint32_t qtri_small_divide(qtri_small_division *d, uint32_t *piece, uint32_t x, uint32_t end,
+                           uint8_t *span);
 
 /* In small_curves.c: light without texture, and colours. False as above. */
 bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_place *p,
