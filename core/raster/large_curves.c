@@ -289,9 +289,11 @@ static void begin_chunk(qtri_large_job *job)
     }
     set_first(job, chunk);
     job->t.x = chunk + number * ((int32_t)1 << log2);
-    job->q.s += job->q.s_step * (uint64_t)(int64_t)number;
-    for (int i = 0; i < job->count; i++) {
-        job->a[i].plane.s += job->a[i].plane.s_step * (uint64_t)(int64_t)number;
+    if (number != 0) {
+        job->q.s += job->q.s_step * (uint64_t)(int64_t)number;
+        for (int i = 0; i < job->count; i++) {
+            job->a[i].plane.s += job->a[i].plane.s_step * (uint64_t)(int64_t)number;
+        }
     }
     const int32_t reciprocal = next_reciprocal(job);
     job->delta = delta_at(job, reciprocal);
@@ -434,18 +436,28 @@ static inline void set_halves(qtri_large_job *job, int i, int32_t end, const spa
     }
 }
 
-/* Clamps a chord of `count` pixels to the range of the vertices, at its last pixel too. */
-static inline void clamp_chord(const qtri_large_attribute *a, uint32_t *at, uint32_t *step,
-                               int32_t count)
+QTRI_NOINLINE static void hold_chord(const qtri_large_attribute *a, uint32_t *at, uint32_t *step,
+                                     int32_t count)
 {
     const int32_t min = (int32_t)a->start, max = (int32_t)(a->start + a->most - a->least);
     const int32_t from = qtri_hold32((int32_t)*at, min, max);
     const int32_t end = from + (int32_t)*step * (count - 1);
     const int32_t to = qtri_hold32(end, min, max);
-    if (to != end && count > 1) { /* rare */
+    if (to != end && count > 1) {
         *step = (uint32_t)qtri_divide32(to - from, (uint32_t)count - 1);
     }
     *at = (uint32_t)from;
+}
+
+/* Clamps a chord of `count` pixels to the range of the vertices, at its last pixel too: few need
+   it. */
+static inline void clamp_chord(const qtri_large_attribute *a, uint32_t *at, uint32_t *step,
+                               int32_t count)
+{
+    const uint32_t range = a->most - a->least, from = *at - a->start;
+    if (from > range || from + *step * ((uint32_t)count - 1) > range) {
+        hold_chord(a, at, step, count);
+    }
 }
 
 /* Colours of both pieces along chords. */
@@ -469,7 +481,9 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, int32_t reciprocal, in
         a->point = end;
     }
     qtri_large_pack(job, &job->piece[0], at[0], step[0], qtri_least32(h, rest));
-    qtri_large_pack(job, &job->piece[1], at[1], step[1], qtri_hold32(rest - h, 0, h));
+    if (rest > h) { /* or there is no second one */
+        qtri_large_pack(job, &job->piece[1], at[1], step[1], qtri_least32(h, rest - h));
+    }
 }
 
 /* The next span: whole, of coordinates alone, or its halves. */
@@ -514,7 +528,7 @@ QTRI_INLINE int32_t span_pieces(qtri_large_job *job, bool whole, bool textured, 
         qtri_large_clip(job, &job->piece[0], x);
         qtri_large_clip(job, &job->piece[1], x + h);
     }
-    return 2;
+    return left > h ? 2 : 1;
 }
 
 QTRI_NOINLINE static int32_t both_halves(qtri_large_job *job)
