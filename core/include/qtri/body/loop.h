@@ -35,17 +35,23 @@ QTRI_BODY void qtri_walk_move(const qtri_options *o, qtri_pixel_walk *w, uint32_
     }
 }
 
-/* A pixel of a long row: steps of packed colours, which are rounded to short fractions, take turns,
-   so that two of them are rounded once. */
-QTRI_BODY void qtri_pixel_next(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
-                               bool bent, int32_t i)
+/* Steps of packed colours, which are rounded to short fractions, take turns along long rows, so that
+   two of them are rounded once. */
+QTRI_BODY void qtri_walk_turn(const qtri_options *o, qtri_pixel_walk *w)
 {
-    qtri_pixel(o, pixel, w, bent, i);
     if (qtri_is_packed_565(o)) {
         const uint32_t step = w->c_step;
         w->c_step = w->c_other;
         w->c_other = step;
     }
+}
+
+/* A pixel of a long row. */
+QTRI_BODY void qtri_pixel_next(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                               bool bent, int32_t i)
+{
+    qtri_pixel(o, pixel, w, bent, i);
+    qtri_walk_turn(o, w);
 }
 
 QTRI_BODY void qtri_pixel_alone(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
@@ -86,6 +92,34 @@ QTRI_BODY void qtri_pixels_by_fours(const qtri_options *o, qtri_pixel_body *pixe
     for (; count > 0; count--) {
         qtri_pixel_alone(o, pixel, w, false);
     }
+}
+
+/* Long rows whose loop has a pixel: on Armv7-M blends of what has no texture have the registers
+   for two pointers and a count. */
+QTRI_BODY bool qtri_pixels_are_paired(const qtri_options *o)
+{
+    return qtri_is_paired(o) && !qtri_has_samples(o) &&
+           (qtri_is_textured(o) || !QTRI_LONG_MULTIPLY);
+}
+
+/* By one pointer, which also tells the end. */
+QTRI_BODY void qtri_pixels_paired(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                                  bool bent, int32_t count)
+{
+    const uint32_t bytes = qtri_pixel_bytes(o);
+    const uintptr_t apart = (uintptr_t)w->pixel - (uintptr_t)w->depth;
+    const uint8_t *const end = w->depth + (uint32_t)count * bytes;
+    if (count <= 0) {
+        return;
+    }
+    w->pixel += (uint32_t)count * bytes;
+    do {
+        // NOLINTNEXTLINE(performance-no-int-to-ptr)
+        pixel(w, bent, (uint8_t *)((uintptr_t)w->depth + apart), w->depth);
+        qtri_walk_turn(o, w);
+        w->depth += bytes;
+        QTRI_BODY_BARRIER(w->depth);
+    } while (w->depth != end);
 }
 
 /* Pixels of a row, one after the other. */
@@ -143,6 +177,10 @@ QTRI_BODY void qtri_pixels_singly(const qtri_options *o, qtri_pixel_body *pixel,
             count -= together;
         }
         count += early;
+    }
+    if (together == 1 && qtri_pixels_are_paired(o)) {
+        qtri_pixels_paired(o, pixel, w, bent, count);
+        return;
     }
     for (; count > 0; count--) {
         qtri_pixel_alone(o, pixel, w, bent);
