@@ -699,8 +699,7 @@ static void colors_are_near_those_in_double_precision(void **unused)
     scene.texture.height_log2 = 3;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         int small = 0;
-        const double worst =
-            worst_color(cases[i].pipeline, &seed, random_cases(1500), ANY, &small);
+        const double worst = worst_color(cases[i].pipeline, &seed, random_cases(1500), ANY, &small);
         printf("%d small: colours off by %.3f of a step\n", small, worst);
         assert_true(worst < cases[i].most);
     }

@@ -76,8 +76,8 @@ void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const 
     int32_t up = value->up + wide;
     QTRI_SMALL_SETUP(ramp_set_at)(&f, p, x, y, 0, f1, f2, -p->up);
     QTRI_SMALL_SETUP(ramp_set_at)
-    (&g, p, x, y, value->value, qtri_small_scaled(f1, c->k_q18[0]), qtri_small_scaled(f2, c->k_q18[1]),
-     up);
+    (&g, p, x, y, value->value, qtri_small_scaled(f1, c->k_q18[0]),
+     qtri_small_scaled(f2, c->k_q18[1]), up);
     const int32_t at = (int32_t)f.at, fx = (int32_t)f.dx, fy = (int32_t)f.dy;
     up += p->up + 14 - c->bits; /* of what product() is of */
     r->xx = 0u - to_units(product(fx, c->ex), up);
@@ -130,7 +130,8 @@ bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_plac
     qtri_small_value light;
     curves->is_curved = true;
     qtri_small_find_light(&light, t, o);
-    if (!qtri_small_set_curvature(&c, p, t) || !qtri_small_is_near(&c, &light)) {
+    if (!qtri_small_set_curvature(&c, p, t) ||
+        !qtri_small_is_near_curve(&c, qtri_small_range(light.f1, light.f2), light.by)) {
         return false;
     }
     qtri_small_set_light_along(curves, &c, p, &light);
@@ -138,6 +139,47 @@ bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_plac
 }
 
 /* Colours -------------------------------------------------------------------------------------- */
+
+/* Channels of the vertices, Q15 of full; of gray, luma in the place of green. */
+static void find_channels(int32_t channel[3][3], const qtri_small_place *p, const qtri_small *t,
+                          bool is_gray)
+{
+    qtri_small_colors f;
+    qtri_small_colors_of(&f, p, t);
+    const qtri_small_channels *const vertex[3] = {&f.at, &f.d1, &f.d2};
+    for (int i = 0; i < 3; i++) {
+        channel[0][i] = vertex[i]->r;
+        channel[1][i] = is_gray ? qtri_small_luma(vertex[i]) : vertex[i]->g;
+        channel[2][i] = vertex[i]->b;
+    }
+}
+
+static bool set_color_curves(qtri_small_color_curves *k, const qtri_small_place *p,
+                             const qtri_curvature *c, const qtri_small_value value[3],
+                             bool is_packed)
+{
+    /* Rounded steps may add up to a quarter of a step of a channel; where a triangle is wide, to an
+       eighth, as xx is rounded too. */
+    int32_t log2 = !is_packed ? 5 : p->wide ? 3 : 4;
+    for (int i = 0; i < 3; i++) {
+        qtri_small_set_curve(&k->channel[i], p, c, &value[i]);
+        log2 = qtri_small_chord_log2(&k->channel[i], log2, value[i].bend);
+    }
+    k->piece = (uint32_t)1 << log2;
+    return true;
+}
+
+static bool divide_colors(qtri_small_color_curves *k, const qtri_small_place *p,
+                          const qtri_curvature *c, const qtri_small_value value[3])
+{
+    bool is_set = qtri_small_begin_division(&k->division, c, p);
+    for (int i = 0; i < 3 && is_set; i++) {
+        is_set = qtri_small_add_divided(&k->division, &k->channel[i], &value[i], c, p);
+    }
+    qtri_small_end_division(&k->division);
+    k->piece = 1; /* found with the curves */
+    return is_set;
+}
 
 bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_place *p,
                                  const qtri_small *t)
@@ -148,62 +190,34 @@ bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_pl
     const bool is_packed = kind == QTRI_IN_565 && !textured;
     const uint32_t part = qtri_small_curve_part_of(o);
     const uint32_t half = textured ? qtri_light_half(o) : 0x8000u;
-    /* Rounded steps may add up to a quarter of a step of a channel; where a triangle is wide, to an
-       eighth, as xx is rounded too. */
-    int32_t log2 = !is_packed ? 5 : p->wide ? 3 : 4;
-    qtri_small_colors f;
+    int32_t channel[3][3];
+    qtri_small_value value[3];
     qtri_curvature c;
+    bool is_near = true;
     /* Packed ones without perspective go in longer runs where they are large: quads of 70 and 100
        pixels take 32 and 40 % less. */
     if ((is_packed && (t->state->is_linear || p->q_about == 0) && qtri_small_is_beyond_middle(p)) ||
         !qtri_small_set_curvature(&c, p, t)) {
         return false;
     }
-    qtri_small_colors_of(&f, p, t);
-    if (!textured && kind == QTRI_IN_GRAY) {
-        f.at.g = qtri_small_luma(&f.at);
-        f.d1.g = qtri_small_luma(&f.d1);
-        f.d2.g = qtri_small_luma(&f.d2);
-    }
-    const int32_t channels[3][3] = {
-        {f.at.r, f.d1.r, f.d2.r}, {f.at.g, f.d1.g, f.d2.g}, {f.at.b, f.d1.b, f.d2.b}};
-    qtri_small_value value[3];
-    bool is_near = true;
+    find_channels(channel, p, t, kind == QTRI_IN_GRAY && !textured);
     for (int i = 0; i < 3; i++) {
-        const int32_t *channel = channels[i]; /* Q15 of full */
         const int32_t full = textured ? 256 : !is_packed ? 255 : i == 1 ? 63 : 31;
         qtri_small_value *v = &value[i];
-        is_near = is_near &&
-                  qtri_small_is_near_curve(&c, qtri_small_range(channel[1], channel[2]), 18 - part);
-        v->value = ((uint32_t)(channel[0] * full * 2) + half) << FINE;
-        v->f1 = (channel[1] * full) >> 8;
-        v->f2 = (channel[2] * full) >> 8;
+        v->value = ((uint32_t)(channel[i][0] * full * 2) + half) << FINE;
+        v->f1 = (channel[i][1] * full) >> 8;
+        v->f2 = (channel[i][2] * full) >> 8;
         v->up = 1 + FINE;
-        /* Q15 of full, or the 31/32 and 63/64 of it: 2/35 has room for that. */
+        /* Q15 of full, or 31/32 and 63/64 of that: 2/35 has room for it. */
         v->unit_log2 = !is_packed ? 8 : i == 1 ? 6 : 5;
         v->by = 18 - part;
         v->bend = (uint32_t)full << (17 + FINE - part);
+        is_near = is_near && qtri_small_is_near_curve(
+                                 &c, qtri_small_range(channel[i][1], channel[i][2]), v->by);
     }
     qtri_small_divide_nothing(&k->division);
-    if (is_near) {
-        for (int i = 0; i < 3; i++) {
-            qtri_small_set_curve(&k->channel[i], p, &c, &value[i]);
-            log2 = qtri_small_chord_log2(&k->channel[i], log2, value[i].bend);
-        }
-        k->piece = (uint32_t)1 << log2;
-        return true;
-    }
-    k->piece = 1; /* divided with the first pixels */
-    if (textured || !qtri_small_begin_division(&k->division, &c, p)) {
-        return false;
-    }
-    for (int i = 0; i < 3; i++) {
-        if (!qtri_small_add_divided(&k->division, &k->channel[i], &value[i], &c, p)) {
-            return false;
-        }
-    }
-    qtri_small_end_division(&k->division);
-    return true;
+    return is_near ? set_color_curves(k, p, &c, value, is_packed)
+                   : !textured && divide_colors(k, p, &c, value);
 }
 
 /* Fields as state.h and pixel.h have them. */

@@ -35,30 +35,28 @@ typedef struct qtri_curvature {
 bool qtri_small_set_curvature(qtri_curvature *c, const qtri_small_place *p, const qtri_small *t);
 /* Whether a curve is off by 2/35 range (range(q) / q_mid)^2 <= 2^(by - 4) at most, by <= 18. */
 bool qtri_small_is_near_curve(const qtri_curvature *c, uint32_t range, uint32_t by);
-/* What varies: f1 and f2 more at vertices 1 and 2 than `value`, in units of 2^(8 + up). */
+
+/* A value that varies, and how near a curve or a division has to be. */
 typedef struct qtri_small_value {
-    uint32_t value;
-    int32_t f1, f2, up;
-    int32_t unit_log2; /* where it is divided it is off as a curve may be, see */
-    uint32_t by;       /*   qtri_small_is_near_curve(), whose range is in units of 2^(it - 8) of f */
-    uint32_t bend;     /* of light and colours: the most of a curve along a chord of a pixel; else 0 */
+    uint32_t value;    /* at vertex 0 */
+    int32_t f1, f2;    /* what vertices 1 and 2 have more, */
+    int32_t up;        /*   in units of 2^(8 + up) of it */
+    uint32_t by;       /* see qtri_small_is_near_curve(), */
+    int32_t unit_log2; /*   whose range is then in units of 2^(unit_log2 - 8) of f */
+    uint32_t bend;     /* of light and colours: the most along a chord of a pixel; else 0 */
 } qtri_small_value;
 
 void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const qtri_curvature *c,
                           const qtri_small_value *value);
-/* How many pixels a chord may have, as a power of two, `most` or less: over n pixels it is off by
-   n^2 / 4 of xx, which is to be a quarter of `bend` at most. */
+
+/* log2 of the pixels that a chord may have, `most` or less: over n pixels it is off by n^2 / 4 of
+   xx, which is to be a quarter of `bend` at most. */
 int32_t qtri_small_chord_log2(const qtri_small_curve *c, int32_t most, uint32_t bend);
-/* Light, in full once for a triangle; and as a curve. */
+
+/* Light between the vertices, and along a curve. */
 void qtri_small_find_light(qtri_small_value *light, const qtri_small *t, const qtri_options *o);
 void qtri_small_set_light_along(qtri_small_curves *curves, const qtri_curvature *c,
                                 const qtri_small_place *p, const qtri_small_value *light);
-
-/* Whether a curve is near enough of what differs as much as this, in its own units. */
-static inline bool qtri_small_is_near(const qtri_curvature *c, const qtri_small_value *v)
-{
-    return qtri_small_is_near_curve(c, qtri_small_range(v->f1, v->f2), v->by);
-}
 
 static inline void qtri_small_divide_nothing(qtri_small_division *d)
 {
@@ -66,14 +64,15 @@ static inline void qtri_small_divide_nothing(qtri_small_division *d)
     d->goes_on = 0;
 }
 
-/* In small_division.c, one after the other: points; each value, and its curve; and how far apart
-   points are. False: the triangle bends too much. */
+/* In small_division.c, one after the other: points; values, which have a curve each up to the next
+   point; and how far apart points are. False: the triangle bends too much. */
 bool qtri_small_begin_division(qtri_small_division *d, const qtri_curvature *c,
                                const qtri_small_place *p);
 bool qtri_small_add_divided(qtri_small_division *d, qtri_small_curve *curve,
                             const qtri_small_value *value, const qtri_curvature *c,
                             const qtri_small_place *p);
 void qtri_small_end_division(qtri_small_division *d);
+
 /* What 1/w has more at vertices 1 and 2, as a part of that of vertex 0. */
 void qtri_small_find_e(int32_t e_q18[2], const qtri_small_place *p, const qtri_small *t);
 

@@ -14,8 +14,8 @@
  * rise eps^2 / 2 times .385, the maximum of z (1 - z^2), or .0481 rise (q_2 - q_1)^2, and terms of
  * higher order; 2/35 is allowed for.
  *
- * Of a cube of 90 pixels, turned by 45 degrees, a Cortex-M0+ takes 41 % less than by large triangles
- * where its vertices have colours, and a Cortex-M3 30 %.
+ * Of a cube of 90 pixels, turned by 45 degrees, a Cortex-M0+ takes 41 % less than by large
+ * triangles where its vertices have colours, and a Cortex-M3 30 %.
  *
  * Points count from the leftmost column of the triangle, so that what is drawn of it changes none;
  * of light and colours from a multiple of their chords, which begin at points then.
@@ -109,8 +109,8 @@ bool qtri_small_add_divided(qtri_small_division *d, qtri_small_curve *curve,
     if (unit_log2 < 0 || (a->bend == 0 && slope >> unit_log2 > MOST_TEXELS * 64)) {
         return false;
     }
-    while (!is_near_parabola(slope, unit_log2, qtri_small_about(q_dx), q_least, d->log2,
-                             value->by)) {
+    while (
+        !is_near_parabola(slope, unit_log2, qtri_small_about(q_dx), q_least, d->log2, value->by)) {
         if (d->log2 == LEAST_LOG2) {
             return false;
         }

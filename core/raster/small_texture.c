@@ -131,7 +131,8 @@ bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
         is_near = are_near_curves(&c, f, by, t, o);
         if (lit) {
             qtri_small_find_light(&light, t, o);
-            is_lit_near = qtri_small_is_near(&c, &light);
+            is_lit_near =
+                qtri_small_is_near_curve(&c, qtri_small_range(light.f1, light.f2), light.by);
         }
     }
     set_values(value, curves, f, by, p, t->state, o);
@@ -155,8 +156,7 @@ bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
         !qtri_small_begin_division(&curves->division, &c, p) ||
         !qtri_small_add_divided(&curves->division, &curves->u, &value[0], &c, p) ||
         !qtri_small_add_divided(&curves->division, &curves->v, &value[1], &c, p) ||
-        (!is_lit_near &&
-         !qtri_small_add_divided(&curves->division, &curves->c, &light, &c, p))) {
+        (!is_lit_near && !qtri_small_add_divided(&curves->division, &curves->c, &light, &c, p))) {
         return false;
     }
     curves->light_piece = !is_lit_near ? 1 : curves->light_piece; /* found with the curve */

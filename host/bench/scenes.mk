@@ -18,13 +18,14 @@ SIZE_VARIANTS := $(foreach core,$(filter cortex-m0plus cortex-m3 cortex-m4,$(BEN
 # The M4 is an M4F: with a hard-float ABI, though nothing here computes in floating point.
 BENCH_FPU_cortex-m4 := -mfpu=fpv4-sp-d16 -mfloat-abi=hard
 
-SCENE_DIR     := $(BENCH_DIR)/scenes
+# A profile needs to know of each instruction which line it comes from, which takes the compiler an eighth of its time.
+SCENE_PROFILE := $(filter bench-profile profile-programs,$(MAKECMDGOALS))
+SCENE_DIR     := $(BENCH_DIR)/$(if $(SCENE_PROFILE),profile,scenes)
 SCENE_MODELS  := $(wildcard $(MODELS:%=%/spot.obj) $(MODELS:%=%/teapot.obj))
 SCENE_WORLD   := $(wildcard core/*/*.c) $(addprefix host/bench/,bench_world.c bench_print.c) $(SCENE_DIR)/bench_meshes.c
 SCENE_SOURCES := $(addprefix host/bench/,bench_scenes.c bench_smooth.c bench_paint.c bench_strokes.c bench_program.c) $(SCENE_WORLD)
-# What -fstack-usage and -fcallgraph-info write, `make size` reads; they change no code. Where each variable is at each
-# instruction would take the compiler a third of its time, and lines and functions are all that is asked.
-SCENE_FLAGS   := -std=c99 -g -fno-var-tracking -fstack-usage -fcallgraph-info=su -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
+# What -fstack-usage and -fcallgraph-info write, `make size` reads; they change no code.
+SCENE_FLAGS   := -std=c99 $(if $(SCENE_PROFILE),-g -fno-var-tracking) -fstack-usage -fcallgraph-info=su -ffreestanding -ffunction-sections -fdata-sections -Icore/include -Ihost/bench -idirafter port/boards/common/libc
 
 # The compiler and the flags of one object of a core. $1: core, $2: source.
 scene_compile = $(call bench_cc,$1) $(BENCH_FPU_$(bench_core)) $(if $(filter core/% host/bench/app_%,$2),$(bench_optimize),-O2) $(SCENE_FLAGS)

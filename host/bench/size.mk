@@ -6,7 +6,7 @@ SIZE_DIR      := $(BENCH_DIR)/size
 SIZE_APPS     := textured flat bands default
 SIZE_ABSENT   := $(filter cortex-m0plus cortex-m3 cortex-m4,$(BENCH_ABSENT))
 SIZE_SOURCES  := host/bench/size_board.c host/bench/bench_print.c
-SIZE_FLAGS    := $(filter-out -g,$(SCENE_FLAGS))
+SIZE_FLAGS    := $(SCENE_FLAGS)
 
 # Applications once more, with the library in one file (`make dist`): a row `flat-single` for `flat`, at -Os.
 SIZE_SINGLE_VARIANTS := $(filter cortex-m0plus-Os cortex-m3-Os,$(SIZE_VARIANTS))

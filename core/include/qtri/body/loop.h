@@ -35,8 +35,8 @@ QTRI_BODY void qtri_walk_move(const qtri_options *o, qtri_pixel_walk *w, uint32_
     }
 }
 
-/* Steps of packed colours, which are rounded to short fractions, take turns along long rows, so that
-   two of them are rounded once. */
+/* Steps of packed colours, which are rounded to short fractions, take turns along long rows, so
+   that two of them are rounded once. */
 QTRI_BODY void qtri_walk_turn(const qtri_options *o, qtri_pixel_walk *w)
 {
     if (qtri_is_packed_565(o)) {
