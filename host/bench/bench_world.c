@@ -45,6 +45,29 @@ const qtri_mesh bench_turned_away = {.positions16 = cube_positions,
                                      .extent = CUBE_HALF,
                                      .bounds = {{0, 0, 0}, {CUBE_HALF, CUBE_HALF, CUBE_HALF}}};
 
+/* A corner is a vertex of three faces. */
+#define BOX    Q16(.5)
+#define NORMAL 18918 /* 1 / sqrt 3 */
+static const qtri_vec3 box_positions[8] = {{-BOX, -BOX, -BOX}, {BOX, -BOX, -BOX}, {-BOX, BOX, -BOX},
+                                           {BOX, BOX, -BOX},   {-BOX, -BOX, BOX}, {BOX, -BOX, BOX},
+                                           {-BOX, BOX, BOX},   {BOX, BOX, BOX}};
+static const qtri_normal box_normals[8] = {{-NORMAL, -NORMAL, -NORMAL}, {NORMAL, -NORMAL, -NORMAL},
+                                           {-NORMAL, NORMAL, -NORMAL},  {NORMAL, NORMAL, -NORMAL},
+                                           {-NORMAL, -NORMAL, NORMAL},  {NORMAL, -NORMAL, NORMAL},
+                                           {-NORMAL, NORMAL, NORMAL},   {NORMAL, NORMAL, NORMAL}};
+static const qtri_vec2 box_uvs[8] = {
+    {0, 0},       {Q16_ONE, 0}, {0, Q16_ONE}, {Q16_ONE, Q16_ONE}, {Q16_ONE, Q16_ONE},
+    {0, Q16_ONE}, {Q16_ONE, 0}, {0, 0}};
+
+const qtri_rgb bench_box_colors[8] = {{255, 0, 0},   {0, 255, 0},   {0, 0, 255},     {255, 255, 0},
+                                      {255, 0, 255}, {0, 255, 255}, {255, 255, 255}, {20, 30, 40}};
+const qtri_mesh bench_box = {.positions = box_positions,
+                             .normals = box_normals,
+                             .uvs = box_uvs,
+                             .triangles = cube_triangles,
+                             .vertex_count = 8,
+                             .triangle_count = 12};
+
 qtri_rgb bench_texel(uint32_t u, uint32_t v)
 {
     uint8_t across = (uint8_t)(4 * u), down = (uint8_t)(4 * v);

@@ -29,7 +29,9 @@ extern const qtri_mesh bench_mesh_spot_compact, bench_mesh_spot_uv_compact,
 extern const qtri_mesh bench_mesh_torus96_compact, bench_mesh_torus216_compact,
     bench_mesh_torus384_compact, bench_mesh_torus864_compact;
 
-extern const qtri_mesh bench_cube;        /* 12 triangles, half size .15 */
+extern const qtri_mesh bench_cube; /* 12 triangles, half size .15 */
+extern const qtri_mesh bench_box;  /* half size .5: 90 pixels */
+extern const qtri_rgb bench_box_colors[8];
 extern const qtri_mesh bench_turned_away; /* a triangle that faces away */
 
 /* A colour for each vertex. */
