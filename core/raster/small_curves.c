@@ -169,20 +169,21 @@ static bool set_color_curves(qtri_small_color_curves *k, const qtri_small_place 
     return true;
 }
 
-static bool divide_colors(qtri_small_color_curves *k, const qtri_small_place *p,
-                          const qtri_curvature *c, const qtri_small_value value[3])
+static bool divide_colors(qtri_small_color_curves *k, qtri_small_division *division,
+                          const qtri_small_place *p, const qtri_curvature *c,
+                          const qtri_small_value value[3])
 {
-    bool is_set = qtri_small_begin_division(&k->division, c, p);
+    bool is_set = qtri_small_begin_division(division, c, p);
     for (int i = 0; i < 3 && is_set; i++) {
-        is_set = qtri_small_add_divided(&k->division, &k->channel[i], &value[i], c, p);
+        is_set = qtri_small_add_divided(division, &k->channel[i], &value[i], c, p);
     }
-    qtri_small_end_division(&k->division);
+    qtri_small_end_division(division);
     k->piece = 1; /* found with the curves */
     return is_set;
 }
 
-bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_place *p,
-                                 const qtri_small *t)
+bool qtri_small_set_color_curves(qtri_small_color_curves *k, qtri_small_division *division,
+                                 const qtri_small_place *p, const qtri_small *t)
 {
     const qtri_options *o = &t->state->options;
     const qtri_color_kind kind = qtri_kind_of(o);
@@ -215,9 +216,9 @@ bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_pl
         is_near = is_near && qtri_small_is_near_curve(
                                  &c, qtri_small_range(channel[i][1], channel[i][2]), v->by);
     }
-    qtri_small_divide_nothing(&k->division);
+    qtri_small_divide_nothing(division);
     return is_near ? set_color_curves(k, p, &c, value, is_packed)
-                   : !textured && divide_colors(k, p, &c, value);
+                   : !textured && divide_colors(k, division, p, &c, value);
 }
 
 /* Fields as state.h and pixel.h have them. */

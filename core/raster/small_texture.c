@@ -9,6 +9,8 @@
  */
 #include "small_curves.h"
 
+#include <stddef.h>
+
 #include "descriptions.h"
 
 #include "../bits/bits.h"
@@ -109,8 +111,9 @@ static bool are_near_curves(const qtri_curvature *c, int32_t f[2][3], uint32_t b
     return qtri_small_is_near_curve(c, u > v ? u : v, by);
 }
 
-bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
-                           const qtri_small *t, const qtri_options *o, bool curved)
+bool qtri_small_set_curves(qtri_small_curves *curves, qtri_small_division *division,
+                           const qtri_small_place *p, const qtri_small *t, const qtri_options *o,
+                           bool curved)
 {
     /* 1/16 texel at most; 1/32 where more pixels show it, and a quarter of that of filtered ones */
     const uint32_t by = 6u - qtri_small_is_beyond_middle(p) - (o->bilinear ? 2u : 0);
@@ -143,7 +146,9 @@ bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
         }
         return true;
     }
-    qtri_small_divide_nothing(&curves->division);
+    if (division != NULL) {
+        qtri_small_divide_nothing(division);
+    }
     if (lit && is_lit_near) {
         qtri_small_set_light_along(curves, &c, p, &light);
     }
@@ -152,15 +157,14 @@ bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
         qtri_small_set_curve(&curves->v, p, &c, &value[1]);
         return value[0].up + p->up <= 16 && value[1].up + p->up <= 16;
     }
-    if (qtri_has_samples(o) || /* these have no rows that begin anew */
-        !qtri_small_begin_division(&curves->division, &c, p) ||
-        !qtri_small_add_divided(&curves->division, &curves->u, &value[0], &c, p) ||
-        !qtri_small_add_divided(&curves->division, &curves->v, &value[1], &c, p) ||
-        (!is_lit_near && !qtri_small_add_divided(&curves->division, &curves->c, &light, &c, p))) {
+    if (division == NULL || !qtri_small_begin_division(division, &c, p) ||
+        !qtri_small_add_divided(division, &curves->u, &value[0], &c, p) ||
+        !qtri_small_add_divided(division, &curves->v, &value[1], &c, p) ||
+        (!is_lit_near && !qtri_small_add_divided(division, &curves->c, &light, &c, p))) {
         return false;
     }
     curves->light_piece = !is_lit_near ? 1 : curves->light_piece; /* found with the curve */
-    qtri_small_end_division(&curves->division);
+    qtri_small_end_division(division);
     return true;
 }
 

@@ -149,7 +149,7 @@ QTRI_BODY void qtri_small_set_fog_along(qtri_pixel_walk *w, uint32_t count)
 QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
                                const qtri_small_place *p, const qtri_small_rows *rows,
                                qtri_small_curves *curves, qtri_small_color_curves *colors,
-                               bool curved)
+                               qtri_small_division *division, bool curved)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t bytes = qtri_pixel_bytes(o), depth_bytes = qtri_depth_size(o, surface);
@@ -165,7 +165,6 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     const bool shares_loop = !QTRI_SMALL_IN_PLACE && !textured && qtri_is_lit(o);
     const bool has_channels = o->shade == QTRI_COLORS && !textured;
     const bool divides = textured || has_channels; /* by a call: the loop of light has none */
-    qtri_small_division *division = has_channels ? &colors->division : &curves->division;
     uint32_t *piece = has_channels ? &colors->piece : &curves->light_piece;
     const ptrdiff_t row = p->row - surface->first_row;
     const ptrdiff_t pitch = surface->pitch, depth_pitch = w->state->depth_pitch;
@@ -351,6 +350,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
     qtri_small_rows rows; /* as options ask */
     qtri_small_curves curves;
     qtri_small_color_curves colors;
+    qtri_small_division division;
     qtri_pixel_walk w = QTRI_BODY_ZERO;
     qtri_draw_state *state = t->state;
     bool has_curve = false, is_curved = false; /* light or colours; anything */
@@ -387,7 +387,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
         if (!qtri_small_set_rows_colors(o, &rows, &p, &copy, t)) {
             QTRI_RARELY();
             if (o->per_pixel || /* large ones are lit more closely */
-                !qtri_small_set_color_curves(&colors, qtri_small_kept(&copy, &p), t)) {
+                !qtri_small_set_color_curves(&colors, &division, qtri_small_kept(&copy, &p), t)) {
                 return false;
             }
             has_curve = true;
@@ -410,8 +410,9 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
         if (o->shade == QTRI_COLORS && !qtri_is_textured(o)) {
             is_curved = true;
         } else {
-            if (!(qtri_is_textured(o) ? qtri_small_set_curves(&curves, kept, t, o, has_curve)
-                                      : qtri_small_set_light_curve(&curves, kept, t, o))) {
+            if (!(qtri_is_textured(o)
+                      ? qtri_small_set_curves(&curves, &division, kept, t, o, has_curve)
+                      : qtri_small_set_light_curve(&curves, kept, t, o))) {
                 return false;
             }
             qtri_walk_set_axes(o, &w, curves.axis);
@@ -427,10 +428,10 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
     }
     if (qtri_small_has_two_loops(o) && is_curved) {
         qtri_small_fill(o, pixel, &w, QTRI_SMALL_IN_PLACE ? &copy : &p, &rows, &curves, &colors,
-                        true);
+                        &division, true);
         return true;
     }
-    qtri_small_fill(o, pixel, &w, &p, &rows, &curves, &colors,
+    qtri_small_fill(o, pixel, &w, &p, &rows, &curves, &colors, &division,
                     !qtri_small_has_two_loops(o) && (qtri_is_textured(o) || qtri_varies(o)) &&
                         is_curved);
     return true;

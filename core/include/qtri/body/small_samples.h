@@ -322,8 +322,9 @@ QTRI_BODY bool qtri_small_samples_curves(const qtri_options *o, qtri_small_sampl
     qtri_small_place at = *p;
     for (int i = 0; i < 3; i++) {
         qtri_small_move(&at, i);
-        if (!(qtri_is_textured(o) ? qtri_small_set_curves(curves, &at, t, o, has_light)
-                                  : qtri_small_set_light_curve(curves, &at, t, o))) {
+        if (!(qtri_is_textured(o)
+                  ? qtri_small_set_curves(curves, (qtri_small_division *)0, &at, t, o, has_light)
+                  : qtri_small_set_light_curve(curves, &at, t, o))) {
             return false;
         }
         if (curves->is_curved || !qtri_is_textured(o)) { /* light alone is, as compilers see so */

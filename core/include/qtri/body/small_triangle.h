@@ -155,14 +155,12 @@ typedef struct qtri_small_curves {
     bool is_curved;
     uint32_t light_piece; /* pixels over which light is near a chord, a power of two; 0: linear */
     qtri_clamp_axis axis[2];
-    qtri_small_division division;
 } qtri_small_curves;
 
 /* Colours that follow perspective. */
 typedef struct qtri_small_color_curves {
     qtri_small_curve channel[3]; /* red, green, blue; of gray, luma in the place of green */
     uint32_t piece;              /* as light_piece */
-    qtri_small_division division;
 } qtri_small_color_curves;
 
 typedef enum qtri_small_found {
@@ -212,9 +210,10 @@ bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
                                    const qtri_small_place *p, const qtri_small *t,
                                    const qtri_options *o);
 /* False: they bend too much; the triangle is large. Curved: light, if it varies, is a curve, or
-   colours are. */
-bool qtri_small_set_curves(qtri_small_curves *curves, const qtri_small_place *p,
-                           const qtri_small *t, const qtri_options *o, bool curved);
+   colours are. Division: NULL with samples, which have no rows that begin anew. */
+bool qtri_small_set_curves(qtri_small_curves *curves, qtri_small_division *division,
+                           const qtri_small_place *p, const qtri_small *t, const qtri_options *o,
+                           bool curved);
 
 /* In small_division.c: curves, and of light and colours the pixels of a chord, from column x of a
    span's row on, as spans count; returns up to which: `end`, or a point, where the span begins
@@ -225,8 +224,8 @@ uint32_t qtri_small_divide(qtri_small_division *d, uint32_t *piece, uint32_t x, 
 /* In small_curves.c: light without texture, and colours. False as above. */
 bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_place *p,
                                 const qtri_small *t, const qtri_options *o);
-bool qtri_small_set_color_curves(qtri_small_color_curves *k, const qtri_small_place *p,
-                                 const qtri_small *t);
+bool qtri_small_set_color_curves(qtri_small_color_curves *k, qtri_small_division *division,
+                                 const qtri_small_place *p, const qtri_small *t);
 /* Packed colours along the chord that has the pixel x columns from vertex 0's, from there on. */
 void qtri_small_set_color_chord(qtri_small_chord *c, qtri_small_chord *g,
                                 const qtri_small_color_curves *k, const qtri_options *o,
