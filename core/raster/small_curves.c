@@ -173,7 +173,7 @@ static bool divide_colors(qtri_small_color_curves *k, qtri_small_division *divis
                           const qtri_small_place *p, const qtri_curvature *c,
                           const qtri_small_value value[3])
 {
-    bool is_set = qtri_small_begin_division(division, c, p);
+    bool is_set = qtri_small_begin_division(division, &k->piece, c, p);
     for (int i = 0; i < 3 && is_set; i++) {
         is_set = qtri_small_add_divided(division, &k->channel[i], &value[i], c, p);
     }

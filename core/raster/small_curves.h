@@ -64,9 +64,10 @@ static inline void qtri_small_divide_nothing(qtri_small_division *d)
     d->goes_on = 0;
 }
 
-/* In small_division.c, one after the other: points; values, which have a curve each up to the next
-   point; and how far apart points are. False: the triangle bends too much. */
-bool qtri_small_begin_division(qtri_small_division *d, const qtri_curvature *c,
+/* In small_division.c, one after the other: points, and where the pixels of chords go; values,
+   which have a curve each up to the next point; and how far apart points are. False: the triangle
+   bends too much. */
+bool qtri_small_begin_division(qtri_small_division *d, uint32_t *piece, const qtri_curvature *c,
                                const qtri_small_place *p);
 bool qtri_small_add_divided(qtri_small_division *d, qtri_small_curve *curve,
                             const qtri_small_value *value, const qtri_curvature *c,

@@ -70,7 +70,7 @@ static bool is_near_parabola(uint32_t slope, int32_t unit_log2, uint32_t q_dx, u
     return qtri_small_is_near_curve(&c, (slope << log2 >> unit_log2) + 1, by);
 }
 
-bool qtri_small_begin_division(qtri_small_division *d, const qtri_curvature *c,
+bool qtri_small_begin_division(qtri_small_division *d, uint32_t *piece, const qtri_curvature *c,
                                const qtri_small_place *p)
 {
     const int32_t leftmost = qtri_small_min(p->dx1, p->dx2);
@@ -79,6 +79,7 @@ bool qtri_small_begin_division(qtri_small_division *d, const qtri_curvature *c,
     (&d->q, p, p->x, p->y, 0, c->e_q18[0] >> 2, c->e_q18[1] >> 2, 0);
     d->goes_on = 0;
     d->left = leftmost >> 8;
+    d->piece = piece;
     d->count = 0;
     d->spans = p->span;
     d->log2 = MOST_LOG2;
@@ -166,8 +167,7 @@ static inline void set_parabola(qtri_small_divided *a, int32_t to, int32_t eps, 
     a->point = to;
 }
 
-uint32_t qtri_small_divide(qtri_small_division *d, uint32_t *piece, uint32_t x, uint32_t end,
-                           uint8_t *span)
+uint32_t qtri_small_divide(qtri_small_division *d, uint32_t x, uint32_t end, uint8_t *span)
 {
     const uint32_t count = (uint32_t)1 << d->log2;
     const uint32_t row = (uint32_t)(span - d->spans) >> 1;
@@ -190,7 +190,7 @@ uint32_t qtri_small_divide(qtri_small_division *d, uint32_t *piece, uint32_t x, 
         set_parabola(a, value_at(a, reciprocal, x + count, row), eps, x);
         if (a->bend != 0) {
             chord_log2 = qtri_small_chord_log2(a->curve, chord_log2, a->bend);
-            *piece = (uint32_t)1 << chord_log2;
+            *d->piece = (uint32_t)1 << chord_log2;
         }
     }
     x += count + QTRI_SMALL_REACH;

@@ -157,7 +157,7 @@ bool qtri_small_set_curves(qtri_small_curves *curves, qtri_small_division *divis
         qtri_small_set_curve(&curves->v, p, &c, &value[1]);
         return value[0].up + p->up <= 16 && value[1].up + p->up <= 16;
     }
-    if (division == NULL || !qtri_small_begin_division(division, &c, p) ||
+    if (division == NULL || !qtri_small_begin_division(division, &curves->light_piece, &c, p) ||
         !qtri_small_add_divided(division, &curves->u, &value[0], &c, p) ||
         !qtri_small_add_divided(division, &curves->v, &value[1], &c, p) ||
         (!is_lit_near && !qtri_small_add_divided(division, &curves->c, &light, &c, p))) {

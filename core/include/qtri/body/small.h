@@ -163,9 +163,8 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     /* Curved or not: what rows and pieces begin with is read from memory, so that pixels have the
        registers. Texels take more of them than that leaves. */
     const bool shares_loop = !QTRI_SMALL_IN_PLACE && !textured && qtri_is_lit(o);
-    const bool has_channels = o->shade == QTRI_COLORS && !textured;
-    const bool divides = textured || has_channels; /* by a call: the loop of light has none */
-    uint32_t *piece = has_channels ? &colors->piece : &curves->light_piece;
+    /* By a call, of which the loop of light alone has none. */
+    const bool divides = textured || o->shade == QTRI_COLORS;
     const ptrdiff_t row = p->row - surface->first_row;
     const ptrdiff_t pitch = surface->pitch, depth_pitch = w->state->depth_pitch;
     const uintptr_t skew = (uintptr_t)pitch - (uintptr_t)depth_pitch;
@@ -226,7 +225,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
             }
             if (curved && divides && division->log2 != 0) {
                 QTRI_RARELY();
-                end = qtri_small_divide(division, piece, x, end, span - 2);
+                end = qtri_small_divide(division, x, end, span - 2);
                 w->u_bend = textured ? 2 * curves->u.xx : 0;
                 w->v_bend = textured ? 2 * curves->v.xx : 0;
             }

@@ -143,6 +143,7 @@ typedef struct qtri_small_division {
     int32_t left;         /* column of a point, from vertex 0's, no more than any pixel's */
     int32_t reciprocal;   /* 1 / (1 + q) at the last point, Q16 */
     qtri_small_ramp q;    /* 1/w by that of vertex 0, less 1: Q24 */
+    uint32_t *piece;      /* pixels of a chord of light and colours, set with each stretch */
     int32_t count;
     qtri_small_divided a[3];
 } qtri_small_division;
@@ -218,8 +219,7 @@ bool qtri_small_set_curves(qtri_small_curves *curves, qtri_small_division *divis
 /* In small_division.c: curves, and of light and colours the pixels of a chord, from column x of a
    span's row on, as spans count; returns up to which: `end`, or a point, where the span begins
    then, and goes on. */
-uint32_t qtri_small_divide(qtri_small_division *d, uint32_t *piece, uint32_t x, uint32_t end,
-                           uint8_t *span);
+uint32_t qtri_small_divide(qtri_small_division *d, uint32_t x, uint32_t end, uint8_t *span);
 
 /* In small_curves.c: light without texture, and colours. False as above. */
 bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_place *p,
