@@ -47,11 +47,6 @@ bool qtri_small_set_curvature(qtri_curvature *c, const qtri_small_place *p, cons
     return c->bits >= 17;
 }
 
-bool qtri_small_is_near_curve(const qtri_curvature *c, uint32_t range, uint32_t by)
-{
-    return range <= (uint32_t)1 << 20 && range * c->ratio_q12 <= c->q_mid2_q10 << (by + 2);
-}
-
 /* F E / 2^14. */
 static inline int32_t product(int32_t f, int32_t e)
 {
@@ -89,16 +84,6 @@ void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const 
     r->dx = dx + rows * r->xy;
     r->dy = dy + (2 * rows + 1) * yy;
     r->yy = 2 * yy;
-}
-
-int32_t qtri_small_chord_log2(const qtri_small_curve *c, int32_t most, uint32_t bend)
-{
-    const uint32_t by = qtri_small_about((int32_t)c->xx);
-    int32_t log2 = most;
-    while (log2 > 0 && by > bend >> 2 * log2) {
-        log2--;
-    }
-    return log2;
 }
 
 /* Light ---------------------------------------------------------------------------------------- */

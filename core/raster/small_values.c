@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Light, colours and alpha of small triangles.
+ * Light, colours and alpha of small triangles, and how near what is linear or a curve is to them.
  *
  * Channels are Q15 of full, times light, and a ramp has n.16: differences, at most 2^15, times its
  * full value. On the screen what differs by `range` strays from perspective by range (q_max -
  * q_min) / (4 q_min) at most, q being 1/w, by Gruess's bound of a covariance.
  */
 #include "../geometry/lighting.h"
-#include "qtri/body/small_setup.h"
+#include "small_curves.h"
 
 void qtri_small_ramp_set_at(qtri_small_ramp *r, const qtri_small_place *p, int32_t x, int32_t y,
                             uint32_t value, int32_t f1, int32_t f2, int32_t up)
@@ -32,6 +32,21 @@ bool qtri_small_are_linear(const int32_t differences[6], uint32_t inv_w, int32_t
         }
     }
     return true;
+}
+
+bool qtri_small_is_near_curve(const qtri_curvature *c, uint32_t range, uint32_t by)
+{
+    return range <= (uint32_t)1 << 20 && range * c->ratio_q12 <= c->q_mid2_q10 << (by + 2);
+}
+
+int32_t qtri_small_chord_log2(const qtri_small_curve *c, int32_t most, uint32_t bend)
+{
+    const uint32_t by = qtri_small_about((int32_t)c->xx);
+    int32_t log2 = most;
+    while (log2 > 0 && by > bend >> 2 * log2) {
+        log2--;
+    }
+    return log2;
 }
 
 bool qtri_small_light_is_linear(const qtri_small_place *p, const qtri_small *t,
