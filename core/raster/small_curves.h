@@ -33,7 +33,7 @@ typedef struct qtri_curvature {
 
 /* False: E changes too much from pixel to pixel, over a triangle of hardly any width. */
 bool qtri_small_set_curvature(qtri_curvature *c, const qtri_small_place *p, const qtri_small *t);
-/* In small_values.c: whether a curve is off by 2/35 range (range(q) / q_mid)^2 <= 2^(by - 4) at
+/* Whether a curve is off by 2/35 range (range(q) / q_mid)^2 <= 2^(by - 4) at
    most, by <= 18. */
 bool qtri_small_is_near_curve(const qtri_curvature *c, uint32_t range, uint32_t by);
 
@@ -50,11 +50,11 @@ typedef struct qtri_small_value {
 void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const qtri_curvature *c,
                           const qtri_small_value *value);
 
-/* There, too: log2 of the pixels that a chord may have, `most` or less: over n pixels it is off by
+/* log2 of the pixels that a chord may have, `most` or less: over n pixels it is off by
    n^2 / 4 of xx, which is to be a quarter of `bend` at most. */
 int32_t qtri_small_chord_log2(const qtri_small_curve *c, int32_t most, uint32_t bend);
 
-/* Light between the vertices, and along a curve. */
+/* In small_values.c: light between the vertices, and along a curve. */
 void qtri_small_find_light(qtri_small_value *light, const qtri_small *t, const qtri_options *o);
 void qtri_small_set_light_along(qtri_small_curves *curves, const qtri_curvature *c,
                                 const qtri_small_place *p, const qtri_small_value *light);

@@ -163,7 +163,6 @@ bool qtri_small_set_curves(qtri_small_curves *curves, qtri_small_division *divis
         (!is_lit_near && !qtri_small_add_divided(division, &curves->c, &light, &c, p))) {
         return false;
     }
-    curves->light_piece = !is_lit_near ? 1 : curves->light_piece; /* found with the curve */
     qtri_small_end_division(division);
     return true;
 }

@@ -10,6 +10,12 @@ qtri_small_found qtri_small_find(qtri_small_place *p, uint8_t spans[QTRI_SMALL_S
     return qtri_setup_find(p, spans, t);
 }
 
+void qtri_small_ramp_set_at(qtri_small_ramp *r, const qtri_small_place *p, int32_t x, int32_t y,
+                            uint32_t value, int32_t f1, int32_t f2, int32_t up)
+{
+    qtri_setup_ramp_set_at(r, p, x, y, value, f1, f2, up);
+}
+
 /* 1/w of b in the scale of a, less that of a. */
 static inline int32_t more_of(const qtri_vertex *a, const qtri_vertex *b)
 {

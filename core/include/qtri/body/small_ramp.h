@@ -115,7 +115,7 @@ QTRI_BODY uint32_t qtri_small_along(int32_t gx, int32_t x, int32_t gy, int32_t y
 
 /*
  * A ramp, from x and y of vertex 0 on, that is `value` there, and more by f1 and f2 at vertices 1
- * and 2, in units of 2^(8 + up) of it: |f| <= 2^16, of a wide place 2^15. In small_values.c once.
+ * and 2, in units of 2^(8 + up) of it: |f| <= 2^16, of a wide place 2^15. In small_triangle.c once.
  */
 void qtri_small_ramp_set_at(qtri_small_ramp *r, const qtri_small_place *p, int32_t x, int32_t y,
                             uint32_t value, int32_t f1, int32_t f2, int32_t up);

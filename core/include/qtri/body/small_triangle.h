@@ -221,7 +221,7 @@ bool qtri_small_set_curves(qtri_small_curves *curves, qtri_small_division *divis
    then, and goes on. */
 uint32_t qtri_small_divide(qtri_small_division *d, uint32_t x, uint32_t end, uint8_t *span);
 
-/* In small_curves.c: light without texture, and colours. False as above. */
+/* In small_values.c: light without texture, and colours. False as above. */
 bool qtri_small_set_light_curve(qtri_small_curves *curves, const qtri_small_place *p,
                                 const qtri_small *t, const qtri_options *o);
 bool qtri_small_set_color_curves(qtri_small_color_curves *k, qtri_small_division *division,
