@@ -44,8 +44,6 @@ QTRI_BODY qtri_options shaded(const qtri_pixel_walk *w, uint32_t asks)
     const qtri_options o = {.format = all->format,
                             .depth = QTRI_LINEAR16,
                             .texel = all->texel,
-                            .wrap_u = all->wrap_u,
-                            .wrap_v = all->wrap_v,
                             .key = all->key,
                             .shade = all->shade,
                             .pixel_bytes = all->pixel_bytes,

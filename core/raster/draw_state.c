@@ -12,15 +12,19 @@ enum {
     NEAR = 33 * 256 /* of a small triangle that is not wide from its first vertex, and a pixel */
 };
 
-/* A side of one texel has nothing to repeat, and coordinates that fill 32 bits no room for it. */
-static uint8_t wrap_of(qtri_wrap wrap, uint8_t side_log2)
-{
-    return wrap == QTRI_CLAMP || side_log2 == 0 ? QTRI_CLAMP : QTRI_REPEAT;
-}
-
 static bool is_usable(const qtri_texture *texture)
 {
     return texture != NULL && texture->format != NULL && texture->format->usable(texture);
+}
+
+static void set_traits(qtri_draw_state *state, uint32_t texels_log2)
+{
+    const qtri_texture *texture = state->texture;
+    const bool is_wide = state->width_log2 != 0, is_high = state->height_log2 != 0;
+    state->traits =
+        (uint8_t)((is_wide && texture->wrap_u == QTRI_CLAMP ? QTRI_CLAMPS_U : 0) |
+                  (is_high && texture->wrap_v == QTRI_CLAMP ? QTRI_CLAMPS_V : 0) |
+                  (is_wide ? 0 : QTRI_ONE_WIDE) | (texels_log2 < 8 ? QTRI_FEW_TEXELS : 0));
 }
 
 static void set_texture(qtri_draw_state *state, const qtri_texture *texture)
@@ -32,13 +36,12 @@ static void set_texture(qtri_draw_state *state, const qtri_texture *texture)
         o->bilinear = state->between != NULL;
         o->mipmapped = texture->filter->levels != NULL;
     }
-    o->wrap_u = wrap_of(texture->wrap_u, texture->width_log2);
-    o->wrap_v = wrap_of(texture->wrap_v, texture->height_log2);
     o->key = texture->has_key;
     o->alpha_test = state->material->least_alpha != 0 && qtri_has_alpha(o);
     state->texture = texture;
     state->width_log2 = qtri_side_log2(texture->width_log2);
     state->height_log2 = qtri_side_log2(texture->height_log2);
+    set_traits(state, state->width_log2 + state->height_log2);
     /* What the library computes in 2^16 texels at most fits one mask. */
     o->large_texture = state->width_log2 + state->height_log2 > 16;
     state->key_mask = texture->format->key_mask;
@@ -244,6 +247,7 @@ void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level)
     texture->texels = level == 0 ? whole->texels : whole->levels[level - 1];
     texture->width_log2 = (uint8_t)(state->width_log2 - level);
     texture->height_log2 = (uint8_t)(height_log2 - (level < height_log2 ? level : height_log2));
+    set_traits(state, (uint32_t)texture->width_log2 + texture->height_log2);
 }
 
 /* Mipmapped: only what names such a filter links what these call. */

@@ -14,12 +14,12 @@ static inline uint32_t weight(uint32_t c)
 
 void qtri_large_skip_colors(qtri_large_piece *piece, uint32_t n)
 {
-    const uint32_t even = piece->c_step, odd = piece->c_other;
-    piece->c += even * ((n + 1) >> 1) + odd * (n >> 1);
-    piece->g += piece->g_step * n;
+    const uint32_t even = piece->of.colors.c_step, odd = piece->of.colors.c_other;
+    piece->of.colors.c += even * ((n + 1) >> 1) + odd * (n >> 1);
+    piece->of.colors.g += piece->of.colors.g_step * n;
     if ((n & 1) != 0) {
-        piece->c_step = odd;
-        piece->c_other = even;
+        piece->of.colors.c_step = odd;
+        piece->of.colors.c_other = even;
     }
 }
 
@@ -29,11 +29,11 @@ void qtri_large_skip_colors(qtri_large_piece *piece, uint32_t n)
 static void pack_one(qtri_large_piece *piece, const uint32_t *c, const uint32_t *step, int32_t n)
 {
     (void)n;
-    piece->c = c[0];
-    piece->c_step = step[0];
-    piece->c_other = step[0];
-    piece->g = 0;
-    piece->g_step = 0;
+    piece->of.colors.c = c[0];
+    piece->of.colors.c_step = step[0];
+    piece->of.colors.c_other = step[0];
+    piece->of.colors.g = 0;
+    piece->of.colors.g_step = 0;
 }
 
 static void set_luma(uint32_t out[3], const uint32_t c[3])
@@ -60,12 +60,12 @@ static void pack_lanes(qtri_large_piece *piece, const uint32_t *c, const uint32_
                        int32_t down)
 {
     const uint32_t round = (uint32_t)1 << (down - 1);
-    piece->c = (c[0] >> down << 16) + (c[2] >> down);
-    piece->c_step =
+    piece->of.colors.c = (c[0] >> down << 16) + (c[2] >> down);
+    piece->of.colors.c_step =
         (signed_shift(step[0] + round, down) << 16) + signed_shift(step[2] + round, down);
-    piece->c_other = piece->c_step;
-    piece->g = c[1];
-    piece->g_step = step[1];
+    piece->of.colors.c_other = piece->of.colors.c_step;
+    piece->of.colors.g = c[1];
+    piece->of.colors.g_step = step[1];
 }
 
 static void pack_888(qtri_large_piece *piece, const uint32_t *c, const uint32_t *step, int32_t n)
@@ -139,10 +139,10 @@ static void word_steps(uint32_t *even, uint32_t *odd, uint32_t center[3], const 
 static void pack_565(qtri_large_piece *piece, const uint32_t *c, const uint32_t *step, int32_t n)
 {
     uint32_t center[3];
-    word_steps(&piece->c_step, &piece->c_other, center, step, n);
-    piece->c = qtri_large_word(c[0] + center[0], c[1] + center[1], c[2] + center[2]);
-    piece->g = 0;
-    piece->g_step = 0;
+    word_steps(&piece->of.colors.c_step, &piece->of.colors.c_other, center, step, n);
+    piece->of.colors.c = qtri_large_word(c[0] + center[0], c[1] + center[1], c[2] + center[2]);
+    piece->of.colors.g = 0;
+    piece->of.colors.g_step = 0;
 }
 
 static void set_565(uint32_t out[3], const uint32_t c[3])

@@ -359,50 +359,33 @@ static inline span_bend bend_of(int32_t d, bool whole)
     return b;
 }
 
-/* A coordinate along a whole span. */
-typedef struct span_curve {
-    uint32_t at, step, bend, third, fourth;
-} span_curve;
-
-static inline span_curve whole_curve(qtri_large_attribute *a, int32_t end, const span_bend *b)
+/* Coordinate i of a whole span, up to its end. */
+static inline void set_whole(qtri_large_job *job, int i, int32_t end, const span_bend *b)
 {
+    qtri_large_attribute *a = &job->a[i];
+    qtri_large_piece *piece = job->piece;
     const int32_t from = a->point, rise = end - from;
     const int32_t w = qtri_mul_s16(rise, b->eps);
     const int32_t w2 = qtri_mul_s16(w, b->eps_c), w3 = qtri_mul_s16(w, b->square);
     const int32_t half = ((rise + w) >> 1) + (w >> 1) + w2 + w3 - (w2 >> 4) - (w3 >> 2);
-    span_curve c;
-    a->point = end;
-    c.at = qtri_both_shifts(from, a->at_left, a->at_right);
-    c.third = qtri_both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
-    c.fourth = qtri_both_shifts(w3 + 2 * w3, a->bend_left, a->bend_right);
-    c.bend =
+    const uint32_t third = qtri_both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
+    const uint32_t fourth = qtri_both_shifts(w3 + 2 * w3, a->bend_left, a->bend_right);
+    const uint32_t bend =
         0 - qtri_both_shifts(w + 2 * (w2 + w3) + ((w2 + w3) >> 2), a->bend_left, a->bend_right);
-    c.step = qtri_both_shifts(half, a->step_left, a->step_right) + (uint32_t)((int32_t)c.bend >> 1);
-    c.third += c.fourth;
-    return c;
+    a->point = end;
+    piece->uv[i].at = qtri_both_shifts(from, a->at_left, a->at_right);
+    piece->uv[i].step =
+        qtri_both_shifts(half, a->step_left, a->step_right) + (uint32_t)((int32_t)bend >> 1);
+    piece->uv[i].bend = bend;
+    piece->of.knots.third[i] = third + fourth;
+    piece->of.knots.fourth[i] = fourth;
 }
 
-static inline void set_whole(qtri_large_job *job, int32_t end_u, int32_t end_v, const span_bend *b)
-{
-    qtri_large_piece *piece = job->piece;
-    const span_curve u = whole_curve(&job->a[0], end_u, b);
-    piece->u = u.at;
-    piece->u_step = u.step;
-    piece->u_bend = u.bend;
-    piece->u_third = u.third;
-    piece->u_fourth = u.fourth;
-    const span_curve v = whole_curve(&job->a[1], end_v, b);
-    piece->v = v.at;
-    piece->v_step = v.step;
-    piece->v_bend = v.bend;
-    piece->v_third = v.third;
-    piece->v_fourth = v.fourth;
-}
-
-/* Coordinate i of both halves. */
+/* And of both halves. */
 static inline void set_halves(qtri_large_job *job, int i, int32_t end, const span_bend *b)
 {
     qtri_large_attribute *a = &job->a[i];
+    qtri_large_piece *piece = job->piece;
     const int32_t from = a->point, rise = end - from;
     const int32_t w = qtri_mul_s16(rise, b->eps);
     const int32_t w2 = qtri_mul_s16(w, b->eps_c), w3 = qtri_mul_s16(w, b->square);
@@ -411,29 +394,15 @@ static inline void set_halves(qtri_large_job *job, int i, int32_t end, const spa
     const uint32_t bend = 0 - qtri_both_shifts(w + w3, a->bend_left, a->bend_right);
     const uint32_t third = qtri_both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
     const uint32_t bend1 = bend - third, bend2 = bend + third;
-    const uint32_t at1 = qtri_both_shifts(from, a->at_left, a->at_right);
-    const uint32_t at2 = qtri_both_shifts(from + rise1, a->at_left, a->at_right);
-    const uint32_t step1 = qtri_both_shifts(rise1, a->step_left, a->step_right) - bend1 * half_h +
-                           (uint32_t)((int32_t)bend1 >> 1);
-    const uint32_t step2 = qtri_both_shifts(rise - rise1, a->step_left, a->step_right) -
-                           bend2 * half_h + (uint32_t)((int32_t)bend2 >> 1);
-    qtri_large_piece *piece = job->piece;
     a->point = end;
-    if (i == 0) {
-        piece[0].u = at1;
-        piece[0].u_step = step1;
-        piece[0].u_bend = bend1;
-        piece[1].u = at2;
-        piece[1].u_step = step2;
-        piece[1].u_bend = bend2;
-    } else {
-        piece[0].v = at1;
-        piece[0].v_step = step1;
-        piece[0].v_bend = bend1;
-        piece[1].v = at2;
-        piece[1].v_step = step2;
-        piece[1].v_bend = bend2;
-    }
+    piece[0].uv[i].at = qtri_both_shifts(from, a->at_left, a->at_right);
+    piece[0].uv[i].step = qtri_both_shifts(rise1, a->step_left, a->step_right) - bend1 * half_h +
+                          (uint32_t)((int32_t)bend1 >> 1);
+    piece[0].uv[i].bend = bend1;
+    piece[1].uv[i].at = qtri_both_shifts(from + rise1, a->at_left, a->at_right);
+    piece[1].uv[i].step = qtri_both_shifts(rise - rise1, a->step_left, a->step_right) -
+                          bend2 * half_h + (uint32_t)((int32_t)bend2 >> 1);
+    piece[1].uv[i].bend = bend2;
 }
 
 QTRI_NOINLINE static void hold_chord(const qtri_large_attribute *a, uint32_t *at, uint32_t *step,
@@ -497,8 +466,10 @@ QTRI_INLINE int32_t span_pieces(qtri_large_job *job, bool whole, bool textured, 
     const span_bend b = bend_of(d, whole);
     job->delta = after;
     if (whole) {
-        set_whole(job, next_quotient(&job->a[0], zeros, reciprocal),
-                  next_quotient(&job->a[1], zeros, reciprocal), &b);
+        const int32_t u = next_quotient(&job->a[0], zeros, reciprocal);
+        const int32_t v = next_quotient(&job->a[1], zeros, reciprocal);
+        set_whole(job, 0, u, &b);
+        set_whole(job, 1, v, &b);
     } else if (textured) {
         set_halves(job, 0, next_quotient(&job->a[0], zeros, reciprocal), &b);
         set_halves(job, 1, next_quotient(&job->a[1], zeros, reciprocal), &b);
@@ -512,8 +483,10 @@ QTRI_INLINE int32_t span_pieces(qtri_large_job *job, bool whole, bool textured, 
     job->t.x = x + qtri_least32(n, left);
     if (whole || n == 1) {
         job->piece[0].count = qtri_least32(n, left);
-        job->piece[0].spacing = qtri_greatest32(n >> 2, 1);
-        job->piece[0].knot = job->piece[0].spacing;
+        if (!colored) {
+            job->piece[0].of.knots.spacing = qtri_greatest32(n >> 2, 1);
+            job->piece[0].of.knots.next = job->piece[0].of.knots.spacing;
+        }
         if (cut) {
             qtri_large_clip(job, &job->piece[0], x);
         }
@@ -522,8 +495,10 @@ QTRI_INLINE int32_t span_pieces(qtri_large_job *job, bool whole, bool textured, 
     const int32_t h = n >> 1;
     job->piece[0].count = qtri_least32(h, left);
     job->piece[1].count = qtri_hold32(left - h, 0, h);
-    job->piece[0].knot = h;
-    job->piece[1].knot = h;
+    if (!colored) {
+        job->piece[0].of.knots.next = h;
+        job->piece[1].of.knots.next = h;
+    }
     if (cut) {
         qtri_large_clip(job, &job->piece[0], x);
         qtri_large_clip(job, &job->piece[1], x + h);
@@ -542,13 +517,9 @@ QTRI_NOINLINE static void next_half(qtri_large_job *job)
     qtri_large_piece *piece = job->piece;
     if (job->has_second) {
         piece[0].count = piece[1].count;
-        piece[0].knot = piece[1].count;
-        piece[0].u = piece[1].u;
-        piece[0].u_step = piece[1].u_step;
-        piece[0].u_bend = piece[1].u_bend;
-        piece[0].v = piece[1].v;
-        piece[0].v_step = piece[1].v_step;
-        piece[0].v_bend = piece[1].v_bend;
+        piece[0].of.knots.next = piece[1].count;
+        piece[0].uv[0] = piece[1].uv[0];
+        piece[0].uv[1] = piece[1].uv[1];
         job->has_second = false;
         job->t.x = job->second_end;
         return;
@@ -599,9 +570,16 @@ void qtri_large_set_planes(qtri_large *t)
     set_lengths(job);
 }
 
-void qtri_large_next_uv(qtri_large *t)
+QTRI_NOINLINE int32_t qtri_large_find_pieces(qtri_large_job *job)
 {
-    qtri_large_job *job = qtri_large_job_of(t);
+    const int32_t pieces = begin_span(job);
+    return pieces != 0
+               ? pieces
+               : span_pieces(job, false, job->first_color != 0, job->first_color != job->count);
+}
+
+static void next_uv(qtri_large_job *job)
+{
     if (begin_span(job) != 0) {
         return;
     }
@@ -609,6 +587,18 @@ void qtri_large_next_uv(qtri_large *t)
         next_half(job);
     } else {
         (void)span_pieces(job, true, true, false);
+    }
+}
+
+void qtri_large_next_uv(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    if (job->is_held && qtri_large_next_run(job)) {
+        return;
+    }
+    next_uv(job);
+    if (job->is_held) {
+        (void)qtri_large_hold(job, 1);
     }
 }
 
@@ -622,8 +612,8 @@ int32_t qtri_large_next_halves(qtri_large *t)
 int32_t qtri_large_next_any(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    const int32_t pieces = begin_span(job);
-    return pieces != 0
-               ? pieces
-               : span_pieces(job, false, job->first_color != 0, job->first_color != job->count);
+    if (!job->is_held) {
+        return qtri_large_find_pieces(job);
+    }
+    return qtri_large_next_run(job) ? 1 : qtri_large_hold(job, qtri_large_find_pieces(job));
 }

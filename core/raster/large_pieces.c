@@ -40,8 +40,8 @@ void qtri_large_pack(const qtri_large_job *job, qtri_large_piece *piece,
         job->packing->pack(piece, &at[job->first_color], &step[job->first_color], n);
     }
     if (job->alpha < job->count) {
-        piece->alpha = at[job->alpha];
-        piece->alpha_step = step[job->alpha];
+        piece->of.colors.alpha = at[job->alpha];
+        piece->of.colors.alpha_step = step[job->alpha];
     }
 }
 
@@ -59,25 +59,24 @@ void qtri_large_pack_linear(const qtri_large_job *job, qtri_large_piece *piece)
 static void skip_coordinates(qtri_large_piece *piece, uint32_t n)
 {
     const uint32_t bends = n * (n - 1) / 2;
-    piece->u += piece->u_step * n + piece->u_bend * bends;
-    piece->v += piece->v_step * n + piece->v_bend * bends;
-    piece->u_step += piece->u_bend * n;
-    piece->v_step += piece->v_bend * n;
+    for (int i = 0; i < 2; i++) {
+        piece->uv[i].at += piece->uv[i].step * n + piece->uv[i].bend * bends;
+        piece->uv[i].step += piece->uv[i].bend * n;
+    }
 }
 
-/* What bounds cut off: goes on by n pixels. */
-static void skip(const qtri_large_job *job, qtri_large_piece *piece, uint32_t n)
+void qtri_large_skip(const qtri_large_job *job, qtri_large_piece *piece, uint32_t n)
 {
     if (job->first_color != 0) {
         uint32_t left = n;
         if (job->is_whole) {
-            while (left >= (uint32_t)piece->knot) {
-                left -= (uint32_t)piece->knot;
-                skip_coordinates(piece, (uint32_t)piece->knot);
-                qtri_large_pass_knot(piece, &piece->u_step, &piece->u_bend, &piece->v_step,
-                                     &piece->v_bend);
+            while (left >= (uint32_t)piece->of.knots.next) {
+                left -= (uint32_t)piece->of.knots.next;
+                skip_coordinates(piece, (uint32_t)piece->of.knots.next);
+                qtri_large_pass_knot(piece, &piece->uv[0].step, &piece->uv[0].bend,
+                                     &piece->uv[1].step, &piece->uv[1].bend);
             }
-            piece->knot -= (int32_t)left;
+            piece->of.knots.next -= (int32_t)left;
         }
         skip_coordinates(piece, left);
     }
@@ -85,7 +84,7 @@ static void skip(const qtri_large_job *job, qtri_large_piece *piece, uint32_t n)
         qtri_large_skip_colors(piece, n);
     }
     if (job->alpha < job->count) {
-        piece->alpha += piece->alpha_step * n;
+        piece->of.colors.alpha += piece->of.colors.alpha_step * n;
     }
 }
 
@@ -105,7 +104,7 @@ void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
         return;
     }
     if (first != x) {
-        skip(job, piece, (uint32_t)(first - x));
+        qtri_large_skip(job, piece, (uint32_t)(first - x));
     }
     piece->count = end - first;
 }
@@ -114,19 +113,13 @@ void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
 static inline int32_t whole_row(qtri_large_job *job)
 {
     qtri_large_piece *piece = &job->piece[0];
-    const qtri_large_attribute *u = &job->a[0], *v = &job->a[1];
     const uint32_t skipped = (uint32_t)(job->t.x0 - job->t.row_left);
     if (!job->is_curved) {
         set_left(job);
     }
-    piece->u = u->at + u->step * skipped;
-    piece->v = v->at + v->step * skipped;
-    piece->u_step = u->step;
-    piece->v_step = v->step;
-    piece->u_bend = 0;
-    piece->v_bend = 0;
+    qtri_large_set_straight(job, piece, skipped);
     piece->count = job->t.x1 - job->t.x0;
-    piece->knot = piece->count;
+    piece->of.knots.next = piece->count;
     job->t.x = job->t.x1;
     return 1;
 }
@@ -158,13 +151,7 @@ int32_t qtri_large_linear_piece(qtri_large_job *job)
     const int32_t run = (int32_t)1 << job->run_log2, x = job->t.x;
     piece->count = qtri_least32(run, job->t.row_right - x);
     if (job->first_color != 0) {
-        piece->u = job->a[0].at;
-        piece->v = job->a[1].at;
-        piece->u_step = job->a[0].step;
-        piece->v_step = job->a[1].step;
-        piece->u_bend = 0;
-        piece->v_bend = 0;
-        piece->knot = run;
+        qtri_large_set_straight(job, piece, 0);
     }
     if (job->first_color != job->count) {
         qtri_large_pack_linear(job, piece);

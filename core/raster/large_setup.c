@@ -191,15 +191,50 @@ static int64_t clamp_q32(int64_t coordinate)
     return coordinate < -limit ? -limit : (coordinate > limit ? limit : coordinate);
 }
 
-/* One coordinate: whole repeats below the least are dropped, the rest is brought to 29 bits. What
-   is clamped has them in its base, of as many bits. */
-static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3], bool is_clamped)
+qtri_large_zone qtri_large_zone_of(const qtri_large_job *job, int i, uint32_t level)
+{
+    const qtri_draw_state *state = job->t.state;
+    const qtri_options *o = job->t.options;
+    const qtri_large_axis *axis = &job->axis[i];
+    const uint32_t side_log2 = i == 0 ? state->width_log2 : state->height_log2;
+    const uint32_t down = i == 1 && level > side_log2 ? side_log2 : level;
+    const uint32_t texel = (uint32_t)1 << (axis->shift + down);
+    const uint32_t texels = (uint32_t)1 << (axis->shift + side_log2);
+    qtri_large_zone z;
+    if (o->bilinear) { /* which count from centres before there are levels */
+        z.least = axis->first + (qtri_large_has_levels(job) ? texel >> 1 : 0);
+        z.size = texels - texel;
+        z.start = 0;
+    } else {
+        z.start = (texel >> 4) + 1;
+        z.least = axis->first + z.start;
+        z.size = texels - 2 * z.start;
+    }
+    qtri_set_shifts(&z.left, &z.right,
+                    axis->up - (i == 0 || o->large_texture ? 0 : (int32_t)(level + down)));
+    return z;
+}
+
+/* Whether a clamped coordinate stays in its zone, that of the last level. */
+static bool is_inside(const qtri_large_job *job, int i)
+{
+    const uint32_t *f = job->a[i].f;
+    const qtri_large_zone z =
+        qtri_large_zone_of(job, i, qtri_large_has_levels(job) ? job->t.state->last_level : 0);
+    return f[0] - z.least <= z.size && f[1] - z.least <= z.size && f[2] - z.least <= z.size;
+}
+
+/* One coordinate: whole repeats below the least are dropped, the rest is brought to 29 bits; of
+   what is clamped, with the place of the first texel. */
+static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3])
 {
     const qtri_draw_state *state = job->t.state;
     const qtri_options *o = job->t.options;
     qtri_large_attribute *a = &job->a[i];
-    qtri_clamp_axis *axis = &job->axis[i];
+    qtri_large_axis *axis = &job->axis[i];
     const int32_t side_log2 = i == 0 ? state->width_log2 : state->height_log2;
+    const bool is_clamped = (state->traits >> i & 1) != 0;
+    const bool is_one_wide = i == 0 && (state->traits & QTRI_ONE_WIDE) != 0;
     int64_t at[3];
     uint64_t all = 0;
     int32_t base = INT32_MAX; /* |base| <= 2^16 */
@@ -213,23 +248,25 @@ static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3], bo
         all |= (uint64_t)(at[k] - (int64_t)base * ((int64_t)1 << 32));
     }
     all |= is_clamped ? (uint64_t)qtri_magnitude32(base) << 32 : 0;
-    const int32_t down = qtri_greatest32(35 - qtri_clz64(all), 3); /* <= 21 */
+    const int32_t up = i == 0 || o->large_texture ? 0 : state->width_log2 + state->height_log2 - 16;
+    const int32_t down =
+        qtri_greatest32(35 - qtri_clz64(all), is_clamped ? qtri_greatest32(3, -up) : 3); /* <= 21 */
     /* What lies on a texel's edge, give or take an error, goes up: 2^-16 of a texel. */
     const uint64_t texel_part = (uint64_t)65536 >> side_log2, least = (uint64_t)4 << down;
-    const uint64_t up = texel_part > least ? texel_part : least;
+    const uint64_t more = texel_part > least ? texel_part : least;
     for (int k = 0; k < 3; k++) {
         const uint64_t offset = (uint64_t)(at[k] - (int64_t)base * ((int64_t)1 << 32));
-        a->f[k] = (uint32_t)((offset + up) >> down);
+        a->f[k] = is_one_wide ? 0 : (uint32_t)((offset + more) >> down);
     }
     a->start = 0;
     axis->shift = (uint8_t)(32 - down - side_log2);
-    axis->limit = ((uint32_t)1 << (32 - down)) - 1;
-    axis->base = (uint32_t)base << (32 - down);
-    a->up = 0;
-    if (!is_clamped) {
-        a->up = (int8_t)(i == 0 || o->large_texture
-                             ? down
-                             : state->width_log2 + state->height_log2 - 16 + down);
+    axis->first = 0u - ((uint32_t)base << (32 - down));
+    axis->up = (int8_t)(up + down);
+    axis->is_held = is_clamped && !is_inside(job, i);
+    a->up = axis->is_held ? (int8_t)0 : axis->up;
+    if (axis->is_held) {
+        axis->zone = qtri_large_zone_of(job, i, 0);
+        job->is_held = true;
     }
 }
 
@@ -242,6 +279,9 @@ void qtri_large_begin_pieces(qtri_large *t)
     job->rounds = false;
     job->has_runs = false;
     job->is_whole = false;
+    job->is_held = false;
+    job->waits = false;
+    job->piece[2].count = 0;
     job->first_color = 0;
     job->alpha = QTRI_LARGE_ATTRIBUTES;
 }
@@ -252,8 +292,8 @@ void qtri_large_set_texture(qtri_large *t)
     const qtri_large_vertex *v = job->t.in->v;
     const int64_t u[3] = {v[0].u_q32, v[1].u_q32, v[2].u_q32};
     const int64_t w[3] = {v[0].v_q32, v[1].v_q32, v[2].v_q32};
-    set_axis(job, 0, u, job->t.options->wrap_u == QTRI_CLAMP);
-    set_axis(job, 1, w, job->t.options->wrap_v == QTRI_CLAMP);
+    set_axis(job, 0, u);
+    set_axis(job, 1, w);
     job->count = 2;
     job->first_color = 2;
 }

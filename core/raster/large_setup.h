@@ -86,6 +86,17 @@ static inline uint64_t qtri_large_plane_from(const qtri_large_plane *p, int32_t 
     return (uint64_t)whole << 32 | (uint32_t)rest << 16;
 }
 
+/* Coordinates along a row where they are linear, so many pixels on. */
+static inline void qtri_large_set_straight(const qtri_large_job *job, qtri_large_piece *piece,
+                                           uint32_t skipped)
+{
+    for (int i = 0; i < 2; i++) {
+        piece->uv[i].at = job->a[i].at + job->a[i].step * skipped;
+        piece->uv[i].step = job->a[i].step;
+        piece->uv[i].bend = 0;
+    }
+}
+
 /* q, which rounding may leave at 0 or below. */
 static inline uint32_t qtri_large_positive(uint32_t q)
 {
@@ -123,13 +134,25 @@ void qtri_large_pack_linear(const qtri_large_job *job, qtri_large_piece *piece);
 
 /* In large_pieces.c: pieces of a row along which attributes are linear, from `at` and `step`. */
 int32_t qtri_large_linear_piece(qtri_large_job *job);
-/* In large_colors.c: colours of a piece go on by n pixels. */
+/* In large_pieces.c: a piece goes on by n of its pixels. */
+void qtri_large_skip(const qtri_large_job *job, qtri_large_piece *piece, uint32_t n);
+/* In large_colors.c: so do its colours. */
 void qtri_large_skip_colors(qtri_large_piece *piece, uint32_t n);
 /* Drops what lies outside of x0..x1 - 1 of a piece that starts at `x`; where textures have levels,
    which come before that, only the second function does. */
 void qtri_large_clip(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
 void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
 
+/* In large_setup.c: of an axis that is held, at a level. */
+qtri_large_zone qtri_large_zone_of(const qtri_large_job *job, int i, uint32_t level);
+
+/* In large_clamp.c, where an axis is held: makes piece[0] what is next of pieces that were found;
+   false: nothing is left of them. Holds pieces that are found now; returns how many there are. */
+bool qtri_large_next_run(qtri_large_job *job);
+int32_t qtri_large_hold(qtri_large_job *job, int32_t pieces);
+
+/* In large_curves.c: pieces, before they are held; returns how many. */
+int32_t qtri_large_find_pieces(qtri_large_job *job);
 /* In large_curves.c: sets job->is_level, and steps along the row if it is; planes are the row's. */
 bool qtri_large_begin_level(qtri_large_job *job);
 

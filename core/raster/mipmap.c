@@ -127,7 +127,7 @@ static void set_footprint(qtri_footprint_plane *out, const qtri_large_job *job)
     const int32_t factor = (int32_t)qtri_mul_high32(r, 3037000500u); /* 2^31.5 */
     set_frame(&f, job);
     for (int i = 0; i < 2; i++) {
-        set_ends(&e[i], &f, job, &job->a[i], job->levels->axis[i].shift);
+        set_ends(&e[i], &f, job, &job->a[i], job->axis[i].shift);
         const uint64_t all = qtri_magnitude64(e[i].right[0]) | qtri_magnitude64(e[i].right[1]) |
                              qtri_magnitude64(e[i].down[0]) | qtri_magnitude64(e[i].down[1]);
         bits[i] = qtri_greatest32(64 - qtri_clz64(all | 1), 30);
@@ -192,8 +192,8 @@ static uint32_t linear_level(const qtri_large_job *job, uint32_t last)
     uint32_t right[2], down[2];
     for (int i = 0; i < 2; i++) {
         const qtri_large_plane *plane = &job->a[i].plane;
-        right[i] = linear_step(plane->dx, job->levels->axis[i].shift);
-        down[i] = linear_step(plane->dy, job->levels->axis[i].shift);
+        right[i] = linear_step(plane->dx, job->axis[i].shift);
+        down[i] = linear_step(plane->dy, job->axis[i].shift);
     }
     const uint32_t across = step_length_of(right[0], right[1]);
     const uint32_t along = step_length_of(down[0], down[1]);
@@ -211,28 +211,17 @@ static uint32_t down_of(const qtri_large_job *job, int i, uint32_t level)
     return i == 1 && level > height_log2 ? height_log2 : level;
 }
 
-static void set_axes(qtri_large_job *job, uint32_t level)
-{
-    for (int i = 0; i < 2; i++) {
-        job->axis[i].shift = (uint8_t)(job->levels->axis[i].shift + down_of(job, i, level));
-    }
-}
-
 static void use_level(qtri_large *t, uint32_t level)
 {
     qtri_draw_state_set_level(t->state, level);
-    set_axes(qtri_large_job_of(t), level);
 }
 
 static void set_levels(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
     const qtri_draw_state *state = t->state;
-    job->levels->axis[0] = job->axis[0];
-    job->levels->axis[1] = job->axis[1];
     job->levels->only = 0;
     job->levels->are_found = false;
-    set_axes(job, state->level);
     job->piece[0].level = state->level;
     job->piece[1].level = state->level;
     if (!qtri_large_has_levels(job)) {
@@ -335,13 +324,11 @@ QTRI_NOINLINE static void center(const qtri_large_job *job, qtri_large_piece *pi
     const qtri_options *o = job->t.options;
     const qtri_draw_state *state = job->t.state;
     const uint32_t across = down_of(job, 1, level);
-    const uint32_t u_shift = o->wrap_u == QTRI_CLAMP ? job->levels->axis[0].shift + level
-                                                     : 32u - state->width_log2 + level;
-    const uint32_t v_shift = o->wrap_v == QTRI_CLAMP ? job->levels->axis[1].shift + across
-                             : o->large_texture      ? 32u - state->height_log2 + across
-                                                     : 16u + state->width_log2 - level;
-    piece->u -= (uint32_t)1 << (u_shift - 1);
-    piece->v -= (uint32_t)1 << (v_shift - 1);
+    const uint32_t u_shift = 32u - state->width_log2 + level;
+    const uint32_t v_shift =
+        o->large_texture ? 32u - state->height_log2 + across : 16u + state->width_log2 - level;
+    piece->uv[0].at -= job->axis[0].is_held ? 0 : (uint32_t)1 << (u_shift - 1);
+    piece->uv[1].at -= job->axis[1].is_held ? 0 : (uint32_t)1 << (v_shift - 1);
 }
 
 static inline uint32_t curve_down(uint32_t step, uint32_t down)
@@ -351,20 +338,21 @@ static inline uint32_t curve_down(uint32_t step, uint32_t down)
 }
 
 /*
- * Brings coordinates to the level. v, where it fills not all bits, has a texel's fraction that ends
- * two bits lower for each level, one where the height goes down no more. Steps are off by half of
- * the last bit, 2^-(17 + width_log2) of the level's texel: 128 pixels on by 2^-11 of one.
+ * Brings coordinates to the level, but what is held. v, where it fills not all bits, has a texel's
+ * fraction that ends two bits lower for each level, one where the height goes down no more. Steps
+ * are off by half of the last bit, 2^-(17 + width_log2) of the level's texel: 128 pixels on by
+ * 2^-11 of one.
  */
 static inline void set_level(const qtri_large_job *job, qtri_large_piece *piece, uint32_t level)
 {
     const qtri_options *o = job->t.options;
     piece->level = level;
-    if (level != 0 && o->wrap_v != QTRI_CLAMP && !o->large_texture) {
+    if (level != 0 && !job->axis[1].is_held && !o->large_texture) {
         const uint32_t down = level + down_of(job, 1, level);
-        piece->v >>= down;
-        piece->v_step = curve_down(piece->v_step, down);
-        if (piece->v_bend != 0) {
-            piece->v_bend = curve_down(piece->v_bend, down);
+        piece->uv[1].at >>= down;
+        piece->uv[1].step = curve_down(piece->uv[1].step, down);
+        if (piece->uv[1].bend != 0) {
+            piece->uv[1].bend = curve_down(piece->uv[1].bend, down);
         }
     }
     if (o->bilinear) {
@@ -436,12 +424,7 @@ static int32_t level_row_piece(qtri_large_job *job)
     levels->only = (uint8_t)next;
     const uint32_t skipped = (uint32_t)(x - job->t.row_left);
     piece->count = qtri_least32(end, right) - x;
-    piece->u = job->a[0].at + job->a[0].step * skipped;
-    piece->v = job->a[1].at + job->a[1].step * skipped;
-    piece->u_step = job->a[0].step;
-    piece->v_step = job->a[1].step;
-    piece->u_bend = 0;
-    piece->v_bend = 0;
+    qtri_large_set_straight(job, piece, skipped);
     if (job->first_color != job->count) {
         set_colors(job, piece, skipped);
     }
@@ -474,7 +457,7 @@ QTRI_NOINLINE static void set_apart(qtri_large_job *job, int32_t pieces, int32_t
 static int32_t curved_pieces(qtri_large_job *job)
 {
     const int32_t pieces = job->first_color == job->count ? qtri_large_next_halves(&job->t)
-                                                          : qtri_large_next_any(&job->t);
+                                                          : qtri_large_find_pieces(job);
     qtri_large_piece *piece = job->piece;
     const int32_t h = piece[0].count;
     if (pieces == 1 || piece[1].count != h ||
@@ -498,7 +481,7 @@ static int32_t curved_pieces(qtri_large_job *job)
 static int32_t plain_pieces(qtri_large_job *job)
 {
     const bool curved = job->is_curved;
-    const int32_t pieces = curved ? qtri_large_next_any(&job->t) : qtri_large_linear_piece(job);
+    const int32_t pieces = curved ? qtri_large_find_pieces(job) : qtri_large_linear_piece(job);
     int32_t x = job->t.x - ((int32_t)1 << job->run_log2);
     if (curved && !(job->may_be_level && job->is_level)) {
         x = job->t.x - job->piece[0].count - (pieces == 1 ? 0 : job->piece[1].count);
@@ -513,9 +496,8 @@ static int32_t plain_pieces(qtri_large_job *job)
     return pieces;
 }
 
-static int32_t next_pieces(qtri_large *t)
+static int32_t find_pieces(qtri_large_job *job)
 {
-    qtri_large_job *job = qtri_large_job_of(t);
     if (!job->levels->are_found) {
         return plain_pieces(job);
     }
@@ -531,6 +513,15 @@ static int32_t next_pieces(qtri_large *t)
         }
     }
     return job->may_be_level && job->is_level ? level_row_piece(job) : curved_pieces(job);
+}
+
+static int32_t next_pieces(qtri_large *t)
+{
+    qtri_large_job *job = qtri_large_job_of(t);
+    if (!job->is_held) {
+        return find_pieces(job);
+    }
+    return qtri_large_next_run(job) ? 1 : qtri_large_hold(job, find_pieces(job));
 }
 
 const qtri_level_ops qtri_levels = {begin_levels, qtri_small_find_level, set_levels, next_pieces,

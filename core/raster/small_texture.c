@@ -23,13 +23,61 @@ static int32_t shifted(int32_t x, int32_t up)
 
 /* Texture coordinates -------------------------------------------------------------------------- */
 
-/* Brings differences to what a ramp takes, and u_0 of what is clamped to four times that; returns
-   how many bits they lost. */
-static uint32_t reduce(int32_t f[3], uint32_t bits, bool is_clamped)
+typedef enum held {
+    CROSSES, /* an end of the texture */
+    INSIDE,
+    AT_END
+} held;
+
+/*
+ * Clamped coordinates: vertices at an end of the texture, or beyond by 1/128 texel at most, are
+ * held 1/32 texel inside, and pixels reach no end then: what is linear lies between the vertices,
+ * less what rounding takes of it, 2^-16 of a repeat, and what bends is off by .84 of 1/32 texel at
+ * most. Where texels are filtered it is the centres of outer texels that vertices are held to; a
+ * pixel that is beyond one by so little has as little of a wrong texel.
+ */
+static held hold_axis(int32_t f[3], uint32_t side_log2, bool bilinear)
 {
-    const uint32_t first = is_clamped ? qtri_small_about(f[0]) >> 2 : 0;
+    const int32_t little = (512 >> side_log2) + 1, inside = bilinear ? 0 : (2048 >> side_log2) + 1;
+    const int32_t low = bilinear ? 32768 >> side_log2 : 0, high = 65536 - low;
+    const int32_t a = f[0], b = (int32_t)((uint32_t)a + (uint32_t)f[1]);
+    const int32_t c = (int32_t)((uint32_t)a + (uint32_t)f[2]);
+    const int32_t least = qtri_least32(a, qtri_least32(b, c));
+    const int32_t most = qtri_greatest32(a, qtri_greatest32(b, c));
+    if (least >= low + 4 * inside && most <= high - 4 * inside) {
+        return INSIDE;
+    }
+    if ((least < low - little && most > low) || (most > high + little && least < high)) {
+        return CROSSES;
+    }
+    f[0] = qtri_hold32(a, low + inside, high - inside);
+    f[1] = qtri_hold32(b, low + inside, high - inside) - f[0];
+    f[2] = qtri_hold32(c, low + inside, high - inside) - f[0];
+    return AT_END;
+}
+
+/* Steps of a needle are less exact; u of a texture one texel wide is 0. */
+static held hold(qtri_small_uv *f, const qtri_small_place *p, const qtri_draw_state *state,
+                 const qtri_options *o)
+{
+    held u = INSIDE, v = INSIDE;
+    if ((state->traits & QTRI_CLAMPS_U) != 0) {
+        u = hold_axis(f->u, qtri_texture_width_log2(o, state), o->bilinear);
+    }
+    if ((state->traits & QTRI_CLAMPS_V) != 0) {
+        v = hold_axis(f->v, qtri_texture_height_log2(o, state), o->bilinear);
+    }
+    if (u == CROSSES || v == CROSSES || (state->traits & QTRI_ONE_WIDE) != 0) {
+        return CROSSES;
+    }
+    return u == INSIDE && v == INSIDE ? INSIDE : p->up != 0 ? CROSSES : AT_END;
+}
+
+/* Brings differences to what a ramp takes; returns how many bits they lost. */
+static uint32_t reduce(int32_t f[3], uint32_t bits)
+{
     uint32_t down = 0;
-    while ((first | qtri_small_about(f[1]) | qtri_small_about(f[2])) >> (bits + down) != 0) {
+    while ((qtri_small_about(f[1]) | qtri_small_about(f[2])) >> (bits + down) != 0) {
         down++;
     }
     if (down != 0) { /* rounded */
@@ -39,52 +87,33 @@ static uint32_t reduce(int32_t f[3], uint32_t bits, bool is_clamped)
     return down;
 }
 
-/* u_0 in units of 2^-28 of a repeat or coarser ones, as they fit: below 2^30. */
-static uint32_t clamp_axis_set(qtri_clamp_axis *axis, int32_t u0, uint32_t side_log2, uint32_t down)
-{
-    axis->shift = (uint8_t)(28 - down - side_log2);
-    axis->limit = ((uint32_t)1 << (28 - down)) - 1;
-    return (uint32_t)shifted(u0, 12 - (int32_t)down);
-}
-
-/* Of any axes and differences. */
-static void set_values(qtri_small_value value[2], qtri_small_curves *curves, int32_t f[2][3],
-                       uint32_t by, const qtri_small_place *p, const qtri_draw_state *state,
+/* Of any sides and differences. */
+static void set_values(qtri_small_value value[2], qtri_small_uv *uv, uint32_t by,
+                       const qtri_small_place *p, const qtri_draw_state *state,
                        const qtri_options *o)
 {
     const uint32_t side_log2[2] = {qtri_texture_width_log2(o, state),
                                    qtri_texture_height_log2(o, state)};
     for (int k = 0; k < 2; k++) {
-        const uint32_t bits = p->wide ? 15 : 16;
-        const bool is_clamped = (k == 0 ? o->wrap_u : o->wrap_v) == QTRI_CLAMP;
-        uint32_t base, up, shift;
-        if (is_clamped) {
-            const uint32_t down = reduce(f[k], bits, true);
-            up = 4;
-            base = clamp_axis_set(&curves->axis[k], f[k][0], side_log2[k], down);
-            shift = curves->axis[k].shift;
+        const bool is_v = k == 1 && !o->large_texture;
+        const uint32_t unit = is_v ? side_log2[0] + side_log2[1] : 16; /* 2^(16 + it) a repeat */
+        const uint32_t shift = is_v ? 16 + side_log2[0] : 32 - side_log2[k];
+        int32_t *f = k == 0 ? uv->u : uv->v;
+        uint32_t base = (uint32_t)f[0] << unit, up = 0;
+        if (unit < 8) {
+            f[1] >>= 8 - unit;
+            f[2] >>= 8 - unit;
         } else {
-            const bool is_v = k == 1 && !o->large_texture;
-            const uint32_t unit =
-                is_v ? side_log2[0] + side_log2[1] : 16; /* 2^(16 + it) a repeat */
-            up = 0;
-            if (unit < 8) {
-                f[k][1] >>= 8 - unit;
-                f[k][2] >>= 8 - unit;
-            } else {
-                up = unit - 8;
-            }
-            up += reduce(f[k], bits, false);
-            base = (uint32_t)f[k][0] << unit;
-            shift = is_v ? 16 + side_log2[0] : 32 - side_log2[k];
+            up = unit - 8;
         }
-        base += (uint32_t)1 << (shift - 1) >> 10; /* 1 <= shift: 28 less 17 and 10 at most */
+        up += reduce(f, p->wide ? 15 : 16);
+        base += (uint32_t)1 << (shift - 1) >> 10;
         if (o->bilinear) {
             base -= (uint32_t)1 << (shift - 1);
         }
         value[k].value = base;
-        value[k].f1 = f[k][1];
-        value[k].f2 = f[k][2];
+        value[k].f1 = f[1];
+        value[k].f2 = f[2];
         value[k].up = (int32_t)up;
         value[k].unit_log2 = (int32_t)shift - (int32_t)up - 6; /* 2^-6 texel */
         value[k].by = by;
@@ -96,18 +125,29 @@ bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
                                    const qtri_small_place *p, const qtri_small *t,
                                    const qtri_options *o)
 {
-    return qtri_setup_set_linear_texture(u, v, p, t, o);
+    qtri_small_uv f;
+    if (o->bilinear || o->large_texture || (t->state->traits & QTRI_FEW_TEXELS) != 0) {
+        return false;
+    }
+    qtri_small_uv_find(&f, t);
+    if ((t->state->traits != 0 && hold(&f, p, t->state, o) == CROSSES) ||
+        !qtri_small_is_linear_texture(&f, p, t, o)) {
+        return false;
+    }
+    qtri_small_set_linear(u, v, p, &f, qtri_texture_width_log2(o, t->state),
+                          qtri_texture_height_log2(o, t->state));
+    return true;
 }
 
 /* Curves --------------------------------------------------------------------------------------- */
 
-static bool are_near_curves(const qtri_curvature *c, int32_t f[2][3], uint32_t by,
+static bool are_near_curves(const qtri_curvature *c, const qtri_small_uv *f, uint32_t by,
                             const qtri_small *t, const qtri_options *o)
 {
-    const uint32_t u = qtri_small_range(f[0][1], f[0][2]) >> /* 2^-6 texel */
+    const uint32_t u = qtri_small_range(f->u[1], f->u[2]) >> /* 2^-6 texel */
                        (10 - qtri_texture_width_log2(o, t->state));
     const uint32_t v =
-        qtri_small_range(f[1][1], f[1][2]) >> (10 - qtri_texture_height_log2(o, t->state));
+        qtri_small_range(f->v[1], f->v[2]) >> (10 - qtri_texture_height_log2(o, t->state));
     return qtri_small_is_near_curve(c, u > v ? u : v, by);
 }
 
@@ -116,29 +156,41 @@ bool qtri_small_set_curves(qtri_small_curves *curves, qtri_small_division *divis
                            bool curved)
 {
     /* 1/16 texel at most; 1/32 where more pixels show it, and a quarter of that of filtered ones */
-    const uint32_t by = 6u - qtri_small_is_beyond_middle(p) - (o->bilinear ? 2u : 0);
+    uint32_t by = 6u - qtri_small_is_beyond_middle(p) - (o->bilinear ? 2u : 0);
     const bool lit = curved && qtri_is_lit(o);
     qtri_small_uv at;
     qtri_small_value value[2], light;
     qtri_curvature c;
     bool is_near = true, is_lit_near = true;
-    qtri_small_uv_find(&at, t);
-    int32_t f[2][3] = {{at.u0, at.u1, at.u2}, {at.v0, at.v1, at.v2}};
+    const bool is_held = (t->state->traits & ~QTRI_FEW_TEXELS) != 0;
     curves->light_piece = 0;
+    curves->is_curved = false;
+    if (is_held && !curved &&
+        qtri_small_set_linear_texture(&curves->linear[0], &curves->linear[1], p, t, o)) {
+        return true;
+    }
+    qtri_small_uv_find(&at, t);
+    if (is_held) {
+        const held found = hold(&at, p, t->state, o);
+        if (found == CROSSES) {
+            return false;
+        }
+        by = found == AT_END && by > 5 ? 5 : by; /* 1/32 */
+    }
     curves->is_curved =
         curved || (!t->state->is_linear && qtri_small_is_texture_curved(&at, p, t, o));
     if (curves->is_curved) {
         if (!qtri_small_set_curvature(&c, p, t)) {
             return false;
         }
-        is_near = are_near_curves(&c, f, by, t, o);
+        is_near = are_near_curves(&c, &at, by, t, o);
         if (lit) {
             qtri_small_find_light(&light, t, o);
             is_lit_near =
                 qtri_small_is_near_curve(&c, qtri_small_range(light.f1, light.f2), light.by);
         }
     }
-    set_values(value, curves, f, by, p, t->state, o);
+    set_values(value, &at, by, p, t->state, o);
     if (!curves->is_curved) {
         for (int k = 0; k < 2; k++) {
             qtri_small_ramp_set(&curves->linear[k], p, value[k].value, value[k].f1, value[k].f2,
@@ -215,7 +267,7 @@ static uint32_t level_of(const qtri_small_place *p, const qtri_small *t, const i
     int32_t up[2];
     int32_t fraction = INT32_MAX;
     qtri_small_uv_find(&at, t);
-    int32_t f[2][2] = {{at.u1, at.u2}, {at.v1, at.v2}};
+    int32_t f[2][2] = {{at.u[1], at.u[2]}, {at.v[1], at.v[2]}};
     for (int i = 0; i < 2; i++) {
         up[i] = 16 - side_log2[i]; /* 6..16: f has so many bits of a texel's fraction */
         const int32_t zeros = qtri_clz32(qtri_small_about(f[i][0]) | qtri_small_about(f[i][1]));

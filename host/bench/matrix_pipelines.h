@@ -35,7 +35,7 @@
         &matrix_##group##_lequal, &matrix_##group##_greater, &matrix_##group##_always,             \
         &matrix_##group##_equal, &matrix_##group##_off
 
-/* Formats of texels, ways to wrap, and both filters. */
+/* Formats of texels, a key, and both filters. */
 #define MATRIX_TEXEL(group, name, kind, ...)                                                       \
     QTRI_PIPELINE(matrix_##group##_##name, MATRIX_BASE, .texel = (kind), __VA_ARGS__)
 #define MATRIX_ALL_TEXELS(group, ...)                                                              \
@@ -45,11 +45,7 @@
     MATRIX_TEXEL(group, of_palette8, QTRI_TEXEL_PALETTE8, __VA_ARGS__)                             \
     MATRIX_TEXEL(group, of_gray8, QTRI_TEXEL_GRAY8, __VA_ARGS__)                                   \
     MATRIX_TEXEL(group, of_checker, QTRI_TEXEL_CHECKER, __VA_ARGS__)                               \
-    MATRIX_TEXEL(group, clamp, QTRI_TEXEL_RGB565, .wrap_u = QTRI_CLAMP, .wrap_v = QTRI_CLAMP,      \
-                 __VA_ARGS__)                                                                      \
     MATRIX_TEXEL(group, key, QTRI_TEXEL_RGB565, .key = 1, __VA_ARGS__)                             \
-    MATRIX_TEXEL(group, clamp_key, QTRI_TEXEL_RGB565, .wrap_u = QTRI_CLAMP, .wrap_v = QTRI_CLAMP,  \
-                 .key = 1, __VA_ARGS__)                                                            \
     MATRIX_TEXEL(group, bilinear, QTRI_TEXEL_RGB565, .bilinear = 1, __VA_ARGS__)                   \
     MATRIX_TEXEL(group, bilinear_xrgb8888, QTRI_TEXEL_XRGB8888, .bilinear = 1, __VA_ARGS__)        \
     MATRIX_TEXEL(group, bilinear_palette8, QTRI_TEXEL_PALETTE8, .bilinear = 1, __VA_ARGS__)        \
@@ -60,9 +56,7 @@
                                                              &matrix_##group##_of_palette8,        \
                                                              &matrix_##group##_of_gray8,           \
                                                              &matrix_##group##_of_checker,         \
-                                                             &matrix_##group##_clamp,              \
                                                              &matrix_##group##_key,                \
-                                                             &matrix_##group##_clamp_key,          \
                                                              &matrix_##group##_bilinear,           \
                                                              &matrix_##group##_bilinear_xrgb8888,  \
                                                              &matrix_##group##_bilinear_palette8,  \

@@ -148,7 +148,6 @@ static const char *const texel_names[] = {NULL,
                                           "QTRI_TEXEL_ARGB1555",
                                           "QTRI_TEXEL_ALPHA8",
                                           "QTRI_OTHER_TEXEL"};
-static const char *const wrap_names[] = {NULL, "QTRI_CLAMP"};
 static const char *const shade_names[] = {NULL, "QTRI_TINT", "QTRI_LIGHT", "QTRI_WHITE_LIGHT",
                                           "QTRI_COLORS"};
 static const char *const blend_names[] = {
@@ -172,8 +171,6 @@ static const struct {
     FIELD(texel, texel_names),
     FIELD(bilinear, NULL),
     FIELD(mipmapped, NULL),
-    FIELD(wrap_u, wrap_names),
-    FIELD(wrap_v, wrap_names),
     FIELD(key, NULL),
     FIELD(alpha_test, NULL),
     FIELD(shade, shade_names),

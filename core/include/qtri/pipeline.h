@@ -60,9 +60,9 @@ enum {
 struct qtri_fragment {
     int32_t x, y;         /* pixel of the frame */
     uint32_t depth_16p16; /* window z times 65535 */
-    uint32_t u, v; /* of a texture: 2^-32 of a repeat, whole repeats dropped; of repeated axes */
-    uint32_t light_q8; /* 0..256 with QTRI_LIGHT, else 256 */
-    uint32_t color;    /* 0x00RRGGBB: what would be drawn; out: what is */
+    uint32_t u, v;        /* of a texture: 2^-32 of a repeat, whole repeats dropped */
+    uint32_t light_q8;    /* 0..256 with QTRI_LIGHT, else 256 */
+    uint32_t color;       /* 0x00RRGGBB: what would be drawn; out: what is */
 };
 
 /* What a pipeline draws: the options of surface, material and mesh that it is made for. */
@@ -73,9 +73,8 @@ typedef struct qtri_options {
     uint8_t read_only; /* material.depth_read_only; QTRI_ANY: as the material says */
     uint8_t texel;     /* of texture.h */
     uint8_t bilinear, mipmapped;
-    uint8_t wrap_u, wrap_v; /* a qtri_wrap */
-    uint8_t key;            /* texture.has_key */
-    uint8_t alpha_test;     /* material.least_alpha != 0, of texels with alpha */
+    uint8_t key;        /* texture.has_key */
+    uint8_t alpha_test; /* material.least_alpha != 0, of texels with alpha */
     uint8_t shade;
     uint8_t blend;        /* of material.h */
     uint8_t vertex_alpha; /* alpha varies between the vertices */
@@ -88,6 +87,7 @@ typedef struct qtri_options {
     uint8_t pixel_bytes;   /* of QTRI_OTHER_FORMAT: 1..4 */
     uint8_t depth_bytes;   /* internal: these three of draws by the generic pipeline */
     uint16_t asks;
+    uint8_t wrap_u, wrap_v; /* no longer asked for: pipelines repeat and clamp textures alike */
 
     /* Formats of the application's own that the functions below stand for. */
     const qtri_format *own_format;
@@ -133,7 +133,7 @@ extern const qtri_pipeline qtri_pipeline_any;
 extern const qtri_pipeline qtri_pipeline_flat;          /* one colour a triangle */
 extern const qtri_pipeline qtri_pipeline_lit;           /* material.color in light by vertex */
 extern const qtri_pipeline qtri_pipeline_colors;        /* colours of the vertices */
-extern const qtri_pipeline qtri_pipeline_texture;       /* RGB565 texels, repeated, as they are */
+extern const qtri_pipeline qtri_pipeline_texture;       /* RGB565 texels as they are */
 extern const qtri_pipeline qtri_pipeline_texture_tint;  /* times one colour a triangle */
 extern const qtri_pipeline qtri_pipeline_texture_lit;   /* times material.color in light */
 extern const qtri_pipeline qtri_pipeline_texture_white; /* times light: of a white material */

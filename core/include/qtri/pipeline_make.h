@@ -33,7 +33,7 @@
 
 /*
  * What most programs draw with, of further options: `name`_flat, _lit, _colors, _texture,
- * _texture_tint, _texture_lit and _texture_white, the latter four of repeated RGB565 texels; and
+ * _texture_tint, _texture_lit and _texture_white, the latter four of RGB565 texels; and
  * `list` of them, which ends with the generic pipeline. So everything is drawn fast on another
  * format, or with another comparison:
  *

@@ -17,16 +17,32 @@
 extern "C" {
 #endif
 
-/* Pixels of a row along which attributes are polynomials. */
-typedef struct qtri_large_piece {
-    int32_t count; /* 0: there is nothing to draw */
-    uint32_t u, u_step, u_bend, v, v_step, v_bend;
-    int32_t knot, spacing;       /* pixels to the first knot, and from one to the next */
-    uint32_t u_third, v_third;   /* what bends gain there */
-    uint32_t u_fourth, v_fourth; /* what that loses from knot to knot */
+/* Knots of coordinates, which divide a piece. */
+typedef struct qtri_large_knots {
+    int32_t next, spacing; /* pixels to the first knot, and from one to the next */
+    uint32_t third[2];     /* what bends gain there */
+    uint32_t fourth[2];    /* what that loses from knot to knot */
+} qtri_large_knots;
+
+/* A texture coordinate: at the first pixel, its step, and what that gains from pixel to pixel. */
+typedef struct qtri_large_coordinate {
+    uint32_t at, step, bend;
+} qtri_large_coordinate;
+
+typedef struct qtri_large_colors {
     uint32_t c, c_step, g, g_step;
     uint32_t c_other;
     uint32_t alpha, alpha_step;
+} qtri_large_colors;
+
+/* Pixels of a row along which attributes are polynomials. */
+typedef struct qtri_large_piece {
+    int32_t count; /* 0: there is nothing to draw */
+    qtri_large_coordinate uv[2];
+    union {
+        qtri_large_knots knots; /* where coordinates alone vary */
+        qtri_large_colors colors;
+    } of;
     uint32_t level; /* of a texture that is mipmapped */
 } qtri_large_piece;
 
@@ -182,21 +198,40 @@ typedef struct qtri_footprint_measure {
 } qtri_footprint_measure;
 
 typedef struct qtri_large_levels {
-    qtri_clamp_axis axis[2]; /* those of level 0 */
-    bool are_found;          /* along rows; false: `only` is that of the triangle */
-    uint8_t only;            /* that, or the last one of a row along which w does not change */
-    uint8_t run_log2;        /* of pixels along such a row that have one */
+    bool are_found;   /* along rows; false: `only` is that of the triangle */
+    uint8_t only;     /* that, or the last one of a row along which w does not change */
+    uint8_t run_log2; /* of pixels along such a row that have one */
     qtri_footprint_measure measure; /* in such a row */
     qtri_footprint_plane footprint;
 } qtri_large_levels;
 
+/* Where a texture does not end: see large_clamp.c. */
+typedef struct qtri_large_zone {
+    uint32_t least, size; /* least..least + size */
+    uint32_t start;       /* what `least` is for the walk, before it is shifted */
+    uint8_t left, right;  /* to the walk's units */
+} qtri_large_zone;
+
+/* Units of a coordinate. Held: it is clamped, and reaches where the texture ends; planes and pieces
+   have units of its own before they are held. */
+typedef struct qtri_large_axis {
+    uint8_t shift; /* a texel, of level 0, is 2^this */
+    int8_t up;     /* to the walk's units */
+    bool is_held;
+    uint32_t first;       /* held: the first texel, */
+    qtri_large_zone zone; /*   and where texels of level 0 do not end */
+} qtri_large_axis;
+
 /* What varies along rows beside depth. */
 typedef struct qtri_large_job {
-    qtri_large t;            /* first: what functions of all triangles have a pointer to */
-    qtri_large_attribute *a; /* as many as vary: u v, light or red green blue, alpha */
-    bool is_bent;            /* pieces have steps of u and v that change */
-    qtri_large_piece piece[2];
-    qtri_clamp_axis axis[2];
+    qtri_large t;              /* first: what functions of all triangles have a pointer to */
+    qtri_large_attribute *a;   /* as many as vary: u v, light or red green blue, alpha */
+    bool is_bent;              /* pieces have steps of u and v that change */
+    qtri_large_piece piece[3]; /* two at most; held: what is not drawn yet of the first */
+    qtri_large_axis axis[2];
+    bool is_held;   /* one of the axes is */
+    bool waits;     /* held: piece[1] is drawn after piece[2] */
+    int32_t held_x; /* where the row's next pieces start after these */
 
     /* Packed colours of a triangle along which they are linear begin anew every QTRI_LARGE_RUN
        pixels: red, green and blue n.16 where a run begins, and from run to run. */
@@ -332,9 +367,6 @@ QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel
         qtri_draw_state_set_table(t->state);
     }
     qtri_walk_begin(o, w, t->state);
-    if (qtri_is_textured(o)) {
-        qtri_walk_set_axes(o, w, qtri_large_job_of(t)->axis);
-    }
     w->z_step = t->z_step;
     if (!qtri_varies(o)) {
         w->color = qtri_walk_color(o, t->state->surface, t->in->color);
@@ -358,14 +390,14 @@ QTRI_BODY int32_t qtri_large_next(const qtri_options *o, qtri_large *t)
 QTRI_BODY void qtri_large_load_colors(const qtri_options *o, qtri_pixel_walk *w,
                                       const qtri_large_piece *piece)
 {
-    w->c = piece->c;
-    w->c_step = piece->c_step;
+    w->c = piece->of.colors.c;
+    w->c_step = piece->of.colors.c_step;
     if (qtri_is_packed_565(o)) {
-        w->c_other = piece->c_other;
+        w->c_other = piece->of.colors.c_other;
     }
     if (qtri_has_two_words(o)) {
-        w->g = piece->g;
-        w->g_step = piece->g_step;
+        w->g = piece->of.colors.g;
+        w->g_step = piece->of.colors.g_step;
     }
 }
 
@@ -376,22 +408,21 @@ QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_large *t, qtri_pixel_
         QTRI_RARELY();
         qtri_large_set_level(t, piece->level);
         qtri_walk_set_texture(o, w);
-        qtri_walk_set_axes(o, w, qtri_large_job_of(t)->axis);
     }
     if (qtri_is_textured(o)) {
-        w->u = piece->u + (o->wrap_u == QTRI_CLAMP ? w->u_base : 0);
-        w->v = piece->v + (o->wrap_v == QTRI_CLAMP ? w->v_base : 0);
-        w->u_step = piece->u_step;
-        w->v_step = piece->v_step;
-        w->u_bend = piece->u_bend;
-        w->v_bend = piece->v_bend;
+        w->u = piece->uv[0].at;
+        w->v = piece->uv[1].at;
+        w->u_step = piece->uv[0].step;
+        w->v_step = piece->uv[1].step;
+        w->u_bend = piece->uv[0].bend;
+        w->v_bend = piece->uv[1].bend;
     }
     if (qtri_large_varies(o)) {
         qtri_large_load_colors(o, w, piece);
     }
     if (o->vertex_alpha) {
-        w->alpha = piece->alpha;
-        w->alpha_step = piece->alpha_step;
+        w->alpha = piece->of.colors.alpha;
+        w->alpha_step = piece->of.colors.alpha_step;
     }
 }
 
@@ -491,13 +522,13 @@ QTRI_BODY void qtri_large_pieces_draw(const qtri_options *o, qtri_pixel_body *pi
 QTRI_BODY void qtri_large_pass_knot(qtri_large_piece *piece, uint32_t *u_step, uint32_t *u_bend,
                                     uint32_t *v_step, uint32_t *v_bend)
 {
-    *u_bend += piece->u_third;
-    *v_bend += piece->v_third;
-    *u_step += (uint32_t)((int32_t)piece->u_third >> 1);
-    *v_step += (uint32_t)((int32_t)piece->v_third >> 1);
-    piece->u_third -= piece->u_fourth;
-    piece->v_third -= piece->v_fourth;
-    piece->knot = piece->spacing;
+    *u_bend += piece->of.knots.third[0];
+    *v_bend += piece->of.knots.third[1];
+    *u_step += (uint32_t)((int32_t)piece->of.knots.third[0] >> 1);
+    *v_step += (uint32_t)((int32_t)piece->of.knots.third[1] >> 1);
+    piece->of.knots.third[0] -= piece->of.knots.fourth[0];
+    piece->of.knots.third[1] -= piece->of.knots.fourth[1];
+    piece->of.knots.next = piece->of.knots.spacing;
 }
 
 /* The row's next piece, which may have knots. */
@@ -516,7 +547,7 @@ QTRI_BODY void qtri_large_spline_draw(const qtri_options *o, qtri_pixel_body *pi
         QTRI_BODY_BARRIER(piece); /* or Armv6-M would find it anew for each access */
     }
     for (;;) {
-        const int32_t n = piece->knot < piece->count ? piece->knot : piece->count;
+        const int32_t n = piece->of.knots.next < piece->count ? piece->of.knots.next : piece->count;
         qtri_large_pixels(o, pixel, t, w, true, n);
         piece->count -= n;
         if (piece->count <= 0) {

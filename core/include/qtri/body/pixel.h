@@ -151,7 +151,7 @@ QTRI_BODY uint32_t qtri_texel_at(const qtri_options *o, const qtri_pixel_walk *w
         texel = qtri_texel_bilinear(o, w, drawn);
 #endif
     } else {
-        const uint32_t number = qtri_texel_column(o, w, w->u) + qtri_texel_row(o, w, w->v);
+        const uint32_t number = qtri_texel_column(w, w->u) + qtri_texel_row(o, w, w->v);
         const uint32_t stored = qtri_texel_stored(o, w, number);
         if (o->key) {
             const uint32_t mask = o->texel == QTRI_TEXEL_XRGB8888 ? 0xFFFFFFu
@@ -191,14 +191,13 @@ QTRI_BODY bool qtri_is_short(const qtri_options *o)
 }
 
 /* How many pixels a loop has: short ones gain by it, where pieces are not short themselves, and
-   where there are registers: on Armv6-M texels that become RGB565 or are clamped leave none. */
+   where there are registers: on Armv6-M texels that become RGB565 leave none. */
 QTRI_BODY int qtri_unrolled(const qtri_options *o, bool bent)
 {
     const bool has_few = !QTRI_LONG_MULTIPLY && qtri_is_textured(o);
     const int most = bent || has_few ? 4 : 8;
     if (!qtri_is_short(o) || (QTRI_BODY_UNROLLS == 2 && (bent || o->shade == QTRI_TINT)) ||
-        (has_few && ((qtri_stores_565(o) && qtri_kind_of(o) != QTRI_IN_565) ||
-                     o->wrap_u == QTRI_CLAMP || o->wrap_v == QTRI_CLAMP))) {
+        (has_few && qtri_stores_565(o) && qtri_kind_of(o) != QTRI_IN_565)) {
         return 1;
     }
     return most < QTRI_BODY_UNROLLS ? most : QTRI_BODY_UNROLLS;
@@ -419,22 +418,6 @@ QTRI_BODY void qtri_walk_set_texture(const qtri_options *o, qtri_pixel_walk *w)
     w->rows =
         (o->large_texture ? 0 : (((uint32_t)1 << height_log2) - 1) << ((16 + width_log2) & 31)) |
         w->u_shift;
-}
-
-/* How coordinates of a triangle are clamped, after qtri_walk_set_texture(). */
-QTRI_BODY void qtri_walk_set_axes(const qtri_options *o, qtri_pixel_walk *w,
-                                  const qtri_clamp_axis axis[2])
-{
-    if (o->wrap_u == QTRI_CLAMP) {
-        w->u_shift = axis[0].shift;
-        w->u_limit = axis[0].limit;
-        w->u_base = axis[0].base;
-    }
-    if (o->wrap_v == QTRI_CLAMP) {
-        w->v_shift = axis[1].shift;
-        w->v_limit = axis[1].limit;
-        w->v_base = axis[1].base;
-    }
 }
 
 /* What a draw call's state says to all rows. */

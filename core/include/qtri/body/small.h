@@ -414,7 +414,6 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
                       : qtri_small_set_light_curve(&curves, kept, t, o))) {
                 return false;
             }
-            qtri_walk_set_axes(o, &w, curves.axis);
             is_curved = curves.is_curved;
             if (!is_curved) {
                 rows.u = curves.linear[0];

@@ -377,15 +377,15 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_pixel_body *p
     }
     if (qtri_is_textured(o) && !has_curved_light && qtri_small_find_linear_texture(&f, &p, t, o)) {
         const uint32_t width_log2 = state->width_log2, height_log2 = state->height_log2;
-        qtri_small_set_sampled(&values.u, &p, qtri_small_linear_u(&f, width_log2), f.u1, f.u2, 8);
+        qtri_small_set_sampled(&values.u, &p, qtri_small_linear_u(&f, width_log2), f.u[1], f.u[2],
+                               8);
         qtri_small_set_sampled(&values.v, &p, qtri_small_linear_v(&f, width_log2, height_log2),
-                               f.v1, f.v2, (int32_t)(width_log2 + height_log2) - 8);
+                               f.v[1], f.v[2], (int32_t)(width_log2 + height_log2) - 8);
     } else if (qtri_is_textured(o) || has_curved_light) {
         QTRI_RARELY();
         if (!qtri_small_samples_curves(o, &values, &curves, &p, t, has_curved_light)) {
             return false;
         }
-        qtri_walk_set_axes(o, &w, curves.axis);
         is_curved = curves.is_curved;
     }
     if (p.cut) {

@@ -457,9 +457,9 @@ QTRI_BODY bool qtri_setup_set_colors_565(qtri_small_ramp *c, const qtri_small_pl
 
 /* Texture coordinates -------------------------------------------------------------------------- */
 
-/* A coordinate at the vertices, Q16 of a repeat: the first one, and what the others have more. */
+/* Coordinates at the vertices, Q16 of a repeat: at the first one, and what the others have more. */
 typedef struct qtri_small_uv {
-    int32_t u0, u1, u2, v0, v1, v2;
+    int32_t u[3], v[3];
 } qtri_small_uv;
 
 QTRI_SMALL_PART void qtri_small_uv_find(qtri_small_uv *uv, const qtri_small *t)
@@ -469,22 +469,22 @@ QTRI_SMALL_PART void qtri_small_uv_find(qtri_small_uv *uv, const qtri_small *t)
         const qtri_uv16 *a = &mesh->uvs16[t->index[0]];
         const qtri_uv16 *b = &mesh->uvs16[t->index[1]];
         const qtri_uv16 *c = &mesh->uvs16[t->index[2]];
-        uv->u0 = a->x * 4;
-        uv->v0 = a->y * 4;
-        uv->u1 = (b->x - a->x) * 4;
-        uv->v1 = (b->y - a->y) * 4;
-        uv->u2 = (c->x - a->x) * 4;
-        uv->v2 = (c->y - a->y) * 4;
+        uv->u[0] = a->x * 4;
+        uv->v[0] = a->y * 4;
+        uv->u[1] = (b->x - a->x) * 4;
+        uv->v[1] = (b->y - a->y) * 4;
+        uv->u[2] = (c->x - a->x) * 4;
+        uv->v[2] = (c->y - a->y) * 4;
     } else {
         const qtri_vec2 *a = &mesh->uvs[t->index[0]];
         const qtri_vec2 *b = &mesh->uvs[t->index[1]];
         const qtri_vec2 *c = &mesh->uvs[t->index[2]];
-        uv->u0 = a->x;
-        uv->v0 = a->y;
-        uv->u1 = (int32_t)((uint32_t)b->x - (uint32_t)a->x);
-        uv->v1 = (int32_t)((uint32_t)b->y - (uint32_t)a->y);
-        uv->u2 = (int32_t)((uint32_t)c->x - (uint32_t)a->x);
-        uv->v2 = (int32_t)((uint32_t)c->y - (uint32_t)a->y);
+        uv->u[0] = a->x;
+        uv->v[0] = a->y;
+        uv->u[1] = (int32_t)((uint32_t)b->x - (uint32_t)a->x);
+        uv->v[1] = (int32_t)((uint32_t)b->y - (uint32_t)a->y);
+        uv->u[2] = (int32_t)((uint32_t)c->x - (uint32_t)a->x);
+        uv->v[2] = (int32_t)((uint32_t)c->y - (uint32_t)a->y);
     }
 }
 
@@ -494,8 +494,8 @@ QTRI_BODY bool qtri_small_is_texture_curved(const qtri_small_uv *f, const qtri_s
 {
     const uint32_t width_log2 = qtri_texture_width_log2(o, t->state);
     const uint32_t height_log2 = qtri_texture_height_log2(o, t->state);
-    const uint32_t u = qtri_small_range(f->u1, f->u2) >> (10 - width_log2);
-    const uint32_t v = qtri_small_range(f->v1, f->v2) >> (10 - height_log2);
+    const uint32_t u = qtri_small_range(f->u[1], f->u[2]) >> (10 - width_log2);
+    const uint32_t v = qtri_small_range(f->v[1], f->v[2]) >> (10 - height_log2);
     const uint32_t range = u > v ? u : v;                          /* 2^-6 of a texel */
     const uint32_t q_range = qtri_small_range(p->q1, p->q2) >> 16; /* < 2^14.6 */
     const uint32_t q_min = (t->v[0]->inv_w + (uint32_t)qtri_small_min(p->q1, p->q2)) >> 16;
@@ -503,21 +503,17 @@ QTRI_BODY bool qtri_small_is_texture_curved(const qtri_small_uv *f, const qtri_s
 }
 
 /*
- * Coordinates that are linear on the screen, of repeated axes. The bound of small_texture.c is
- * tried by sums of magnitudes first, in 2^-6 texel of the longer side, and q_min >= 3/4 2^30: true
- * of most. False: they may be seen to follow perspective, or are not as simple.
+ * Whether coordinates are linear on the screen. The bound of small_texture.c is tried by sums of
+ * magnitudes first, in 2^-6 texel of the longer side, and q_min >= 3/4 2^30: true of most. False:
+ * they may be seen to follow perspective, or are not as simple.
  */
-QTRI_BODY bool qtri_small_find_linear_texture(qtri_small_uv *f, const qtri_small_place *p,
-                                              const qtri_small *t, const qtri_options *o)
+QTRI_BODY bool qtri_small_is_linear_texture(const qtri_small_uv *f, const qtri_small_place *p,
+                                            const qtri_small *t, const qtri_options *o)
 {
     const uint32_t width_log2 = qtri_texture_width_log2(o, t->state);
     const uint32_t height_log2 = qtri_texture_height_log2(o, t->state);
-    if (o->bilinear || o->large_texture || o->wrap_u || o->wrap_v || width_log2 + height_log2 < 8) {
-        return false;
-    }
-    qtri_small_uv_find(f, t);
-    const uint32_t u1 = qtri_small_about(f->u1), u2 = qtri_small_about(f->u2);
-    const uint32_t v1 = qtri_small_about(f->v1), v2 = qtri_small_about(f->v2);
+    const uint32_t u1 = qtri_small_about(f->u[1]), u2 = qtri_small_about(f->u[2]);
+    const uint32_t v1 = qtri_small_about(f->v[1]), v2 = qtri_small_about(f->v[2]);
     if ((u1 | u2 | v1 | v2) >> (p->wide ? 15 : 16) != 0) {
         return false;
     }
@@ -533,16 +529,36 @@ QTRI_BODY bool qtri_small_find_linear_texture(qtri_small_uv *f, const qtri_small
     return true;
 }
 
+/* What is linear of simple coordinates, and found at once. */
+QTRI_BODY bool qtri_small_find_linear_texture(qtri_small_uv *f, const qtri_small_place *p,
+                                              const qtri_small *t, const qtri_options *o)
+{
+    if (o->bilinear || o->large_texture || t->state->traits != 0) {
+        return false;
+    }
+    qtri_small_uv_find(f, t);
+    return qtri_small_is_linear_texture(f, p, t, o);
+}
+
 /* These at vertex 0: values on a texel's edge, give or take an error, go up. */
 QTRI_BODY uint32_t qtri_small_linear_u(const qtri_small_uv *f, uint32_t width_log2)
 {
-    return ((uint32_t)f->u0 << 16) + ((uint32_t)1 << (21 - width_log2));
+    return ((uint32_t)f->u[0] << 16) + ((uint32_t)1 << (21 - width_log2));
 }
 
 QTRI_BODY uint32_t qtri_small_linear_v(const qtri_small_uv *f, uint32_t width_log2,
                                        uint32_t height_log2)
 {
-    return ((uint32_t)f->v0 << (width_log2 + height_log2)) + ((uint32_t)1 << (5 + width_log2));
+    return ((uint32_t)f->v[0] << (width_log2 + height_log2)) + ((uint32_t)1 << (5 + width_log2));
+}
+
+QTRI_BODY void qtri_small_set_linear(qtri_small_ramp *u, qtri_small_ramp *v,
+                                     const qtri_small_place *p, const qtri_small_uv *f,
+                                     uint32_t width_log2, uint32_t height_log2)
+{
+    qtri_small_ramp_set(u, p, qtri_small_linear_u(f, width_log2), f->u[1], f->u[2], 8);
+    qtri_small_ramp_set(v, p, qtri_small_linear_v(f, width_log2, height_log2), f->v[1], f->v[2],
+                        (int32_t)(width_log2 + height_log2) - 8);
 }
 
 /* False: nothing was set. */
@@ -551,14 +567,11 @@ QTRI_BODY bool qtri_setup_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp
                                              const qtri_options *o)
 {
     qtri_small_uv f;
-    const uint32_t width_log2 = qtri_texture_width_log2(o, t->state);
-    const uint32_t height_log2 = qtri_texture_height_log2(o, t->state);
     if (!qtri_small_find_linear_texture(&f, p, t, o)) {
         return false;
     }
-    qtri_small_ramp_set(u, p, qtri_small_linear_u(&f, width_log2), f.u1, f.u2, 8);
-    qtri_small_ramp_set(v, p, qtri_small_linear_v(&f, width_log2, height_log2), f.v1, f.v2,
-                        (int32_t)(width_log2 + height_log2) - 8);
+    qtri_small_set_linear(u, v, p, &f, qtri_texture_width_log2(o, t->state),
+                          qtri_texture_height_log2(o, t->state));
     return true;
 }
 

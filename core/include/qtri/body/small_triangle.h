@@ -155,7 +155,6 @@ typedef struct qtri_small_curves {
     qtri_small_ramp linear[2];
     bool is_curved;
     uint32_t light_piece; /* pixels over which light is near a chord, a power of two; 0: linear */
-    qtri_clamp_axis axis[2];
 } qtri_small_curves;
 
 /* Colours that follow perspective. */

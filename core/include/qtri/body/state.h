@@ -15,6 +15,14 @@ extern "C" {
 
 enum { QTRI_TABLE_LOG2 = 7, QTRI_TABLE = (1 << QTRI_TABLE_LOG2) + 1 };
 
+/* Of a texture, or the level of it that is drawn; 0: coordinates are simple. */
+enum {
+    QTRI_CLAMPS_U = 1,
+    QTRI_CLAMPS_V = 2,
+    QTRI_ONE_WIDE = 4,  /* one texel */
+    QTRI_FEW_TEXELS = 8 /* less than 2^8 */
+};
+
 struct qtri_pixel_walk;
 
 /* Set once a draw call, by draw_state.c. */
@@ -22,6 +30,7 @@ typedef struct qtri_draw_state {
     bool is_linear; /* nothing follows perspective: QTRI_SCREEN_LINEAR */
     bool is_lit;    /* with a view's lights, see below */
     bool has_table; /* is set */
+    uint8_t traits; /* of the texture: QTRI_CLAMPS_U ... */
     const qtri_pipeline *pipeline;
     qtri_options options; /* what surface, material and mesh ask for; Armv6-M reaches 31 bytes */
     /* What draws small triangles: the pipeline's, or what moves their depths before. */
@@ -64,13 +73,6 @@ typedef struct qtri_draw_state {
     uint16_t *table;
 } qtri_draw_state;
 
-/* A clamped coordinate: the texel is coordinate >> shift, once that is held to 0..limit. */
-typedef struct qtri_clamp_axis {
-    uint8_t shift;
-    uint32_t limit;
-    uint32_t base; /* of large triangles: what pieces have less */
-} qtri_clamp_axis;
-
 /*
  * Depths, with the half that rounds linear16, that &qtri_depth_float16 stores with one exponent:
  * `size` of them from `zero` on are base + ((z - zero) >> down), 0 < down. size 0: none is known.
@@ -82,10 +84,10 @@ typedef struct qtri_octave {
 /*
  * What the loop over pixels steps. With n.16 the half that rounds is in the start.
  *
- * Texture coordinates of a repeated axis fill 32 bits, so that they wrap by themselves: u 2^32 is a
- * repeat; v 2^(16 + width_log2 + height_log2) is one, so that one mask cuts out a row times the
- * width, or, of a texture of more than 2^16 texels, 2^32. Those of a clamped axis are as its
- * qtri_clamp_axis says.
+ * Texture coordinates fill 32 bits, so that they wrap by themselves: u 2^32 is a repeat; v 2^(16 +
+ * width_log2 + height_log2) is one, so that one mask cuts out a row times the width, or, of a
+ * texture of more than 2^16 texels, 2^32. What is clamped was held to the texture before, see
+ * large_clamp.c and small_texture.c; u of a texture one texel wide is 0.
  *
  * c and g, by what varies:
  *     light                     c: 8.16, 256.0 is 1
@@ -123,8 +125,6 @@ typedef struct qtri_pixel_walk {
     const qtri_draw_state *state;
     const void *texels, *palette;
     uint32_t rows, u_shift, v_shift, width_log2; /* rows: mask of v, times the width << 16 */
-    uint32_t u_limit, v_limit; /* of clamped axes, as their qtri_clamp_axis has them */
-    uint32_t u_base, v_base;
     uint32_t color; /* of the triangle: of the kind; where nothing else is done, as it is stored */
     /* Lit texture: weights of the state, of 565 green's also << 16 in red; the half that rounds. */
     uint32_t red, green, blue, half;

@@ -12,26 +12,14 @@
 /* NOLINTBEGIN(clang-analyzer-core.NullDereference): texels and axes of a texture are set by
    qtri_walk_begin() and set-up; without a texture nothing here is called */
 
-QTRI_BODY uint32_t qtri_clamped(uint32_t at, uint32_t shift, uint32_t limit)
+QTRI_BODY uint32_t qtri_texel_column(const qtri_pixel_walk *w, uint32_t u)
 {
-    if (at > limit) {
-        at = (int32_t)at < 0 ? 0 : limit;
-    }
-    return at >> shift;
-}
-
-QTRI_BODY uint32_t qtri_texel_column(const qtri_options *o, const qtri_pixel_walk *w, uint32_t u)
-{
-    return o->wrap_u == QTRI_CLAMP ? qtri_clamped(u, w->u_shift, w->u_limit)
-                                   : qtri_body_shift(u, w->rows);
+    return qtri_body_shift(u, w->rows);
 }
 
 /* The row's first texel. */
 QTRI_BODY uint32_t qtri_texel_row(const qtri_options *o, const qtri_pixel_walk *w, uint32_t v)
 {
-    if (o->wrap_v == QTRI_CLAMP) {
-        return qtri_clamped(v, w->v_shift, w->v_limit) << w->width_log2;
-    }
     return o->large_texture ? v >> w->v_shift << w->width_log2 : (v & w->rows) >> 16;
 }
 
@@ -154,9 +142,11 @@ QTRI_BODY uint32_t qtri_texel_bilinear(const qtri_options *o, const qtri_pixel_w
 {
     const uint32_t along = qtri_texel_fraction(w->u, w->u_shift);
     const uint32_t across = qtri_texel_fraction(w->v, w->v_shift);
-    const uint32_t column = qtri_texel_column(o, w, w->u);
+    const uint32_t column = qtri_texel_column(w, w->u);
     const uint32_t row = qtri_texel_row(o, w, w->v);
-    const uint32_t next_column = qtri_texel_column(o, w, w->u + ((uint32_t)1 << w->u_shift));
+    /* A texel on: of a texture one texel wide none. */
+    const uint32_t next_column =
+        qtri_texel_column(w, w->u + ((uint32_t)2 << ((31 - w->width_log2) & 31)));
     const uint32_t next_row = qtri_texel_row(o, w, w->v + ((uint32_t)1 << w->v_shift));
     uint32_t t[4];
     t[0] = qtri_texel_stored(o, w, column + row);

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Clamped textures on large triangles. What lies beyond the centres of a texture's outer texels
+ * shows these, filtered or not. So a coordinate is inside of these centres, its zone, or held to
+ * one of them, where it does not change; and pieces are cut into runs along which each stays where
+ * it is. Pixels know nothing of it.
+ *
+ * Filtered coordinates count from texels' centres: from set-up on, or, where textures have levels,
+ * once they are brought to one here.
+ */
+#include "large_setup.h"
+
+typedef enum side { BELOW, INSIDE, ABOVE } side;
+
+static inline side side_of(const qtri_large_zone *z, uint32_t at)
+{
+    const uint32_t from = at - z->least;
+    return from <= z->size ? INSIDE : (int32_t)from < 0 ? BELOW : ABOVE;
+}
+
+/* A coordinate's zone; `own`: for one of a level. */
+static const qtri_large_zone *zone_at(const qtri_large_job *job, int i,
+                                      const qtri_large_piece *piece, qtri_large_zone *own)
+{
+    if (!qtri_large_has_levels(job)) {
+        return &job->axis[i].zone;
+    }
+    *own = qtri_large_zone_of(job, i, piece->level);
+    return own;
+}
+
+/* A coordinate of a run, on that side, as the walk has it. */
+static inline void bring(qtri_large_coordinate *c, const qtri_large_zone *z, side where)
+{
+    if (where == INSIDE) {
+        c->at = qtri_both_shifts((int32_t)(c->at - z->least + z->start), z->left, z->right);
+        c->step = qtri_both_shifts((int32_t)c->step, z->left, z->right);
+        c->bend = qtri_both_shifts((int32_t)c->bend, z->left, z->right);
+    } else {
+        const uint32_t end = z->start + (where == BELOW ? 0 : z->size);
+        c->at = qtri_both_shifts((int32_t)end, z->left, z->right);
+        c->step = 0;
+        c->bend = 0;
+    }
+}
+
+/* Holds all of a span if coordinates stay where they are, since what follows perspective goes one
+   way along a row, and curves miss less of it than lies between a zone and the texture's ends. */
+static bool hold_span(qtri_large_job *job, int32_t pieces)
+{
+    side where[2] = {INSIDE, INSIDE};
+    if (!job->is_curved || job->is_level || qtri_large_has_levels(job)) {
+        return false;
+    }
+    for (int i = 0; i < 2; i++) {
+        const qtri_large_attribute *a = &job->a[i];
+        const qtri_large_zone *z = &job->axis[i].zone;
+        if (job->axis[i].is_held) {
+            where[i] = side_of(z, job->piece[0].uv[i].at);
+            if (where[i] != side_of(z, qtri_both_shifts(a->point, a->at_left, a->at_right))) {
+                return false;
+            }
+        }
+    }
+    for (int i = 0; i < 2; i++) {
+        const qtri_large_zone *z = &job->axis[i].zone;
+        if (job->axis[i].is_held) {
+            qtri_large_knots *knots = &job->piece[0].of.knots;
+            bring(&job->piece[0].uv[i], z, where[i]);
+            if (pieces == 2) {
+                bring(&job->piece[1].uv[i], z, where[i]);
+            } else if (job->is_whole) {
+                knots->third[i] = where[i] == INSIDE ? knots->third[i] << z->left : 0;
+                knots->fourth[i] = where[i] == INSIDE ? knots->fourth[i] << z->left : 0;
+            }
+        }
+    }
+    return true;
+}
+
+/* How many pixels, `count` at most, stay where the first is: as many as the greatest step of all
+   cannot take across, so all that do where steps are equal. */
+static uint32_t run_of(const qtri_large_zone *z, const qtri_large_coordinate *c, uint32_t count)
+{
+    const uint32_t from = c->at - z->least;
+    const side where = side_of(z, c->at);
+    const int32_t first = (int32_t)c->step, last = (int32_t)(c->step + c->bend * (count - 1));
+    const bool rises = first > 0 || last > 0, falls = first < 0 || last < 0;
+    const uint32_t most = (uint32_t)qtri_greatest32((int32_t)qtri_magnitude32(first),
+                                                    (int32_t)qtri_magnitude32(last));
+    uint32_t room = UINT32_MAX;
+    if (rises && where != ABOVE) {
+        room = where == BELOW ? 0u - from - 1 : z->size - from;
+    }
+    if (falls && where != BELOW) {
+        const uint32_t below = where == ABOVE ? from - z->size - 1 : from;
+        room = below < room ? below : room;
+    }
+    return qtri_mul_u32(most, count - 1) <= room ? count : room / most + 1;
+}
+
+/* Makes piece[0] its first run, up to a knot at most, and piece[2] the rest. */
+static void cut(qtri_large_job *job)
+{
+    qtri_large_piece *piece = &job->piece[0], *rest = &job->piece[2];
+    const qtri_large_zone *zone[2] = {NULL, NULL};
+    qtri_large_zone own[2];
+    uint32_t count = (uint32_t)piece->count;
+    if (job->is_whole && piece->of.knots.next < piece->count) {
+        count = (uint32_t)piece->of.knots.next;
+    }
+    for (int i = 0; i < 2 && count != 0; i++) {
+        if (job->axis[i].is_held) {
+            zone[i] = zone_at(job, i, piece, &own[i]);
+            count = run_of(zone[i], &piece->uv[i], count);
+        }
+    }
+    if (count != (uint32_t)piece->count) {
+        *rest = *piece;
+        rest->count -= (int32_t)count;
+        qtri_large_skip(job, rest, count);
+        piece->count = (int32_t)count;
+    }
+    if (job->first_color == job->count) {
+        piece->of.knots.next = piece->count;
+    }
+    for (int i = 0; i < 2; i++) {
+        if (zone[i] != NULL) {
+            bring(&piece->uv[i], zone[i], side_of(zone[i], piece->uv[i].at));
+        }
+    }
+}
+
+/* The row goes on with what is left, or behind it. */
+static void go_on(qtri_large_job *job)
+{
+    job->t.x = job->piece[2].count != 0 || job->waits ? job->t.x1 - 1 : job->held_x;
+}
+
+bool qtri_large_next_run(qtri_large_job *job)
+{
+    if (job->piece[2].count != 0) {
+        job->piece[0] = job->piece[2];
+        job->piece[2].count = 0;
+    } else if (job->waits) {
+        job->piece[0] = job->piece[1];
+        job->waits = false;
+    } else {
+        return false;
+    }
+    if (!hold_span(job, 1)) {
+        cut(job);
+    }
+    go_on(job);
+    return true;
+}
+
+int32_t qtri_large_hold(qtri_large_job *job, int32_t pieces)
+{
+    if (hold_span(job, pieces)) {
+        return pieces;
+    }
+    job->held_x = job->t.x;
+    job->waits = pieces == 2;
+    cut(job);
+    go_on(job);
+    return 1;
+}
