@@ -18,17 +18,6 @@ static inline side side_of(const qtri_large_zone *z, uint32_t at)
     return from <= z->size ? INSIDE : (int32_t)from < 0 ? BELOW : ABOVE;
 }
 
-/* A coordinate's zone; `own`: for one of a level. */
-static const qtri_large_zone *zone_at(const qtri_large_job *job, int i,
-                                      const qtri_large_piece *piece, qtri_large_zone *own)
-{
-    if (!qtri_large_has_levels(job)) {
-        return &job->axis[i].zone;
-    }
-    *own = qtri_large_zone_of(job, i, piece->level);
-    return own;
-}
-
 /* A coordinate of a run, on that side, as the walk has it. */
 static inline void bring(qtri_large_coordinate *c, const qtri_large_zone *z, side where)
 {
@@ -103,16 +92,17 @@ static uint32_t run_of(const qtri_large_zone *z, const qtri_large_coordinate *c,
 static void cut(qtri_large_job *job)
 {
     qtri_large_piece *piece = &job->piece[0], *rest = &job->piece[2];
-    const qtri_large_zone *zone[2] = {NULL, NULL};
-    qtri_large_zone own[2];
     uint32_t count = (uint32_t)piece->count;
     if (job->is_whole && piece->of.knots.next < piece->count) {
         count = (uint32_t)piece->of.knots.next;
     }
     for (int i = 0; i < 2 && count != 0; i++) {
-        if (job->axis[i].is_held) {
-            zone[i] = zone_at(job, i, piece, &own[i]);
-            count = run_of(zone[i], &piece->uv[i], count);
+        qtri_large_axis *axis = &job->axis[i];
+        if (axis->is_held) {
+            if (qtri_large_has_levels(job)) {
+                axis->zone = qtri_large_zone_of(job, i, piece->level);
+            }
+            count = run_of(&axis->zone, &piece->uv[i], count);
         }
     }
     if (count != (uint32_t)piece->count) {
@@ -125,8 +115,9 @@ static void cut(qtri_large_job *job)
         piece->of.knots.next = piece->count;
     }
     for (int i = 0; i < 2; i++) {
-        if (zone[i] != NULL) {
-            bring(&piece->uv[i], zone[i], side_of(zone[i], piece->uv[i].at));
+        const qtri_large_zone *z = &job->axis[i].zone;
+        if (job->axis[i].is_held) {
+            bring(&piece->uv[i], z, side_of(z, piece->uv[i].at));
         }
     }
 }

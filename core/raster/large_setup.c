@@ -236,7 +236,7 @@ static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3])
     const bool is_clamped = (state->traits >> i & 1) != 0;
     const bool is_one_wide = i == 0 && (state->traits & QTRI_ONE_WIDE) != 0;
     int64_t at[3];
-    uint64_t all = 0;
+    uint64_t all;
     int32_t base = INT32_MAX; /* |base| <= 2^16 */
     for (int k = 0; k < 3; k++) {
         at[k] = clamp_q32(coordinate[k]) - (o->bilinear && !qtri_large_has_levels(job)
@@ -244,19 +244,18 @@ static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3])
                                                 : 0); /* from texels' centres */
         base = qtri_least32(base, (int32_t)(at[k] >> 32));
     }
+    all = is_clamped ? (uint64_t)qtri_magnitude32(base) << 32 : 0;
     for (int k = 0; k < 3; k++) {
-        all |= (uint64_t)(at[k] - (int64_t)base * ((int64_t)1 << 32));
+        at[k] -= base * ((int64_t)1 << 32);
+        all |= (uint64_t)at[k];
     }
-    all |= is_clamped ? (uint64_t)qtri_magnitude32(base) << 32 : 0;
     const int32_t up = i == 0 || o->large_texture ? 0 : state->width_log2 + state->height_log2 - 16;
-    const int32_t down =
-        qtri_greatest32(35 - qtri_clz64(all), is_clamped ? qtri_greatest32(3, -up) : 3); /* <= 21 */
+    const int32_t least = is_clamped ? qtri_greatest32(3, -up) : 3;
+    const int32_t down = qtri_greatest32(35 - qtri_clz64(all), least); /* <= 21 */
     /* What lies on a texel's edge, give or take an error, goes up: 2^-16 of a texel. */
-    const uint64_t texel_part = (uint64_t)65536 >> side_log2, least = (uint64_t)4 << down;
-    const uint64_t more = texel_part > least ? texel_part : least;
+    const int32_t more = qtri_greatest32(65536 >> side_log2, 4 << down);
     for (int k = 0; k < 3; k++) {
-        const uint64_t offset = (uint64_t)(at[k] - (int64_t)base * ((int64_t)1 << 32));
-        a->f[k] = is_one_wide ? 0 : (uint32_t)((offset + more) >> down);
+        a->f[k] = is_one_wide ? 0 : (uint32_t)((at[k] + more) >> down);
     }
     a->start = 0;
     axis->shift = (uint8_t)(32 - down - side_log2);
