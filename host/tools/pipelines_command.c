@@ -164,23 +164,12 @@ static const struct {
     {                                                                                              \
 #field, offsetof(qtri_options, field), names                                               \
     }
-    FIELD(format, format_names),
-    FIELD(depth, depth_names),
-    FIELD(compare, compare_names),
-    FIELD(read_only, NULL),
-    FIELD(texel, texel_names),
-    FIELD(bilinear, NULL),
-    FIELD(mipmapped, NULL),
-    FIELD(key, NULL),
-    FIELD(alpha_test, NULL),
-    FIELD(shade, shade_names),
-    FIELD(blend, blend_names),
-    FIELD(vertex_alpha, NULL),
-    FIELD(keep, NULL),
-    FIELD(fog, NULL),
-    FIELD(samples, NULL),
-    FIELD(large_texture, NULL),
-    FIELD(per_pixel, NULL),
+    FIELD(format, format_names), FIELD(depth, depth_names), FIELD(compare, compare_names),
+    FIELD(read_only, NULL),      FIELD(texel, texel_names), FIELD(bilinear, NULL),
+    FIELD(mipmapped, NULL),      FIELD(key, NULL),          FIELD(alpha_test, NULL),
+    FIELD(shade, shade_names),   FIELD(blend, blend_names), FIELD(vertex_alpha, NULL),
+    FIELD(keep, NULL),           FIELD(fog, NULL),          FIELD(samples, NULL),
+    FIELD(large_texture, NULL),  FIELD(per_pixel, NULL),
 #undef FIELD
 };
 
