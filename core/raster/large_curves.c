@@ -365,44 +365,43 @@ static inline void set_whole(qtri_large_job *job, int i, int32_t end, const span
     qtri_large_attribute *a = &job->a[i];
     qtri_large_piece *piece = job->piece;
     const int32_t from = a->point, rise = end - from;
+    qtri_large_knots *knots = &piece->of.knots;
+    a->point = end;
+    piece->uv[i].at = qtri_both_shifts(from, a->at_left, a->at_right);
     const int32_t w = qtri_mul_s16(rise, b->eps);
     const int32_t w2 = qtri_mul_s16(w, b->eps_c), w3 = qtri_mul_s16(w, b->square);
     const int32_t half = ((rise + w) >> 1) + (w >> 1) + w2 + w3 - (w2 >> 4) - (w3 >> 2);
-    const uint32_t third = qtri_both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
-    const uint32_t fourth = qtri_both_shifts(w3 + 2 * w3, a->bend_left, a->bend_right);
-    const uint32_t bend =
+    knots->fourth[i] = qtri_both_shifts(w3 + 2 * w3, a->bend_left, a->bend_right);
+    knots->third[i] =
+        knots->fourth[i] + qtri_both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
+    piece->uv[i].bend =
         0 - qtri_both_shifts(w + 2 * (w2 + w3) + ((w2 + w3) >> 2), a->bend_left, a->bend_right);
-    a->point = end;
-    piece->uv[i].at = qtri_both_shifts(from, a->at_left, a->at_right);
-    piece->uv[i].step =
-        qtri_both_shifts(half, a->step_left, a->step_right) + (uint32_t)((int32_t)bend >> 1);
-    piece->uv[i].bend = bend;
-    piece->of.knots.third[i] = third + fourth;
-    piece->of.knots.fourth[i] = fourth;
+    piece->uv[i].step = qtri_both_shifts(half, a->step_left, a->step_right) +
+                        (uint32_t)((int32_t)piece->uv[i].bend >> 1);
 }
 
 /* And of both halves. */
 static inline void set_halves(qtri_large_job *job, int i, int32_t end, const span_bend *b)
 {
     qtri_large_attribute *a = &job->a[i];
-    qtri_large_piece *piece = job->piece;
+    qtri_large_coordinate *first = &job->piece[0].uv[i], *second = &job->piece[1].uv[i];
     const int32_t from = a->point, rise = end - from;
     const int32_t w = qtri_mul_s16(rise, b->eps);
-    const int32_t w2 = qtri_mul_s16(w, b->eps_c), w3 = qtri_mul_s16(w, b->square);
     const int32_t rise1 = (rise + w) >> 1;
-    const uint32_t half_h = (uint32_t)1 << job->span_log2 >> 2;
+    a->point = end;
+    first->at = qtri_both_shifts(from, a->at_left, a->at_right);
+    second->at = qtri_both_shifts(from + rise1, a->at_left, a->at_right);
+    const int32_t w2 = qtri_mul_s16(w, b->eps_c), w3 = qtri_mul_s16(w, b->square);
     const uint32_t bend = 0 - qtri_both_shifts(w + w3, a->bend_left, a->bend_right);
     const uint32_t third = qtri_both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
     const uint32_t bend1 = bend - third, bend2 = bend + third;
-    a->point = end;
-    piece[0].uv[i].at = qtri_both_shifts(from, a->at_left, a->at_right);
-    piece[0].uv[i].step = qtri_both_shifts(rise1, a->step_left, a->step_right) - bend1 * half_h +
-                          (uint32_t)((int32_t)bend1 >> 1);
-    piece[0].uv[i].bend = bend1;
-    piece[1].uv[i].at = qtri_both_shifts(from + rise1, a->at_left, a->at_right);
-    piece[1].uv[i].step = qtri_both_shifts(rise - rise1, a->step_left, a->step_right) -
-                          bend2 * half_h + (uint32_t)((int32_t)bend2 >> 1);
-    piece[1].uv[i].bend = bend2;
+    const uint32_t half_h = (uint32_t)1 << job->span_log2 >> 2;
+    first->bend = bend1;
+    second->bend = bend2;
+    first->step = qtri_both_shifts(rise1, a->step_left, a->step_right) - bend1 * half_h +
+                  (uint32_t)((int32_t)bend1 >> 1);
+    second->step = qtri_both_shifts(rise - rise1, a->step_left, a->step_right) - bend2 * half_h +
+                   (uint32_t)((int32_t)bend2 >> 1);
 }
 
 QTRI_NOINLINE static void hold_chord(const qtri_large_attribute *a, uint32_t *at, uint32_t *step,
@@ -466,10 +465,8 @@ QTRI_INLINE int32_t span_pieces(qtri_large_job *job, bool whole, bool textured, 
     const span_bend b = bend_of(d, whole);
     job->delta = after;
     if (whole) {
-        const int32_t u = next_quotient(&job->a[0], zeros, reciprocal);
-        const int32_t v = next_quotient(&job->a[1], zeros, reciprocal);
-        set_whole(job, 0, u, &b);
-        set_whole(job, 1, v, &b);
+        set_whole(job, 0, next_quotient(&job->a[0], zeros, reciprocal), &b);
+        set_whole(job, 1, next_quotient(&job->a[1], zeros, reciprocal), &b);
     } else if (textured) {
         set_halves(job, 0, next_quotient(&job->a[0], zeros, reciprocal), &b);
         set_halves(job, 1, next_quotient(&job->a[1], zeros, reciprocal), &b);

@@ -518,10 +518,11 @@ static int32_t find_pieces(qtri_large_job *job)
 static int32_t next_pieces(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    if (!job->is_held) {
-        return find_pieces(job);
+    if (job->is_held && qtri_large_next_run(job)) {
+        return 1;
     }
-    return qtri_large_next_run(job) ? 1 : qtri_large_hold(job, find_pieces(job));
+    const int32_t pieces = find_pieces(job);
+    return job->is_held ? qtri_large_hold(job, pieces) : pieces;
 }
 
 const qtri_level_ops qtri_levels = {begin_levels, qtri_small_find_level, set_levels, next_pieces,
