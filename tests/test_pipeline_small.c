@@ -205,6 +205,9 @@ static void set_state(qtri_draw_state *s, heap *h, const qtri_pipeline *pipeline
     s->texture = &h->texture;
     s->width_log2 = h->texture.width_log2;
     s->height_log2 = h->texture.height_log2;
+    s->traits = (uint8_t)((o->wrap_u == QTRI_CLAMP ? QTRI_CLAMPS_U : 0) |
+                          (o->wrap_v == QTRI_CLAMP && s->height_log2 != 0 ? QTRI_CLAMPS_V : 0) |
+                          (s->width_log2 + s->height_log2 < 8 ? QTRI_FEW_TEXELS : 0));
     s->key_mask = UINT32_MAX;
     s->key = 0x1234;
     s->alpha_least = (uint32_t)90 << 24;
@@ -251,9 +254,6 @@ static void set_scene(heap *h, uint64_t *seed, const qtri_options *o)
     h->mesh.uvs = h->uvs;
     h->texture.width_log2 = (uint8_t)random_in(seed, 1, 6);
     h->texture.height_log2 = (uint8_t)random_in(seed, 0, 6);
-    if (h->texture.height_log2 == 0 && o->wrap_v != QTRI_CLAMP) {
-        h->texture.height_log2 = 5;
-    }
     h->texture.texels = h->texels;
     h->texture.palette = h->palette;
     h->material = qtri_material_default();

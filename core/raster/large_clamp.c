@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Clamped textures on large triangles. What lies beyond the centres of a texture's outer texels
- * shows these, filtered or not. So a coordinate is inside of these centres, its zone, or held to
- * one of them, where it does not change; and pieces are cut into runs along which each stays where
- * it is. Pixels know nothing of it.
+ * Clamped textures on large triangles. A coordinate is inside of its zone, which ends 1/16 texel
+ * before the texture does and filtered at the centres of its outer texels, or is held to one of
+ * these ends, where it does not change. Pieces are cut into runs along which each coordinate stays
+ * where it is, and pixels know nothing of it.
  *
  * Filtered coordinates count from texels' centres: from set-up on, or, where textures have levels,
  * once they are brought to one here.
