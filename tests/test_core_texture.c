@@ -476,8 +476,8 @@ static void small_triangles_beside_their_texture(void **state)
 
 /*
  * A small triangle from -repeats to repeats of a clamped texture, with and without perspective:
- * where a coordinate is below 0 or above 1 its texel is the first or the last. Differences of
- * 16000 repeats and more lose 13 bits and more.
+ * where a coordinate is below 0 or above 1 its texel is the first or the last. Such a triangle is
+ * drawn as a large one, whose coordinates lose 13 bits and more of 16000 repeats.
  */
 static void thousands_of_clamped_repeats(void **state)
 {

@@ -39,7 +39,6 @@ typedef struct qtri_level_ops {
     bool (*set_small)(const qtri_small_place *p, const qtri_small *t);
     void (*set_large)(qtri_large *t);
     int32_t (*next)(qtri_large *t);
-    void (*set_level)(qtri_large *t, uint32_t level);
 } qtri_level_ops;
 
 uint32_t qtri_texel_between(const qtri_pixel_walk *w, bool *drawn);         /* bilinear_any.c */

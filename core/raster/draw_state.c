@@ -266,11 +266,6 @@ int32_t qtri_large_next_levels(qtri_large *t)
     return t->state->texture->filter->levels->next(t);
 }
 
-void qtri_large_set_level(qtri_large *t, uint32_t level)
-{
-    t->state->texture->filter->levels->set_level(t, level);
-}
-
 /* What no pipeline draws. */
 static void draw_nothing(const struct qtri_large_input *triangle)
 {

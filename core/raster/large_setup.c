@@ -197,7 +197,7 @@ qtri_large_zone qtri_large_zone_of(const qtri_large_job *job, int i, uint32_t le
     const qtri_options *o = job->t.options;
     const qtri_large_axis *axis = &job->axis[i];
     const uint32_t side_log2 = i == 0 ? state->width_log2 : state->height_log2;
-    const uint32_t down = i == 1 && level > side_log2 ? side_log2 : level;
+    const uint32_t down = qtri_large_level_down(job, i, level);
     const uint32_t texel = (uint32_t)1 << (axis->shift + down);
     const uint32_t texels = (uint32_t)1 << (axis->shift + side_log2);
     qtri_large_zone z;

@@ -86,6 +86,13 @@ static inline uint64_t qtri_large_plane_from(const qtri_large_plane *p, int32_t 
     return (uint64_t)whole << 32 | (uint32_t)rest << 16;
 }
 
+/* By how many bits a side of the texture is shorter at a level, 0: width, 1: height. */
+static inline uint32_t qtri_large_level_down(const qtri_large_job *job, int i, uint32_t level)
+{
+    const uint32_t height_log2 = job->t.state->height_log2;
+    return i == 1 && level > height_log2 ? height_log2 : level;
+}
+
 /* Coordinates along a row where they are linear, so many pixels on. */
 static inline void qtri_large_set_straight(const qtri_large_job *job, qtri_large_piece *piece,
                                            uint32_t skipped)

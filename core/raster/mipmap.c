@@ -205,17 +205,6 @@ static uint32_t linear_level(const qtri_large_job *job, uint32_t last)
     return level;
 }
 
-static uint32_t down_of(const qtri_large_job *job, int i, uint32_t level)
-{
-    const uint32_t height_log2 = job->t.state->height_log2;
-    return i == 1 && level > height_log2 ? height_log2 : level;
-}
-
-static void use_level(qtri_large *t, uint32_t level)
-{
-    qtri_draw_state_set_level(t->state, level);
-}
-
 static void set_levels(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
@@ -323,7 +312,7 @@ QTRI_NOINLINE static void center(const qtri_large_job *job, qtri_large_piece *pi
 {
     const qtri_options *o = job->t.options;
     const qtri_draw_state *state = job->t.state;
-    const uint32_t across = down_of(job, 1, level);
+    const uint32_t across = qtri_large_level_down(job, 1, level);
     const uint32_t u_shift = 32u - state->width_log2 + level;
     const uint32_t v_shift =
         o->large_texture ? 32u - state->height_log2 + across : 16u + state->width_log2 - level;
@@ -348,7 +337,7 @@ static inline void set_level(const qtri_large_job *job, qtri_large_piece *piece,
     const qtri_options *o = job->t.options;
     piece->level = level;
     if (level != 0 && !job->axis[1].is_held && !o->large_texture) {
-        const uint32_t down = level + down_of(job, 1, level);
+        const uint32_t down = level + qtri_large_level_down(job, 1, level);
         piece->uv[1].at >>= down;
         piece->uv[1].step = curve_down(piece->uv[1].step, down);
         if (piece->uv[1].bend != 0) {
@@ -525,5 +514,4 @@ static int32_t next_pieces(qtri_large *t)
     return job->is_held ? qtri_large_hold(job, pieces) : pieces;
 }
 
-const qtri_level_ops qtri_levels = {begin_levels, qtri_small_find_level, set_levels, next_pieces,
-                                    use_level};
+const qtri_level_ops qtri_levels = {begin_levels, qtri_small_find_level, set_levels, next_pieces};

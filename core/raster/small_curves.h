@@ -33,8 +33,7 @@ typedef struct qtri_curvature {
 
 /* False: E changes too much from pixel to pixel, over a triangle of hardly any width. */
 bool qtri_small_set_curvature(qtri_curvature *c, const qtri_small_place *p, const qtri_small *t);
-/* Whether a curve is off by 2/35 range (range(q) / q_mid)^2 <= 2^(by - 4) at
-   most, by <= 18. */
+/* Whether a curve is off by 2/35 range (range(q) / q_mid)^2 <= 2^(by - 4) at most, by <= 18. */
 bool qtri_small_is_near_curve(const qtri_curvature *c, uint32_t range, uint32_t by);
 
 /* A value that varies, and how near a curve or a division has to be. */
@@ -50,8 +49,8 @@ typedef struct qtri_small_value {
 void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const qtri_curvature *c,
                           const qtri_small_value *value);
 
-/* log2 of the pixels that a chord may have, `most` or less: over n pixels it is off by
-   n^2 / 4 of xx, which is to be a quarter of `bend` at most. */
+/* log2 of the pixels that a chord may have, `most` or less: over n pixels it is off by n^2 / 4 of
+   xx, which is to be a quarter of `bend` at most. */
 int32_t qtri_small_chord_log2(const qtri_small_curve *c, int32_t most, uint32_t bend);
 
 /* In small_values.c: light between the vertices, and along a curve. */

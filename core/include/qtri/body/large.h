@@ -298,11 +298,10 @@ void qtri_large_next_uv(qtri_large *t);
 int32_t qtri_large_next_halves(qtri_large *t);
 int32_t qtri_large_next_any(qtri_large *t);
 
-/* In mipmap.c: of a texture that is mipmapped. Set once planes are; then pieces, with or
-   without perspective, of levels; and what a level changes, beside the walk. */
+/* In mipmap.c: of a texture that is mipmapped. Set once planes are; then pieces of levels, with or
+   without perspective. */
 void qtri_large_set_levels(qtri_large *t);
 int32_t qtri_large_next_levels(qtri_large *t);
-void qtri_large_set_level(qtri_large *t, uint32_t level);
 
 /* Of packed colours, after planes: runs where they are linear. */
 void qtri_large_set_runs(qtri_large *t);
@@ -406,7 +405,7 @@ QTRI_BODY void qtri_large_load(const qtri_options *o, qtri_large *t, qtri_pixel_
 {
     if (o->mipmapped && piece->level != t->state->level) {
         QTRI_RARELY();
-        qtri_large_set_level(t, piece->level);
+        qtri_draw_state_set_level(t->state, piece->level);
         qtri_walk_set_texture(o, w);
     }
     if (qtri_is_textured(o)) {
