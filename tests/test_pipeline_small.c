@@ -193,6 +193,7 @@ static void set_state(qtri_draw_state *s, heap *h, const qtri_pipeline *pipeline
     s->inner.y = (uint32_t)(b.y0 * 256 + reach);
     s->inner.width = (uint32_t)max_of(0, (b.x1 - b.x0) * 256 - 2 * reach);
     s->inner.height = (uint32_t)max_of(0, (b.y1 - b.y0) * 256 - 2 * reach);
+    s->depth = surface->depth;
     s->depth_pitch = surface->depth_pitch * (ptrdiff_t)qtri_depth_size(o, surface);
     s->color = 0xF0A070;
     s->weight[0] = 0xF1;

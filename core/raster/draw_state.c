@@ -321,6 +321,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     }
     state->is_linear = material->interpolation != QTRI_PERSPECTIVE;
     set_bounds(state, surface);
+    state->depth = surface->depth;
     state->depth_pitch =
         surface->depth_pitch * (ptrdiff_t)qtri_depth_size(&state->options, surface);
     set_colors(state, material);

@@ -138,7 +138,7 @@ static void begin_rows(qtri_large *t)
     t->row_z = 0;
     t->row_z_step = 0;
     t->row_pixel = (uintptr_t)surface->pixels + (uintptr_t)(row * surface->pitch);
-    t->row_depth = (uintptr_t)surface->depth + (uintptr_t)(row * state->depth_pitch);
+    t->row_depth = (uintptr_t)state->depth + (uintptr_t)(row * state->depth_pitch);
 }
 
 /* Apart: what is set up once takes no stack while rows are drawn. */

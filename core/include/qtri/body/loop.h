@@ -131,7 +131,7 @@ QTRI_BODY void qtri_pixels_singly(const qtri_options *o, qtri_pixel_body *pixel,
     (void)o;
     (void)pixel;
     if (count > 0) {
-        QTRI_PIPELINE_IS_ANY_LOOP(w, bent, count);
+        w->state->loop(w, bent, count);
     }
 }
 #elif QTRI_BODY_UNROLLS <= 2

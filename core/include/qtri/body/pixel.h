@@ -429,8 +429,7 @@ QTRI_BODY void qtri_walk_begin(const qtri_options *o, qtri_pixel_walk *w,
         w->keeps_depth = state->options.read_only;
     }
     if (qtri_compares_by_any(o)) {
-        w->passes =
-            (uint8_t)(state->options.compare - QTRI_NEVER); /* qtri_compare has these bits */
+        qtri_walk_set_compare(o, w, (uint32_t)state->options.compare - QTRI_NEVER);
     }
     if (qtri_is_lit(o) && !qtri_is_textured(o)) {
         w->color = state->color;

@@ -172,7 +172,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     uint32_t at = QTRI_SMALL_REACH; /* where the walk is, as spans count */
     w->pixel = surface->pixels + row * pitch + (ptrdiff_t)bytes * p->column;
     w->depth =
-        tests ? (uint8_t *)surface->depth + row * depth_pitch + (ptrdiff_t)depth_bytes * p->column
+        tests ? (uint8_t *)w->state->depth + row * depth_pitch + (ptrdiff_t)depth_bytes * p->column
               : (uint8_t *)0;
     w->apart = (uintptr_t)w->pixel - (uintptr_t)w->depth;
     w->x = p->column;

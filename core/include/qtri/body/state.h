@@ -25,6 +25,9 @@ enum {
 
 struct qtri_pixel_walk;
 
+/* Draws `count` > 0 pixels of a walk. `bent`: steps of u and v grow. */
+typedef void qtri_pixels_loop(struct qtri_pixel_walk *w, bool bent, int32_t count);
+
 /* Set once a draw call, by draw_state.c. */
 typedef struct qtri_draw_state {
     bool is_linear; /* nothing follows perspective: QTRI_SCREEN_LINEAR */
@@ -42,6 +45,7 @@ typedef struct qtri_draw_state {
     struct {
         uint32_t x, y, width, height;
     } inner;
+    void *depth;           /* the surface's */
     ptrdiff_t depth_pitch; /* bytes */
 
     const qtri_texture *texture;
@@ -65,8 +69,10 @@ typedef struct qtri_draw_state {
     bool (*has_linear_light)(const struct qtri_small *triangle);
     /* Mipmapped: `texture` is this copy of the material's, with texels and sides of a level. */
     qtri_texture level_texture;
-    /* For the generic pipeline: the texture's filter, NULL for nearest. */
+    /* For the generic pipeline: the texture's filter, NULL for nearest; its loop over pixels. */
     uint32_t (*between)(const struct qtri_pixel_walk *w, bool *drawn);
+    qtri_pixels_loop *loop;
+    uint16_t no_depth; /* in place of all depths, where there are none */
 
     /* QTRI_LIGHT without texture on RGB565: stored pixels by light. QTRI_TABLE of them, in memory
        of the draw calls that have such light: of meshes. */
@@ -111,8 +117,9 @@ typedef struct qtri_pixel_walk {
     uint32_t cover;             /* of a stroke: what of a pixel it takes, 256 is all */
     bool cover_writes;          /* its depth: half of it or more is covered */
     bool keeps_depth;           /* the material's depths are read only; see qtri_pixel_writes() */
-    uint8_t passes;             /* where options are for any comparison: bits for a depth that is
-                                   less, equal and greater than the stored one */
+    /* Where options are for any comparison, see qtri_walk_set_compare(). */
+    uint8_t passes;
+    uint32_t pass_first, pass_count;
 
     /* Four samples a pixel: which of them are drawn, and what their depths have more; see
        antialias.h. */

@@ -126,12 +126,33 @@ QTRI_BODY uint32_t qtri_depth_encode(const qtri_options *o, const qtri_surface *
     }
 }
 
+/* Depths are stored in 24 bits at most. */
+QTRI_BODY bool qtri_depth_is_narrow(const qtri_options *o)
+{
+    return o->depth <= QTRI_LINEAR24;
+}
+
+/* Any comparison, as bits for a depth that is less than, equal to and greater than the stored one:
+   a narrow one passes where its difference to that is one of pass_count from -pass_first on. */
+QTRI_BODY void qtri_walk_set_compare(const qtri_options *o, qtri_pixel_walk *w, uint32_t passes)
+{
+    const uint32_t most = (uint32_t)1 << 24;
+    const uint32_t less = passes & 1, equal = passes >> 1 & 1, greater = passes >> 2;
+    const bool not_equal = less != 0 && equal == 0 && greater != 0; /* all from 1 to -1 */
+    w->passes = (uint8_t)passes;
+    if (qtri_depth_is_narrow(o)) {
+        w->pass_first = less != 0 && !not_equal ? most : equal - 1;
+        w->pass_count = not_equal ? UINT32_MAX : (less + greater) * most + equal;
+    }
+}
+
 /* Whether a depth, as it is stored, passes the test against a stored one. */
 QTRI_BODY bool qtri_depth_passes(const qtri_options *o, const qtri_pixel_walk *w, uint32_t z,
                                  uint32_t stored)
 {
     if (qtri_compares_by_any(o)) {
-        return (w->passes >> ((z >= stored) + (z > stored)) & 1) != 0;
+        return qtri_depth_is_narrow(o) ? z - stored + w->pass_first < w->pass_count
+                                       : (w->passes >> ((z >= stored) + (z > stored)) & 1) != 0;
     }
     switch (o->compare) {
     case QTRI_LESS:
