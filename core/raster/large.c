@@ -72,7 +72,6 @@ void qtri_large_set_box(qtri_large *t, const qtri_point *const p[3], int64_t are
     t->y_least = y[0];
     t->width = x[1] - x[0];
     t->height = y[1] - y[0];
-    t->pixels = (qtri_greatest32(t->width, t->height) >> 8) + 1;
 }
 
 /* Depth ---------------------------------------------------------------------------------------- */

@@ -39,7 +39,7 @@ static inline void bring(qtri_large_coordinate *c, const qtri_large_zone *z, sid
 static bool hold_span(qtri_large_job *job, int32_t pieces)
 {
     side where[2] = {INSIDE, INSIDE};
-    if (!job->is_curved || job->is_level || qtri_large_has_levels(job)) {
+    if (job->row_is_linear || qtri_large_has_levels(job)) {
         return false;
     }
     for (int i = 0; i < 2; i++) {
@@ -59,7 +59,7 @@ static bool hold_span(qtri_large_job *job, int32_t pieces)
             bring(&job->piece[0].uv[i], z, where[i]);
             if (pieces == 2) {
                 bring(&job->piece[1].uv[i], z, where[i]);
-            } else if (job->is_whole) {
+            } else if (job->has_knots) {
                 knots->third[i] = where[i] == INSIDE ? knots->third[i] << z->left : 0;
                 knots->fourth[i] = where[i] == INSIDE ? knots->fourth[i] << z->left : 0;
             }
@@ -94,7 +94,7 @@ static void cut(qtri_large_job *job)
 {
     qtri_large_piece *piece = &job->piece[0], *rest = &job->piece[2];
     uint32_t count = (uint32_t)piece->count;
-    if (job->is_whole && piece->of.knots.next < piece->count) {
+    if (job->has_knots && piece->of.knots.next < piece->count) {
         count = (uint32_t)piece->of.knots.next;
     }
     for (int i = 0; i < 2 && count != 0; i++) {

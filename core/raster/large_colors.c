@@ -158,7 +158,7 @@ const qtri_large_packing qtri_packing_565 = {set_565, pack_565, 3, QTRI_LARGE_RU
 void qtri_large_set_runs(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    uint32_t step[3];
+    uint32_t step[3], center[3];
     if (job->is_curved) {
         return;
     }
@@ -175,18 +175,20 @@ void qtri_large_set_runs(qtri_large *t)
         job->run_at[i] = (uint32_t)ramp.at + a->start;
         job->run_step[i] = step[i] << QTRI_LARGE_RUN_LOG2;
     }
-    word_steps(&job->run_even, &job->run_odd, job->center, step, QTRI_LARGE_RUN);
-    job->has_runs = true;
+    word_steps(&job->run_even, &job->run_odd, center, step, QTRI_LARGE_RUN);
+    for (int i = 0; i < 3; i++) {
+        job->run_at[i] += center[i];
+    }
 }
 
-uint32_t qtri_large_begin_runs(qtri_large *t)
+uint32_t qtri_large_begin_runs(const qtri_large *t, uint32_t start[3])
 {
-    qtri_large_job *job = qtri_large_job_of(t);
-    const uint32_t skipped = (uint32_t)(t->x0 - job->t.row_left);
-    const uint32_t start = skipped & ~(uint32_t)(QTRI_LARGE_RUN - 1);
-    const uint32_t x = (uint32_t)job->t.row_left + start, y = (uint32_t)t->y;
+    const qtri_large_job *job = (const qtri_large_job *)(const void *)t;
+    const uint32_t skipped = (uint32_t)(t->x0 - t->row_left);
+    const uint32_t passed = skipped & ~(uint32_t)(QTRI_LARGE_RUN - 1);
+    const uint32_t x = (uint32_t)t->row_left + passed, y = (uint32_t)t->y;
     for (int i = 0; i < 3; i++) {
-        job->run[i] = job->run_at[i] + job->a[i].step * x + job->run_down[i] * y + job->center[i];
+        start[i] = job->run_at[i] + job->a[i].step * x + job->run_down[i] * y;
     }
-    return skipped - start;
+    return skipped - passed;
 }

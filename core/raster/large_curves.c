@@ -77,7 +77,7 @@ static int32_t length_for(const qtri_large_job *job, uint32_t q)
         const int32_t texels = texels_for(job, q);
         const int32_t halves = (2 * inverse_e + HALF_BOUND - texels) * 85 >> 8;
         log2 = qtri_least32(log2, halves);
-        if (job->is_whole && halves < (WHOLE_LOG2 + 1) * 256) {
+        if (job->has_knots && halves < (WHOLE_LOG2 + 1) * 256) {
             const int32_t knots = (2 * inverse_e + KNOT_BOUND - texels) * 85 >> 8;
             const int32_t whole = (4 * inverse_e + SPAN_BOUND - texels) * 51 >> 8;
             log2 = qtri_least32(qtri_least32(knots, whole), inverse_e - 256);
@@ -125,8 +125,8 @@ static int32_t chord_log2(const qtri_large_job *job)
     const uint32_t q_slope = slope_of(job->q.dx);
     for (int i = job->first_color; i < job->count; i++) {
         const qtri_large_attribute *a = &job->a[i];
-        const uint32_t range = (a->most - a->least) << QTRI_LARGE_COLOR_UP;
-        const uint32_t slope = slope_of(a->plane.dx) + qtri_mul_high32(range, q_slope) + 1;
+        const uint32_t slope =
+            slope_of(a->plane.dx) + qtri_mul_high32(a->range << QTRI_LARGE_COLOR_UP, q_slope) + 1;
         most = slope > most ? slope : most;
     }
     const int32_t bound = 3 + quarter_log2 + QTRI_LARGE_COLOR_UP - 32;
@@ -135,17 +135,16 @@ static int32_t chord_log2(const qtri_large_job *job)
 
 static void set_lengths(qtri_large_job *job)
 {
-    job->is_whole = job->first_color == job->count && !job->t.options->mipmapped;
     const uint32_t slope = slope_of(job->q.dx);
     uint32_t least = UINT32_MAX;
     job->q_slope_log2 = (int16_t)(log2_q8(slope) + LOG2_ERROR);
     job->chord_log2 = (int16_t)chord_log2(job);
     set_texel_slope(job);
     const uint64_t steep = qtri_magnitude64(qtri_wrap64(job->q.dx)) >> 16; /* 2^-16 */
-    job->may_be_level = steep >> 16 == 0;
+    job->rows_may_be_linear = steep >> 16 == 0;
     job->steep = (uint32_t)steep;
-    job->level_log2 = QTRI_LARGE_NO_LEVEL;
-    job->span_log2 = QTRI_LARGE_NO_LEVEL;
+    job->linear_log2 = QTRI_LARGE_NO_STEPS;
+    job->span_log2 = QTRI_LARGE_NO_STEPS;
     for (int k = 0; k < 3; k++) {
         const uint64_t q = (uint64_t)job->q_at[k] << job->q_up;
         least = q < least ? (uint32_t)q : least;
@@ -155,13 +154,13 @@ static void set_lengths(qtri_large_job *job)
     job->span_max =
         qtri_least32(job->run_log2 + 1, job->rounds ? QTRI_LARGE_RUN_LOG2 : QTRI_LARGE_CHUNK_LOG2);
     /* To look for longer ones than whole ones costs quads turned by 10 to 20 degrees 4 %. */
-    const int32_t enough = job->is_whole ? qtri_least32(WHOLE_LOG2, job->span_max) : job->span_max;
-    job->one_log2 = log2 >= enough || (log2 >= 0 && (job->t.pixels >> log2) == 0)
+    const int32_t enough = job->has_knots ? qtri_least32(WHOLE_LOG2, job->span_max) : job->span_max;
+    const int32_t pixels = (qtri_greatest32(job->t.width, job->t.height) >> 8) + 1;
+    job->one_log2 = log2 >= enough || (log2 >= 0 && pixels >> log2 == 0)
                         ? qtri_least32(log2, job->span_max)
                         : -1;
     for (int i = 0; i < job->count; i++) {
-        job->a[i].at_left = (uint8_t)qtri_greatest32(job->a[i].up + 2, 0);
-        job->a[i].at_right = (uint8_t)qtri_greatest32(-(job->a[i].up + 2), 0);
+        qtri_set_shifts(&job->a[i].at_left, &job->a[i].at_right, job->a[i].up + 2);
     }
 }
 
@@ -238,7 +237,7 @@ static inline void set_first(qtri_large_job *job, int32_t x)
     }
 }
 
-/* A quarter of all attributes at the next point, which is gone past. */
+/* The reciprocal of q at the next point, which is gone past; a quarter of an attribute there. */
 static int32_t next_reciprocal(qtri_large_job *job)
 {
     const int32_t reciprocal = reciprocal_of(job, job->q.s);
@@ -278,14 +277,14 @@ static void begin_chunk(qtri_large_job *job)
     while (log2 > 0 && 2 * width >> log2 == 0) { /* far behind a thin one's end values do not fit */
         log2--;
     }
-    if (job->is_whole && log2 == 1) { /* too short for knots */
+    if (job->has_knots && log2 == 1) { /* too short for knots */
         log2 = 0;
     }
     const int32_t number = (job->t.x - chunk) >> log2;
     if (log2 != job->span_log2) {
         set_steps(job, log2, log2 - 1);
         job->span_log2 = (int8_t)log2;
-        job->level_log2 = QTRI_LARGE_NO_LEVEL;
+        job->linear_log2 = QTRI_LARGE_NO_STEPS;
     }
     set_first(job, chunk);
     job->t.x = chunk + number * ((int32_t)1 << log2);
@@ -302,11 +301,9 @@ static void begin_chunk(qtri_large_job *job)
     }
 }
 
-/*
- * Whether q changes so little along the row that attributes are linear: with e = q' / q and K the
- * slope, K e d^2 is missed d pixels from where the row begins, here 2^-14 K. q: there.
- */
-static inline bool is_level(const qtri_large_job *job)
+/* Whether attributes are linear along the row: with e = q' / q, one of slope K is off by K e d^2
+   after d pixels, here by 2^-14 K at most. */
+static inline bool can_be_linear(const qtri_large_job *job)
 {
     const uint32_t width = (uint32_t)(job->t.row_right - job->t.row_left); /* <= 2^13 */
     return job->steep == 0 ||
@@ -314,19 +311,18 @@ static inline bool is_level(const qtri_large_job *job)
                qtri_large_positive(qtri_large_plane_at(&job->q, job->t.row_left));
 }
 
-/* The one division of a row: the quotient of a step, of as many pixels as go into 32 bits, is the
-   step. */
-QTRI_NOINLINE bool qtri_large_begin_level(qtri_large_job *job)
+/* One reciprocal of q a row: steps are from what 2^linear_log2 pixels rise. */
+QTRI_NOINLINE void qtri_large_begin_linear_row(qtri_large_job *job)
 {
-    job->is_level = is_level(job);
-    if (!job->is_level) {
-        return false;
+    job->row_is_linear = can_be_linear(job);
+    if (!job->row_is_linear) {
+        return;
     }
     const uint32_t beyond = (uint32_t)(job->t.row_right - job->t.row_left) - 1;
-    if (beyond >> (job->level_log2 - 1) != 1) { /* longer or shorter than the row before */
-        job->level_log2 = (uint8_t)qtri_greatest32(log2_above((int32_t)beyond + 1), 1);
-        set_steps(job, job->level_log2, job->level_log2);
-        job->span_log2 = QTRI_LARGE_NO_LEVEL;
+    if (beyond >> (job->linear_log2 - 1) != 1) { /* longer or shorter than the row before */
+        job->linear_log2 = (uint8_t)qtri_greatest32(log2_above((int32_t)beyond + 1), 1);
+        set_steps(job, job->linear_log2, job->linear_log2);
+        job->span_log2 = QTRI_LARGE_NO_STEPS;
     }
     set_first(job, job->t.row_left);
     const int32_t reciprocal = next_reciprocal(job);
@@ -334,10 +330,9 @@ QTRI_NOINLINE bool qtri_large_begin_level(qtri_large_job *job)
         qtri_large_attribute *a = &job->a[i];
         const int32_t from = next_quotient(a, job->zeros, reciprocal);
         const int32_t rise = quotient_of(a->plane.s_step, job->zeros, reciprocal);
-        a->at = (uint32_t)((int32_t)((uint32_t)from << a->at_left) >> a->at_right) + a->start;
-        a->step = (uint32_t)((int32_t)((uint32_t)rise << a->step_left) >> a->step_right);
+        a->at = qtri_both_shifts(from, a->at_left, a->at_right) + a->start;
+        a->step = qtri_both_shifts(rise, a->step_left, a->step_right);
     }
-    return true;
 }
 
 /* Of a span, Q16. |eps| <= 1/3. */
@@ -407,7 +402,7 @@ static inline void set_halves(qtri_large_job *job, int i, int32_t end, const spa
 QTRI_NOINLINE static void hold_chord(const qtri_large_attribute *a, uint32_t *at, uint32_t *step,
                                      int32_t count)
 {
-    const int32_t min = (int32_t)a->start, max = (int32_t)(a->start + a->most - a->least);
+    const int32_t min = (int32_t)a->start, max = (int32_t)(a->start + a->range);
     const int32_t from = qtri_hold32((int32_t)*at, min, max);
     const int32_t end = from + (int32_t)*step * (count - 1);
     const int32_t to = qtri_hold32(end, min, max);
@@ -422,8 +417,8 @@ QTRI_NOINLINE static void hold_chord(const qtri_large_attribute *a, uint32_t *at
 static inline void clamp_chord(const qtri_large_attribute *a, uint32_t *at, uint32_t *step,
                                int32_t count)
 {
-    const uint32_t range = a->most - a->least, from = *at - a->start;
-    if (from > range || from + *step * ((uint32_t)count - 1) > range) {
+    const uint32_t from = *at - a->start;
+    if (from > a->range || from + *step * ((uint32_t)count - 1) > a->range) {
         hold_chord(a, at, step, count);
     }
 }
@@ -536,20 +531,17 @@ QTRI_INLINE int32_t begin_span(qtri_large_job *job)
     if (!job->is_curved) {
         return qtri_large_linear_piece(job);
     }
-    if (job->may_be_level) {
-        if (job->t.is_new) {
-            qtri_large_planes_move(job);
-            job->is_bent = !qtri_large_begin_level(job);
-        }
-        if (job->is_level) {
-            return qtri_large_linear_piece(job);
+    if (job->t.is_new) {
+        qtri_large_planes_move(job);
+        if (job->rows_may_be_linear) {
+            qtri_large_begin_linear_row(job);
         }
     }
-    if (job->t.is_new) {
+    if (job->row_is_linear) {
+        return qtri_large_linear_piece(job);
+    }
+    if (job->t.is_new || job->t.x == job->chunk_end) {
         job->t.is_new = false;
-        qtri_large_planes_move(job);
-        begin_chunk(job);
-    } else if (job->t.x == job->chunk_end) {
         begin_chunk(job);
     }
     return 0;
@@ -559,6 +551,7 @@ void qtri_large_set_planes(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
     int64_t q_q8[3];
+    job->has_knots = job->first_color == job->count && !t->options->mipmapped;
     if (qtri_large_set_linear(job, q_q8)) {
         return;
     }
@@ -599,9 +592,8 @@ void qtri_large_next_uv(qtri_large *t)
     }
 }
 
-int32_t qtri_large_next_halves(qtri_large *t)
+int32_t qtri_large_next_halves(qtri_large_job *job)
 {
-    qtri_large_job *job = qtri_large_job_of(t);
     const int32_t pieces = begin_span(job);
     return pieces != 0 ? pieces : both_halves(job);
 }

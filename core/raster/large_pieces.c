@@ -69,7 +69,7 @@ void qtri_large_skip(const qtri_large_job *job, qtri_large_piece *piece, uint32_
 {
     if (job->first_color != 0) {
         uint32_t left = n;
-        if (job->is_whole) {
+        if (job->has_knots) {
             while (left >= (uint32_t)piece->of.knots.next) {
                 left -= (uint32_t)piece->of.knots.next;
                 skip_coordinates(piece, (uint32_t)piece->of.knots.next);
@@ -142,7 +142,7 @@ static void begin_row(qtri_large_job *job)
 int32_t qtri_large_linear_piece(qtri_large_job *job)
 {
     qtri_large_piece *piece = &job->piece[0];
-    if (job->first_color == job->count && !job->t.options->mipmapped) {
+    if (job->has_knots) {
         return whole_row(job);
     }
     if (job->t.is_new) {

@@ -120,8 +120,8 @@ bool qtri_large_begin_samples(qtri_large *t, int32_t place)
         s->edges[k] = s->first[k];
     }
     s->place = place;
-    s->next = 0;
-    s->right = 0;
+    t->next_left = 0;
+    t->row_right = 0;
     return true;
 }
 
@@ -143,9 +143,9 @@ static void set_columns(qtri_large *t)
     const int32_t end = qtri_least32(qtri_least32(row->right[0], row->right[1]),
                                      qtri_least32(row->right[2], row->right[3]));
     row->count = end > row->x0 ? (uint32_t)(end - row->x0) : 0;
-    s->left = qtri_greatest32(row->left[s->place], 0);
-    s->right = qtri_least32(row->right[s->place], t->frame_width);
-    s->next = s->left;
+    t->row_left = qtri_greatest32(row->left[s->place], 0);
+    t->row_right = qtri_least32(row->right[s->place], t->frame_width);
+    t->next_left = t->row_left;
 }
 
 static bool is_in(const qtri_samples_row *row, int32_t k, int32_t x)
@@ -161,10 +161,11 @@ static int32_t place_before(int32_t k)
 
 /* The next columns of the row of pixels that take their colours at the pass's place; false: there
    are none. Those of places that come before are intervals, too. */
-static bool next_run(qtri_large_samples *s, int32_t *first, int32_t *end)
+static bool next_run(qtri_large *t, int32_t *first, int32_t *end)
 {
+    const qtri_large_samples *s = t->samples;
     const qtri_samples_row *row = &s->row;
-    int32_t x = s->next, stop = s->right;
+    int32_t x = t->next_left, stop = t->row_right;
     for (int32_t k = s->place; k != QTRI_CENTER;) {
         k = place_before(k);
         if (is_in(row, k, x)) {
@@ -172,7 +173,7 @@ static bool next_run(qtri_large_samples *s, int32_t *first, int32_t *end)
             k = s->place; /* from the start: it may be in another */
         }
     }
-    if (x >= s->right) {
+    if (x >= t->row_right) {
         return false;
     }
     for (int32_t k = s->place; k != QTRI_CENTER;) {
@@ -183,7 +184,7 @@ static bool next_run(qtri_large_samples *s, int32_t *first, int32_t *end)
     }
     *first = x;
     *end = stop;
-    s->next = stop;
+    t->next_left = stop;
     return true;
 }
 
@@ -192,9 +193,7 @@ bool qtri_large_next_samples(qtri_large *t)
     qtri_large_samples *s = t->samples;
     for (;;) {
         int32_t first, end;
-        if (s->next < s->right && next_run(s, &first, &end)) {
-            t->row_left = s->left;
-            t->row_right = s->right;
+        if (t->next_left < t->row_right && next_run(t, &first, &end)) {
             qtri_large_set_row(t, first, end);
             return true;
         }

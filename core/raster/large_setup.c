@@ -276,8 +276,6 @@ void qtri_large_begin_pieces(qtri_large *t)
     job->run_log2 = 14;
     job->packing = NULL;
     job->rounds = false;
-    job->has_runs = false;
-    job->is_whole = false;
     job->is_held = false;
     job->waits = false;
     job->piece[2].count = 0;
@@ -304,11 +302,13 @@ void qtri_large_set_texture(qtri_large *t)
 static void add_attribute(qtri_large_job *job, const uint32_t value[3], uint32_t half)
 {
     qtri_large_attribute *a = &job->a[job->count++];
-    qtri_find_range(&a->least, &a->most, value);
+    uint32_t least, most;
+    qtri_find_range(&least, &most, value);
     for (int k = 0; k < 3; k++) {
-        a->f[k] = (value[k] - a->least) << QTRI_LARGE_COLOR_UP;
+        a->f[k] = (value[k] - least) << QTRI_LARGE_COLOR_UP;
     }
-    a->start = a->least + half;
+    a->range = most - least;
+    a->start = least + half;
     a->up = -QTRI_LARGE_COLOR_UP;
 }
 
@@ -360,8 +360,7 @@ static void set_linear_planes(qtri_large_job *job)
     job->is_curved = false;
     job->q.row = 0;
     job->q.dy = 0;
-    job->is_level = true;
-    job->is_bent = false;
+    job->row_is_linear = true;
     if (job->rounds) {
         return; /* they are linear by runs */
     }
@@ -483,7 +482,6 @@ void qtri_large_set_curved(qtri_large_job *job, const int64_t q_q8[3])
         set_projected(job, &job->a[i], q_q8);
     }
     job->is_curved = true;
-    job->is_level = false;
-    job->is_bent = true;
+    job->row_is_linear = false;
     job->zeros = 0;
 }

@@ -19,7 +19,7 @@ enum {
     QTRI_LARGE_CHUNK_LOG2 = 7, /* points begin anew every 2^this pixels of a row */
     QTRI_LARGE_CHUNK = 1 << QTRI_LARGE_CHUNK_LOG2,
     QTRI_LARGE_COLOR_UP = 5, /* bits that colours, 8.16, gain */
-    QTRI_LARGE_NO_LEVEL = 31 /* log2 of no row's pixels */
+    QTRI_LARGE_NO_STEPS = 31 /* steps are to be set anew */
 };
 
 /* In large.c: edges of a triangle, from the first row on that is drawn; false: there is none. */
@@ -158,9 +158,12 @@ qtri_large_zone qtri_large_zone_of(const qtri_large_job *job, int i, uint32_t le
 bool qtri_large_next_run(qtri_large_job *job);
 int32_t qtri_large_hold(qtri_large_job *job, int32_t pieces);
 
-/* In large_curves.c: pieces, before they are held; returns how many. */
+/* In large_curves.c: pieces, before they are held, of any attributes or of coordinates alone,
+   without knots; returns how many. */
 int32_t qtri_large_find_pieces(qtri_large_job *job);
-/* In large_curves.c: sets job->is_level, and steps along the row if it is; planes are the row's. */
-bool qtri_large_begin_level(qtri_large_job *job);
+int32_t qtri_large_next_halves(qtri_large_job *job);
+/* In large_curves.c: sets job->row_is_linear, and steps along the row if it is; planes are the
+   row's. */
+void qtri_large_begin_linear_row(qtri_large_job *job);
 
 #endif

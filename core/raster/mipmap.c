@@ -371,7 +371,7 @@ static inline uint32_t run_level(const qtri_large_job *job, int32_t x, uint32_t 
     return level_at(job, &job->levels->measure, x + (count >> 1), level);
 }
 
-static void begin_level_row(qtri_large_job *job)
+static void begin_linear_row(qtri_large_job *job)
 {
     job->levels->measure = measure_at(job, job->t.row_left);
     job->levels->only = (uint8_t)run_level(job, job->t.row_left, job->levels->only);
@@ -392,7 +392,7 @@ QTRI_NOINLINE static void set_colors(qtri_large_job *job, qtri_large_piece *piec
 
 /* Runs that have one level are a piece, but where colours are not stepped as far, from the row's
    left end on: what rounding does where it begins depends on neither band nor scissor. */
-static int32_t level_row_piece(qtri_large_job *job)
+static int32_t linear_row_piece(qtri_large_job *job)
 {
     qtri_large_levels *levels = job->levels;
     qtri_large_piece *piece = job->piece;
@@ -445,8 +445,8 @@ QTRI_NOINLINE static void set_apart(qtri_large_job *job, int32_t pieces, int32_t
    which is one and a half steps before the next point. */
 static int32_t curved_pieces(qtri_large_job *job)
 {
-    const int32_t pieces = job->first_color == job->count ? qtri_large_next_halves(&job->t)
-                                                          : qtri_large_find_pieces(job);
+    const int32_t pieces =
+        job->first_color == job->count ? qtri_large_next_halves(job) : qtri_large_find_pieces(job);
     qtri_large_piece *piece = job->piece;
     const int32_t h = piece[0].count;
     if (pieces == 1 || piece[1].count != h ||
@@ -469,10 +469,9 @@ static int32_t curved_pieces(qtri_large_job *job)
 /* No levels, or one for all of the triangle: pieces as they come. */
 static int32_t plain_pieces(qtri_large_job *job)
 {
-    const bool curved = job->is_curved;
-    const int32_t pieces = curved ? qtri_large_find_pieces(job) : qtri_large_linear_piece(job);
+    const int32_t pieces = qtri_large_find_pieces(job);
     int32_t x = job->t.x - ((int32_t)1 << job->run_log2);
-    if (curved && !(job->may_be_level && job->is_level)) {
+    if (!job->row_is_linear) {
         x = job->t.x - job->piece[0].count - (pieces == 1 ? 0 : job->piece[1].count);
     } else if (qtri_large_has_levels(job)) {
         set_level(job, job->piece, job->levels->only);
@@ -492,16 +491,16 @@ static int32_t find_pieces(qtri_large_job *job)
     }
     if (job->t.is_new) {
         begin_row(job);
-        if (job->may_be_level) {
+        if (job->rows_may_be_linear) {
             qtri_large_planes_move(job);
-            job->is_bent = !qtri_large_begin_level(job);
-            if (job->is_level) {
+            qtri_large_begin_linear_row(job);
+            if (job->row_is_linear) {
                 job->t.is_new = false;
-                begin_level_row(job);
+                begin_linear_row(job);
             }
         }
     }
-    return job->may_be_level && job->is_level ? level_row_piece(job) : curved_pieces(job);
+    return job->row_is_linear ? linear_row_piece(job) : curved_pieces(job);
 }
 
 static int32_t next_pieces(qtri_large *t)

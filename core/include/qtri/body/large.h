@@ -19,7 +19,7 @@ extern "C" {
 
 /* Knots of coordinates, which divide a piece. */
 typedef struct qtri_large_knots {
-    int32_t next, spacing; /* pixels to the first knot, and from one to the next */
+    int32_t next, spacing; /* pixels to the next knot, and from one to the next */
     uint32_t third[2];     /* what bends gain there */
     uint32_t fourth[2];    /* what that loses from knot to knot */
 } qtri_large_knots;
@@ -104,10 +104,9 @@ typedef struct qtri_large_edges {
  */
 typedef struct qtri_large_samples {
     qtri_samples_row row;
-    int32_t place;             /* of the pass */
-    uint32_t z_p, z_q;         /* what depth has more: see antialias.h */
-    int32_t first_row, end;    /* of all places */
-    int32_t next, left, right; /* of the row at the pass's place: what is not drawn yet */
+    int32_t place;          /* of the pass */
+    uint32_t z_p, z_q;      /* what depth has more: see antialias.h */
+    int32_t first_row, end; /* of all places */
     qtri_point moved[3];
     qtri_large_edges first[QTRI_PLACES], edges[QTRI_PLACES]; /* as they begin; as they are */
 } qtri_large_samples;
@@ -121,11 +120,11 @@ typedef struct qtri_large_plane {
 
 typedef struct qtri_large_attribute {
     qtri_large_plane plane;
-    uint32_t f[3];        /* of the vertices */
-    uint32_t least, most; /* of colours: 8.16, f counts from the least */
-    uint32_t start;       /* what is added where pieces start: the least, the half that rounds */
-    int8_t up;            /* pieces have f 2^up */
-    int32_t point;        /* a quarter of the attribute at the point that was found last */
+    uint32_t f[3];  /* of the vertices */
+    uint32_t range; /* of colours: 8.16, f counts from the least */
+    uint32_t start; /* what is added where pieces start: the least, the half that rounds */
+    int8_t up;      /* pieces have f 2^up */
+    int32_t point;  /* a quarter of the attribute at the point that was found last */
     uint8_t at_left, at_right, step_left, step_right, bend_left, bend_right;
     uint32_t at, step; /* along a row where it is linear */
 } qtri_large_attribute;
@@ -173,10 +172,10 @@ typedef struct qtri_large {
     qtri_large_weights weights;
     int32_t plane_y;        /* of planes' rows */
     qtri_large_ramp ramp_z; /* 16.16 with QTRI_DEPTH_HALF; it may be out of range */
-    /* Of a row whose depth leaves its range: what is not drawn yet. */
+    /* Of a row that is drawn in parts, as its depth leaves its range or its pixels have samples:
+       what is not drawn yet. */
     int32_t next_left, next_right;
     int32_t x_least, y_least, width, height; /* of the triangle, 24.8 */
-    int32_t pixels;                          /* of its longer side */
 } qtri_large;
 
 /*
@@ -226,18 +225,15 @@ typedef struct qtri_large_axis {
 typedef struct qtri_large_job {
     qtri_large t;              /* first: what functions of all triangles have a pointer to */
     qtri_large_attribute *a;   /* as many as vary: u v, light or red green blue, alpha */
-    bool is_bent;              /* pieces have steps of u and v that change */
     qtri_large_piece piece[3]; /* two at most; held: what is not drawn yet of the first */
     qtri_large_axis axis[2];
     bool is_held;   /* one of the axes is */
     bool waits;     /* held: piece[1] is drawn after piece[2] */
     int32_t held_x; /* where the row's next pieces start after these */
 
-    /* Packed colours of a triangle along which they are linear begin anew every QTRI_LARGE_RUN
-       pixels: red, green and blue n.16 where a run begins, and from run to run. */
-    bool has_runs;
-    uint32_t run_at[3], run_down[3]; /* column 0 of row 0, and from row to row */
-    uint32_t run[3], run_step[3];
+    /* Not curved: packed colours begin anew every QTRI_LARGE_RUN pixels, red, green and blue n.16
+       with half of what rounding of packed steps sums up to. */
+    uint32_t run_at[3], run_down[3], run_step[3]; /* column 0 of row 0; from row to row; of a run */
     uint32_t run_even, run_odd;
 
     uint8_t first_color, alpha, count; /* attributes: u v if textured, colours, alpha */
@@ -248,18 +244,17 @@ typedef struct qtri_large_job {
     uint32_t q_at[3];
     qtri_large_plane q;
     bool is_curved;                               /* planes are times q */
-    bool may_be_level;                            /* q hardly changes along rows: by `steep` */
+    bool rows_may_be_linear;                      /* q hardly changes along them: by `steep` */
     uint32_t steep;                               /* 2^-16 a pixel */
     int8_t span_log2;                             /* of pixels between points */
-    bool is_whole;                                /* spans are one piece, with knots */
-    uint8_t level_log2;                           /* of the row's pixels that steps are for */
-    bool is_level;                                /* nor in this row */
+    bool has_knots;                               /* coordinates alone vary, without levels */
+    uint8_t linear_log2;                          /* of pixels that steps of a linear row span */
+    bool row_is_linear;                           /* attributes are, along this row */
     int16_t q_slope_log2, chord_log2, texel_log2; /* see large_curves.c */
     int16_t repeat_log2;                          /* of repeats that a pixel steps, as these */
     int32_t span_max;                             /* log2 of the longest span */
     int32_t one_log2;          /* of spans, where one length serves all rows; else -1 */
     qtri_large_levels *levels; /* of a texture that is mipmapped */
-    uint32_t center[3];        /* half of what rounding of packed steps sums up to, n.16 */
 
     int32_t chunk_end;
     bool has_second; /* piece[1] is drawn next, up to second_end */
@@ -293,9 +288,8 @@ void qtri_large_set_planes(qtri_large *t);
 bool qtri_large_next_row(qtri_large *t);
 
 /* Finds what the row has next, from t->x < x1 on: a piece of texture coordinates alone, which may
-   have knots; pieces of these without knots, or of any attributes: returns how many. */
+   have knots; pieces of any attributes: returns how many. */
 void qtri_large_next_uv(qtri_large *t);
-int32_t qtri_large_next_halves(qtri_large *t);
 int32_t qtri_large_next_any(qtri_large *t);
 
 /* In mipmap.c: of a texture that is mipmapped. Set once planes are; then pieces of levels, with or
@@ -306,9 +300,9 @@ int32_t qtri_large_next_levels(qtri_large *t);
 /* Of packed colours, after planes: runs where they are linear. */
 void qtri_large_set_runs(qtri_large *t);
 
-/* With has_runs: sets t->run for the first run that is drawn of the row; returns how many of its
-   pixels are not. */
-uint32_t qtri_large_begin_runs(qtri_large *t);
+/* Where they are: colours at the start of the first run that is drawn of the row; returns how many
+   of its pixels are not. */
+uint32_t qtri_large_begin_runs(const qtri_large *t, uint32_t start[3]);
 
 /* Fog from t->fog_x on; returns for how many pixels it is linear, `count` at most. */
 int32_t qtri_large_next_fog(qtri_large *t, int32_t count);
@@ -505,7 +499,7 @@ QTRI_BODY void qtri_large_pieces_draw(const qtri_options *o, qtri_pixel_body *pi
     int32_t pieces = qtri_large_next(o, t);
     qtri_large_job *job = qtri_large_job_of(t);
     qtri_large_piece *piece = job->piece;
-    if (qtri_is_textured(o) && qtri_is_short(o) && !job->is_bent) {
+    if (qtri_is_textured(o) && qtri_is_short(o) && job->row_is_linear) {
         qtri_large_load(o, t, w, piece);
         qtri_large_pixels(o, pixel, t, w, false, piece->count);
         return;
@@ -538,7 +532,7 @@ QTRI_BODY void qtri_large_spline_draw(const qtri_options *o, qtri_pixel_body *pi
     qtri_large_piece *piece = job->piece;
     qtri_large_next_uv(t);
     qtri_large_load(o, t, w, piece);
-    if (qtri_is_short(o) && !job->is_bent) {
+    if (qtri_is_short(o) && job->row_is_linear) {
         qtri_large_pixels(o, pixel, t, w, false, piece->count);
         return;
     }
@@ -567,8 +561,9 @@ QTRI_BODY void qtri_large_runs(const qtri_options *o, qtri_pixel_body *pixel, qt
                                qtri_pixel_walk *w)
 {
     const qtri_large_job *job = qtri_large_job_of(t);
-    const uint32_t skipped = qtri_large_begin_runs(t);
-    uint32_t r = job->run[0], g = job->run[1], b = job->run[2];
+    uint32_t start[3];
+    const uint32_t skipped = qtri_large_begin_runs(t, start);
+    uint32_t r = start[0], g = start[1], b = start[2];
     int32_t left = t->x1 - t->x0;
     int32_t count = QTRI_LARGE_RUN - (int32_t)skipped;
     w->c = qtri_large_word(r, g, b);
@@ -643,7 +638,7 @@ QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, qtri_pixel_body *pixe
             qtri_large_pixels(o, pixel, t, w, false, count);
             continue;
         }
-        if (qtri_is_packed_565(o) && qtri_large_job_of(t)->has_runs) {
+        if (qtri_is_packed_565(o) && !qtri_large_job_of(t)->is_curved) {
             qtri_large_runs(o, pixel, t, w);
             continue;
         }
