@@ -114,7 +114,7 @@ static void areas_that_snapping_made(void **state)
             v[0].rest[1] = (int16_t)(less / 2);
             v[2].rest[1] = (int16_t)(-less / 2);
             qtri_large_set_weights(&job);
-            assert_int_equal(job.is_true, n == 1);
+            assert_int_equal(job.has_true_positions, n == 1);
         }
     }
 }

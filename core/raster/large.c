@@ -109,7 +109,7 @@ static void set_depth_ramp(qtri_large *t)
 static void set_depth(qtri_large *t)
 {
     set_depth_ramp(t);
-    if (t->is_true && leaves_range(t)) {
+    if (t->has_true_positions && leaves_range(t)) {
         if (t->options->samples) {
             qtri_large_use_weights(t, false);
             set_depth_ramp(t);
@@ -129,8 +129,8 @@ static void begin_rows(qtri_large *t)
     const qtri_draw_state *state = t->state;
     const qtri_surface *surface = state->surface;
     const ptrdiff_t row = t->y - surface->first_row;
-    t->x_first = state->bounds.x0;
-    t->x_end = state->bounds.x1;
+    t->bounds_left = state->bounds.x0;
+    t->bounds_right = state->bounds.x1;
     t->frame_width = qtri_least32(surface->width, QTRI_SURFACE_MAX);
     t->pitch = surface->pitch;
     t->depth_pitch = state->depth_pitch;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Clamped textures on large triangles. A coordinate is inside of its zone, which ends 1/16 texel
- * before the texture does and filtered at the centres of its outer texels, or is held to one of
+ * before the texture does and filtered at the centres of its outer texels, or is clamped to one of
  * these ends, where it does not change. Pieces are cut into runs along which each coordinate stays
  * where it is, and pixels know nothing of it.
  *
@@ -18,25 +18,26 @@ static inline side side_of(const qtri_large_zone *z, uint32_t at)
     return from <= z->size ? INSIDE : (int32_t)from < 0 ? BELOW : ABOVE;
 }
 
-/* A coordinate of a run, on that side, as the walk has it. */
-static inline void bring(qtri_large_coordinate *c, const qtri_large_zone *z, side where)
+/* A coordinate of a run, in the walk's units, clamped if it is on a side. */
+static inline void to_walk(qtri_large_coordinate *c, const qtri_large_zone *z, side where)
 {
     if (where == INSIDE) {
-        c->at = qtri_both_shifts((int32_t)(c->at - z->least + z->start), z->left, z->right);
-        c->step = qtri_both_shifts((int32_t)c->step, z->left, z->right);
-        c->bend = qtri_both_shifts((int32_t)c->bend, z->left, z->right);
+        c->at =
+            qtri_both_shifts((int32_t)(c->at - z->least + z->start), z->shift_left, z->shift_right);
+        c->step = qtri_both_shifts((int32_t)c->step, z->shift_left, z->shift_right);
+        c->bend = qtri_both_shifts((int32_t)c->bend, z->shift_left, z->shift_right);
     } else {
         const uint32_t end = z->start + (where == BELOW ? 0 : z->size);
-        c->at = qtri_both_shifts((int32_t)end, z->left, z->right);
+        c->at = qtri_both_shifts((int32_t)end, z->shift_left, z->shift_right);
         c->step = 0;
         c->bend = 0;
     }
 }
 
-/* Holds all of a span if coordinates stay where they are, since what follows perspective goes one
+/* Clamps all of a span if coordinates stay where they are, since what follows perspective goes one
    way along a row, and curves miss less of it than lies between a zone and the texture's ends.
    Without it a quad turned sideways takes 93 % more on a Cortex-M0+, 62 % on a Cortex-M3. */
-static bool hold_span(qtri_large_job *job, int32_t pieces)
+static bool clamp_span(qtri_large_job *job, int32_t pieces)
 {
     side where[2] = {INSIDE, INSIDE};
     if (job->row_is_linear || qtri_large_has_levels(job)) {
@@ -45,23 +46,24 @@ static bool hold_span(qtri_large_job *job, int32_t pieces)
     for (int i = 0; i < 2; i++) {
         const qtri_large_attribute *a = &job->a[i];
         const qtri_large_zone *z = &job->axis[i].zone;
-        if (job->axis[i].is_held) {
+        if (job->axis[i].needs_clamp) {
             where[i] = side_of(z, job->piece[0].uv[i].at);
-            if (where[i] != side_of(z, qtri_both_shifts(a->point, a->at_left, a->at_right))) {
+            if (where[i] !=
+                side_of(z, qtri_both_shifts(a->point_quarter, a->at_left, a->at_right))) {
                 return false;
             }
         }
     }
     for (int i = 0; i < 2; i++) {
         const qtri_large_zone *z = &job->axis[i].zone;
-        if (job->axis[i].is_held) {
+        if (job->axis[i].needs_clamp) {
             qtri_large_knots *knots = &job->piece[0].of.knots;
-            bring(&job->piece[0].uv[i], z, where[i]);
+            to_walk(&job->piece[0].uv[i], z, where[i]);
             if (pieces == 2) {
-                bring(&job->piece[1].uv[i], z, where[i]);
+                to_walk(&job->piece[1].uv[i], z, where[i]);
             } else if (job->has_knots) {
-                knots->third[i] = where[i] == INSIDE ? knots->third[i] << z->left : 0;
-                knots->fourth[i] = where[i] == INSIDE ? knots->fourth[i] << z->left : 0;
+                knots->bend_gain[i] = where[i] == INSIDE ? knots->bend_gain[i] << z->shift_left : 0;
+                knots->gain_loss[i] = where[i] == INSIDE ? knots->gain_loss[i] << z->shift_left : 0;
             }
         }
     }
@@ -90,7 +92,7 @@ static uint32_t run_of(const qtri_large_zone *z, const qtri_large_coordinate *c,
 }
 
 /* Makes piece[0] its first run, up to a knot at most, and piece[2] the rest. */
-static void cut(qtri_large_job *job)
+static void take_run(qtri_large_job *job)
 {
     qtri_large_piece *piece = &job->piece[0], *rest = &job->piece[2];
     uint32_t count = (uint32_t)piece->count;
@@ -99,7 +101,7 @@ static void cut(qtri_large_job *job)
     }
     for (int i = 0; i < 2 && count != 0; i++) {
         qtri_large_axis *axis = &job->axis[i];
-        if (axis->is_held) {
+        if (axis->needs_clamp) {
             if (qtri_large_has_levels(job)) {
                 axis->zone = qtri_large_zone_of(job, i, piece->level);
             }
@@ -117,44 +119,44 @@ static void cut(qtri_large_job *job)
     }
     for (int i = 0; i < 2; i++) {
         const qtri_large_zone *z = &job->axis[i].zone;
-        if (job->axis[i].is_held) {
-            bring(&piece->uv[i], z, side_of(z, piece->uv[i].at));
+        if (job->axis[i].needs_clamp) {
+            to_walk(&piece->uv[i], z, side_of(z, piece->uv[i].at));
         }
     }
 }
 
-/* The row goes on with what is left, or behind it. */
+/* The row goes on with what is left of pieces, else after them. */
 static void go_on(qtri_large_job *job)
 {
-    job->t.x = job->piece[2].count != 0 || job->waits ? job->t.x1 - 1 : job->held_x;
+    job->t.x = job->piece[2].count != 0 || job->second_waits ? job->t.x1 - 1 : job->resume_x;
 }
 
-bool qtri_large_next_run(qtri_large_job *job)
+bool qtri_large_next_rest(qtri_large_job *job)
 {
     if (job->piece[2].count != 0) {
         job->piece[0] = job->piece[2];
         job->piece[2].count = 0;
-    } else if (job->waits) {
+    } else if (job->second_waits) {
         job->piece[0] = job->piece[1];
-        job->waits = false;
+        job->second_waits = false;
     } else {
         return false;
     }
-    if (!hold_span(job, 1)) {
-        cut(job);
+    if (!clamp_span(job, 1)) {
+        take_run(job);
     }
     go_on(job);
     return true;
 }
 
-int32_t qtri_large_hold(qtri_large_job *job, int32_t pieces)
+int32_t qtri_large_clamp_pieces(qtri_large_job *job, int32_t pieces)
 {
-    if (hold_span(job, pieces)) {
+    if (clamp_span(job, pieces)) {
         return pieces;
     }
-    job->held_x = job->t.x;
-    job->waits = pieces == 2;
-    cut(job);
+    job->resume_x = job->t.x;
+    job->second_waits = pieces == 2;
+    take_run(job);
     go_on(job);
     return 1;
 }

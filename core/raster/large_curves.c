@@ -106,7 +106,7 @@ static void set_texel_slope(qtri_large_job *job)
         qtri_find_range(&least, &greatest, a->f);
         const uint32_t slope =
             (slope_of(a->plane.dx) >> 1) + (qtri_mul_high32(greatest, q_slope) >> 1) + 1;
-        const int32_t log2 = log2_q8(slope) + LOG2_ERROR + (33 - job->axis[i].shift) * 256;
+        const int32_t log2 = log2_q8(slope) + LOG2_ERROR + (33 - job->axis[i].texel_shift) * 256;
         const int32_t side_log2 = i == 0 ? job->t.state->width_log2 : job->t.state->height_log2;
         most = qtri_greatest32(log2, most);
         most_repeats = qtri_greatest32(log2 - side_log2 * 256, most_repeats);
@@ -146,21 +146,22 @@ static void set_lengths(qtri_large_job *job)
     job->linear_log2 = QTRI_LARGE_NO_STEPS;
     job->span_log2 = QTRI_LARGE_NO_STEPS;
     for (int k = 0; k < 3; k++) {
-        const uint64_t q = (uint64_t)job->q_at[k] << job->q_up;
+        const uint64_t q = (uint64_t)job->vertex_q[k] << job->q_headroom;
         least = q < least ? (uint32_t)q : least;
     }
-    least -= job->t.is_true ? least >> 5 : 0;
+    least -= job->t.has_true_positions ? least >> 5 : 0;
     const int32_t log2 = length_for(job, least);
-    job->span_max =
+    job->span_log2_max =
         qtri_least32(job->run_log2 + 1, job->rounds ? QTRI_LARGE_RUN_LOG2 : QTRI_LARGE_CHUNK_LOG2);
     /* To look for longer ones than whole ones costs quads turned by 10 to 20 degrees 4 %. */
-    const int32_t enough = job->has_knots ? qtri_least32(WHOLE_LOG2, job->span_max) : job->span_max;
+    const int32_t enough =
+        job->has_knots ? qtri_least32(WHOLE_LOG2, job->span_log2_max) : job->span_log2_max;
     const int32_t pixels = (qtri_greatest32(job->t.width, job->t.height) >> 8) + 1;
-    job->one_log2 = log2 >= enough || (log2 >= 0 && pixels >> log2 == 0)
-                        ? qtri_least32(log2, job->span_max)
-                        : -1;
+    job->fixed_span_log2 = log2 >= enough || (log2 >= 0 && pixels >> log2 == 0)
+                               ? qtri_least32(log2, job->span_log2_max)
+                               : -1;
     for (int i = 0; i < job->count; i++) {
-        qtri_set_shifts(&job->a[i].at_left, &job->a[i].at_right, job->a[i].up + 2);
+        qtri_set_shifts(&job->a[i].at_left, &job->a[i].at_right, job->a[i].piece_shift + 2);
     }
 }
 
@@ -183,14 +184,14 @@ static inline uint32_t shifted_left(uint64_t s, int32_t zeros)
     return qtri_large_whole(s) << zeros | (uint32_t)s >> 1 >> (31 - zeros);
 }
 
-/* 2^62 / q 2^zeros, below 2^31; sets job->zeros. q: 2^-32. */
+/* 2^62 / (q 2^q_zeros), below 2^31; sets job->q_zeros. q: 2^-32. */
 static inline int32_t reciprocal_of(qtri_large_job *job, uint64_t q_q32)
 {
     const uint32_t q = qtri_large_positive(qtri_large_whole(q_q32));
 #if QTRI_LONG_MULTIPLY
     const int32_t zeros = qtri_clz32(q);
 #else
-    int32_t zeros = job->zeros; /* of the point before nearly as many */
+    int32_t zeros = job->q_zeros; /* of the point before nearly as many */
     while (q >> (31 - zeros) > 1) {
         zeros--;
     }
@@ -198,7 +199,7 @@ static inline int32_t reciprocal_of(qtri_large_job *job, uint64_t q_q32)
         zeros++;
     }
 #endif
-    job->zeros = zeros;
+    job->q_zeros = zeros;
     const uint32_t r = qtri_reciprocal_near(q << zeros | (uint32_t)q_q32 >> 1 >> (31 - zeros));
     return (int32_t)(r - (r >> 31));
 }
@@ -218,13 +219,12 @@ static int32_t log2_above(int32_t x)
 static void set_steps(qtri_large_job *job, int32_t log2, int32_t rise_log2)
 {
     job->q.s_step = job->q.dx << log2;
-    job->delta_step =
-        log2 == 0 ? 0 : qtri_large_whole(job->q.s_step); /* single pixels have no curve */
+    job->q_rise = log2 == 0 ? 0 : qtri_large_whole(job->q.s_step); /* single pixels have no curve */
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
         a->plane.s_step = a->plane.dx << log2;
-        qtri_set_shifts(&a->step_left, &a->step_right, a->up + 2 - rise_log2);
-        qtri_set_shifts(&a->bend_left, &a->bend_right, a->up + 4 - 2 * log2);
+        qtri_set_shifts(&a->step_left, &a->step_right, a->piece_shift + 2 - rise_log2);
+        qtri_set_shifts(&a->bend_left, &a->bend_right, a->piece_shift + 4 - 2 * log2);
     }
 }
 
@@ -253,9 +253,9 @@ static inline int32_t next_quotient(qtri_large_attribute *a, int32_t zeros, int3
 }
 
 /* (q1 - q0) / 2 q at a point, Q16. */
-static inline int32_t delta_at(const qtri_large_job *job, int32_t reciprocal)
+static inline int32_t relative_rise_at(const qtri_large_job *job, int32_t reciprocal)
 {
-    const int32_t step = (int32_t)(job->delta_step << job->zeros) >> 16;
+    const int32_t step = (int32_t)(job->q_rise << job->q_zeros) >> 16;
     return ((2 * step + 1) * (reciprocal >> 16) + 0x8000) >> 16;
 }
 
@@ -265,16 +265,18 @@ static void begin_chunk(qtri_large_job *job)
         job->t.row_left + ((job->t.x - job->t.row_left) & -(int32_t)QTRI_LARGE_CHUNK);
     job->chunk_end = qtri_least32(chunk + QTRI_LARGE_CHUNK, job->t.row_right);
     const int32_t width = job->chunk_end - chunk;
-    int32_t log2 = job->one_log2;
+    int32_t log2 = job->fixed_span_log2;
     job->has_second = false;
     if (log2 < 0) {
         const bool falls = (int32_t)qtri_large_whole(job->q.dx) < 0;
         /* The least: 2^31 at most, and behind the row's end it may be below 0. */
         const uint32_t q = qtri_large_plane_at(&job->q, falls ? chunk + width : chunk);
         log2 = length_for(job, q - 1 < 0x80000000u ? q : 1);
-        log2 = qtri_hold32(log2, 0, qtri_least32(job->span_max, log2_above(width)));
+        log2 = qtri_hold32(log2, 0, qtri_least32(job->span_log2_max, log2_above(width)));
     }
-    while (log2 > 0 && 2 * width >> log2 == 0) { /* far behind a thin one's end values do not fit */
+    /* Of fixed lengths: a point twice the chunk away may be where values of a thin triangle do not
+       fit. */
+    while (log2 > 0 && 2 * width >> log2 == 0) {
         log2--;
     }
     if (job->has_knots && log2 == 1) { /* too short for knots */
@@ -295,9 +297,9 @@ static void begin_chunk(qtri_large_job *job)
         }
     }
     const int32_t reciprocal = next_reciprocal(job);
-    job->delta = delta_at(job, reciprocal);
+    job->relative_q_rise = relative_rise_at(job, reciprocal);
     for (int i = 0; i < job->count; i++) {
-        job->a[i].point = next_quotient(&job->a[i], job->zeros, reciprocal);
+        job->a[i].point_quarter = next_quotient(&job->a[i], job->q_zeros, reciprocal);
     }
 }
 
@@ -328,8 +330,8 @@ QTRI_NOINLINE void qtri_large_begin_linear_row(qtri_large_job *job)
     const int32_t reciprocal = next_reciprocal(job);
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
-        const int32_t from = next_quotient(a, job->zeros, reciprocal);
-        const int32_t rise = quotient_of(a->plane.s_step, job->zeros, reciprocal);
+        const int32_t from = next_quotient(a, job->q_zeros, reciprocal);
+        const int32_t rise = quotient_of(a->plane.s_step, job->q_zeros, reciprocal);
         a->at = qtri_both_shifts(from, a->at_left, a->at_right) + a->start;
         a->step = qtri_both_shifts(rise, a->step_left, a->step_right);
     }
@@ -359,16 +361,16 @@ static inline void set_whole(qtri_large_job *job, int i, int32_t end, const span
 {
     qtri_large_attribute *a = &job->a[i];
     qtri_large_piece *piece = job->piece;
-    const int32_t from = a->point, rise = end - from;
+    const int32_t from = a->point_quarter, rise = end - from;
     qtri_large_knots *knots = &piece->of.knots;
-    a->point = end;
+    a->point_quarter = end;
     piece->uv[i].at = qtri_both_shifts(from, a->at_left, a->at_right);
     const int32_t w = qtri_mul_s16(rise, b->eps);
     const int32_t w2 = qtri_mul_s16(w, b->eps_c), w3 = qtri_mul_s16(w, b->square);
     const int32_t half = ((rise + w) >> 1) + (w >> 1) + w2 + w3 - (w2 >> 4) - (w3 >> 2);
-    knots->fourth[i] = qtri_both_shifts(w3 + 2 * w3, a->bend_left, a->bend_right);
-    knots->third[i] =
-        knots->fourth[i] + qtri_both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
+    knots->gain_loss[i] = qtri_both_shifts(w3 + 2 * w3, a->bend_left, a->bend_right);
+    knots->bend_gain[i] =
+        knots->gain_loss[i] + qtri_both_shifts(w2 + (w2 >> 1), a->bend_left, a->bend_right);
     piece->uv[i].bend =
         0 - qtri_both_shifts(w + 2 * (w2 + w3) + ((w2 + w3) >> 2), a->bend_left, a->bend_right);
     piece->uv[i].step = qtri_both_shifts(half, a->step_left, a->step_right) +
@@ -380,10 +382,10 @@ static inline void set_halves(qtri_large_job *job, int i, int32_t end, const spa
 {
     qtri_large_attribute *a = &job->a[i];
     qtri_large_coordinate *first = &job->piece[0].uv[i], *second = &job->piece[1].uv[i];
-    const int32_t from = a->point, rise = end - from;
+    const int32_t from = a->point_quarter, rise = end - from;
     const int32_t w = qtri_mul_s16(rise, b->eps);
     const int32_t rise1 = (rise + w) >> 1;
-    a->point = end;
+    a->point_quarter = end;
     first->at = qtri_both_shifts(from, a->at_left, a->at_right);
     second->at = qtri_both_shifts(from + rise1, a->at_left, a->at_right);
     const int32_t w2 = qtri_mul_s16(w, b->eps_c), w3 = qtri_mul_s16(w, b->square);
@@ -431,8 +433,8 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, int32_t reciprocal, in
     const int32_t rest = job->t.row_right - job->t.x;
     for (int i = job->first_color; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
-        const int32_t end = next_quotient(a, job->zeros, reciprocal);
-        const int32_t from = a->point, rise = end - from;
+        const int32_t end = next_quotient(a, job->q_zeros, reciprocal);
+        const int32_t from = a->point_quarter, rise = end - from;
         const int32_t rise1 = (rise + qtri_mul_s16(rise, eps)) >> 1;
         const int32_t lifted = from + ((2 * rise1 - rise) >> 4); /* w / 16 */
         at[0][i] = qtri_both_shifts(lifted, a->at_left, a->at_right) + a->start;
@@ -441,7 +443,7 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, int32_t reciprocal, in
         at[1][i] = qtri_both_shifts(lifted + rise1, a->at_left, a->at_right) + a->start;
         step[1][i] = qtri_both_shifts(rise - rise1, a->step_left, a->step_right);
         clamp_chord(a, &at[1][i], &step[1][i], qtri_hold32(rest - h, 1, h));
-        a->point = end;
+        a->point_quarter = end;
     }
     qtri_large_pack(job, &job->piece[0], at[0], step[0], qtri_least32(h, rest));
     if (rest > h) { /* or there is no second one */
@@ -453,12 +455,12 @@ QTRI_NOINLINE static void set_chords(qtri_large_job *job, int32_t reciprocal, in
 QTRI_INLINE int32_t span_pieces(qtri_large_job *job, bool whole, bool textured, bool colored)
 {
     qtri_large *t = &job->t;
-    const int32_t reciprocal = next_reciprocal(job), zeros = job->zeros;
-    const int32_t after = delta_at(job, reciprocal);
+    const int32_t reciprocal = next_reciprocal(job), zeros = job->q_zeros;
+    const int32_t after = relative_rise_at(job, reciprocal);
     /* Of the greater q: |d| <= 1/4. A point beyond the row may have a greater one, which wraps. */
-    const int32_t d = (int32_t)job->delta_step < 0 ? job->delta : after;
+    const int32_t d = (int32_t)job->q_rise < 0 ? job->relative_q_rise : after;
     const span_bend b = bend_of(d, whole);
-    job->delta = after;
+    job->relative_q_rise = after;
     if (whole) {
         set_whole(job, 0, next_quotient(&job->a[0], zeros, reciprocal), &b);
         set_whole(job, 1, next_quotient(&job->a[1], zeros, reciprocal), &b);
@@ -555,7 +557,7 @@ void qtri_large_set_planes(qtri_large *t)
     if (qtri_large_set_linear(job, q_q8)) {
         return;
     }
-    qtri_large_use_weights(t, t->is_true);
+    qtri_large_use_weights(t, t->has_true_positions);
     qtri_large_set_curved(job, q_q8);
     set_lengths(job);
 }
@@ -583,12 +585,12 @@ static void next_uv(qtri_large_job *job)
 void qtri_large_next_uv(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    if (job->is_held && qtri_large_next_run(job)) {
+    if (job->needs_clamp && qtri_large_next_rest(job)) {
         return;
     }
     next_uv(job);
-    if (job->is_held) {
-        (void)qtri_large_hold(job, 1);
+    if (job->needs_clamp) {
+        (void)qtri_large_clamp_pieces(job, 1);
     }
 }
 
@@ -601,8 +603,9 @@ int32_t qtri_large_next_halves(qtri_large_job *job)
 int32_t qtri_large_next_any(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    if (!job->is_held) {
+    if (!job->needs_clamp) {
         return qtri_large_find_pieces(job);
     }
-    return qtri_large_next_run(job) ? 1 : qtri_large_hold(job, qtri_large_find_pieces(job));
+    return qtri_large_next_rest(job) ? 1
+                                     : qtri_large_clamp_pieces(job, qtri_large_find_pieces(job));
 }

@@ -26,7 +26,7 @@ static inline void set_left(qtri_large_job *job)
     qtri_large_planes_move(job);
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
-        a->at = shifted(qtri_large_plane_at(&a->plane, job->t.row_left), a->up) + a->start;
+        a->at = shifted(qtri_large_plane_at(&a->plane, job->t.row_left), a->piece_shift) + a->start;
     }
 }
 

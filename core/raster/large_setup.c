@@ -52,20 +52,20 @@ QTRI_NOINLINE static int64_t scaled(int64_t d, int32_t up, uint64_t r, bool is_n
  * and what is in parentheses is below 2^61. False, with true positions: they are so close to a
  * line, 1/8 of a pixel, that corrections would be more than 2^-5 of what attributes vary by.
  */
-static bool find_weights(qtri_large *t, bool is_true)
+static bool find_weights(qtri_large *t, bool true_positions)
 {
     qtri_large_weights *w = &t->weights;
     const qtri_large_vertex *v = t->in->v;
-    const int32_t kept = is_true ? -1 : 0;
-    const int32_t rest_x = v[0].rest[0] & kept, rest_y = v[0].rest[1] & kept;
+    const int32_t rest_mask = true_positions ? -1 : 0;
+    const int32_t rest_x = v[0].rest[0] & rest_mask, rest_y = v[0].rest[1] & rest_mask;
     /* 1/256 pixel, and what is true of positions besides, 2^-24 */
     int32_t snapped[2][2], rest[2][2];
     uint64_t all = 0;
     for (int i = 0; i < 2; i++) {
         snapped[i][0] = t->corner_x[i + 1] - t->corner_x[0];
         snapped[i][1] = t->corner_y[i + 1] - t->corner_y[0];
-        rest[i][0] = (v[i + 1].rest[0] & kept) - rest_x;
-        rest[i][1] = (v[i + 1].rest[1] & kept) - rest_y;
+        rest[i][0] = (v[i + 1].rest[0] & rest_mask) - rest_x;
+        rest[i][1] = (v[i + 1].rest[1] & rest_mask) - rest_y;
         for (int k = 0; k < 2; k++) {
             const int64_t d = (int64_t)snapped[i][k] * 65536 + rest[i][k];
             w->b[1 - i][1 - k] = d;
@@ -76,7 +76,7 @@ static bool find_weights(qtri_large *t, bool is_true)
     const int64_t once = cross(snapped[0], rest[1]) + cross(rest[0], snapped[1]);
     const int64_t area = t->area * 16384 + (once >> 2) + (cross(rest[0], rest[1]) >> 18);
     const uint64_t size = qtri_magnitude64(area);
-    if (is_true && ((area ^ t->area) < 0 || size < all << 3)) {
+    if (true_positions && ((area ^ t->area) < 0 || size < all << 3)) {
         return false;
     }
     const int32_t zeros = qtri_clz64(size), up = qtri_clz64(all) - 2; /* neither is 0 */
@@ -90,14 +90,14 @@ static bool find_weights(qtri_large *t, bool is_true)
         b[2] = along(b[0], x) + along(b[1], y);
     }
     w->fraction = 56 + up - zeros;
-    w->is_true = is_true;
+    w->of_true_positions = true_positions;
     return true;
 }
 
-void qtri_large_use_weights(qtri_large *t, bool is_true)
+void qtri_large_use_weights(qtri_large *t, bool true_positions)
 {
-    if (t->weights.is_true != is_true) {
-        (void)find_weights(t, is_true); /* true ones were found before */
+    if (t->weights.of_true_positions != true_positions) {
+        (void)find_weights(t, true_positions); /* true ones were found before */
     }
 }
 
@@ -107,8 +107,8 @@ void qtri_large_set_weights(qtri_large *t)
     for (int i = 0; i < 3; i++) {
         any |= t->in->v[i].rest[0] | t->in->v[i].rest[1];
     }
-    t->is_true = any != 0 && find_weights(t, true);
-    if (!t->is_true) {
+    t->has_true_positions = any != 0 && find_weights(t, true);
+    if (!t->has_true_positions) {
         (void)find_weights(t, false);
     }
 }
@@ -198,20 +198,20 @@ qtri_large_zone qtri_large_zone_of(const qtri_large_job *job, int i, uint32_t le
     const qtri_large_axis *axis = &job->axis[i];
     const uint32_t side_log2 = i == 0 ? state->width_log2 : state->height_log2;
     const uint32_t down = qtri_large_level_down(job, i, level);
-    const uint32_t texel = (uint32_t)1 << (axis->shift + down);
-    const uint32_t texels = (uint32_t)1 << (axis->shift + side_log2);
+    const uint32_t texel = (uint32_t)1 << (axis->texel_shift + down);
+    const uint32_t texels = (uint32_t)1 << (axis->texel_shift + side_log2);
     qtri_large_zone z;
     if (o->bilinear) { /* which count from centres before there are levels */
-        z.least = axis->first + (qtri_large_has_levels(job) ? texel >> 1 : 0);
+        z.least = axis->texel_zero + (qtri_large_has_levels(job) ? texel >> 1 : 0);
         z.size = texels - texel;
         z.start = 0;
     } else {
         z.start = (texel >> 4) + 1;
-        z.least = axis->first + z.start;
+        z.least = axis->texel_zero + z.start;
         z.size = texels - 2 * z.start;
     }
-    qtri_set_shifts(&z.left, &z.right,
-                    axis->up - (i == 0 || o->large_texture ? 0 : (int32_t)(level + down)));
+    qtri_set_shifts(&z.shift_left, &z.shift_right,
+                    axis->walk_shift - (i == 0 || o->large_texture ? 0 : (int32_t)(level + down)));
     return z;
 }
 
@@ -258,26 +258,26 @@ static void set_axis(qtri_large_job *job, int i, const int64_t coordinate[3])
         a->f[k] = is_one_wide ? 0 : (uint32_t)((at[k] + more) >> down);
     }
     a->start = 0;
-    axis->shift = (uint8_t)(32 - down - side_log2);
-    axis->first = 0u - ((uint32_t)base << (32 - down));
-    axis->up = (int8_t)(up + down);
-    axis->is_held = is_clamped && !is_inside(job, i);
-    a->up = axis->is_held ? (int8_t)0 : axis->up;
-    if (axis->is_held) {
+    axis->texel_shift = (uint8_t)(32 - down - side_log2);
+    axis->texel_zero = 0u - ((uint32_t)base << (32 - down));
+    axis->walk_shift = (int8_t)(up + down);
+    axis->needs_clamp = is_clamped && !is_inside(job, i);
+    a->piece_shift = axis->needs_clamp ? (int8_t)0 : axis->walk_shift;
+    if (axis->needs_clamp) {
         axis->zone = qtri_large_zone_of(job, i, 0);
-        job->is_held = true;
+        job->needs_clamp = true;
     }
 }
 
-void qtri_large_begin_pieces(qtri_large *t)
+void qtri_large_reset_attributes(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
     job->count = 0;
     job->run_log2 = 14;
     job->packing = NULL;
     job->rounds = false;
-    job->is_held = false;
-    job->waits = false;
+    job->needs_clamp = false;
+    job->second_waits = false;
     job->piece[2].count = 0;
     job->first_color = 0;
     job->alpha = QTRI_LARGE_ATTRIBUTES;
@@ -309,7 +309,7 @@ static void add_attribute(qtri_large_job *job, const uint32_t value[3], uint32_t
     }
     a->range = most - least;
     a->start = least + half;
-    a->up = -QTRI_LARGE_COLOR_UP;
+    a->piece_shift = -QTRI_LARGE_COLOR_UP;
 }
 
 void qtri_large_set_colors(qtri_large *t, const qtri_large_packing *packing, uint32_t half)
@@ -351,7 +351,7 @@ void qtri_large_set_alpha(qtri_large *t)
 static void set_plane(qtri_large_job *job, int i, const uint32_t f[3])
 {
     /* Colours are where vertices are snapped to, so that they stay within those of the vertices. */
-    qtri_large_use_weights(&job->t, job->t.is_true && i < job->first_color);
+    qtri_large_use_weights(&job->t, job->t.has_true_positions && i < job->first_color);
     qtri_large_plane_of(&job->a[i].plane, &job->t, f);
 }
 
@@ -366,7 +366,7 @@ static void set_linear_planes(qtri_large_job *job)
     }
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
-        const int32_t down = 32 - a->up; /* 11..52 */
+        const int32_t down = 32 - a->piece_shift; /* 11..52 */
         set_plane(job, i, a->f);
         a->step =
             (uint32_t)((uint64_t)(qtri_wrap64(a->plane.dx + ((uint64_t)1 << (down - 1))) >> down));
@@ -375,8 +375,8 @@ static void set_linear_planes(qtri_large_job *job)
 
 /* With perspective ----------------------------------------------------------------------------- */
 
-/* 1/w of the vertices with one exponent, 2^-8; not 0. Where vertices are not where triangles have
-   them, pixels may have 2^-5 of it more. */
+/* 1/w of the vertices with one exponent, 2^-8; not 0. Of true positions less 1/32: pixels may be
+   beyond these. */
 static void set_q(qtri_large_job *job, int64_t q_q8[3])
 {
     const qtri_large_vertex *v = job->t.in->v;
@@ -385,9 +385,9 @@ static void set_q(qtri_large_job *job, int64_t q_q8[3])
     for (int k = 0; k < 3; k++) {
         const uint32_t down = (uint32_t)most - (uint32_t)v[k].inv_w_exponent;
         int64_t q = down <= 29 ? (int64_t)v[k].inv_w_q31 << 8 >> down : 256;
-        q -= job->t.is_true ? q >> 5 : 0;
+        q -= job->t.has_true_positions ? q >> 5 : 0;
         q_q8[k] = q;
-        job->q_at[k] = (uint32_t)(q >> 8);
+        job->vertex_q[k] = (uint32_t)(q >> 8);
     }
 }
 
@@ -401,7 +401,7 @@ static bool strays(const qtri_large_job *job, const qtri_large_attribute *a, int
 {
     uint32_t min, max, q_min, q_max;
     qtri_find_range(&min, &max, a->f);
-    qtri_find_range(&q_min, &q_max, job->q_at);
+    qtri_find_range(&q_min, &q_max, job->vertex_q);
     return max != min && (tolerance_log2 < 0 ||
                           qtri_mul_u32(max - min, q_max - q_min) >> (tolerance_log2 + 2) >= q_min);
 }
@@ -409,8 +409,9 @@ static bool strays(const qtri_large_job *job, const qtri_large_attribute *a, int
 static bool needs_perspective(const qtri_large_job *job)
 {
     for (int i = 0; i < job->count; i++) {
-        const int32_t tolerance = i < job->first_color ? job->axis[i].shift + AFFINE_TEXEL_LOG2
-                                                       : AFFINE_COLOR_LOG2 + QTRI_LARGE_COLOR_UP;
+        const int32_t tolerance = i < job->first_color
+                                      ? job->axis[i].texel_shift + AFFINE_TEXEL_LOG2
+                                      : AFFINE_COLOR_LOG2 + QTRI_LARGE_COLOR_UP;
         if (strays(job, &job->a[i], tolerance)) {
             return true;
         }
@@ -419,12 +420,12 @@ static bool needs_perspective(const qtri_large_job *job)
 }
 
 /* The magnitude of 1/w, at most, in one corner of what is drawn; UINT64_MAX: unknown. */
-static uint64_t value_bound(const qtri_large_job *job)
+static uint64_t q_bound(const qtri_large_job *job)
 {
     const qtri_surface *surface = job->t.state->surface;
     const int64_t dx = qtri_wrap64(job->q.dx);
     const int64_t dy = qtri_wrap64(job->q.dy);
-    const int32_t x_end = surface->width - 1 + QTRI_LARGE_CHUNK;
+    const int32_t x_end = job->t.frame_width - 1 + QTRI_LARGE_CHUNK;
     const int32_t x = qtri_hold32((dx < 0 ? job->t.x_least : job->t.x_least + job->t.width) >> 8,
                                   -QTRI_LARGE_CHUNK, x_end);
     const int32_t y = qtri_hold32((dy < 0 ? job->t.y_least : job->t.y_least + job->t.height) >> 8,
@@ -445,9 +446,9 @@ static uint64_t value_bound(const qtri_large_job *job)
  * the frame, and QTRI_LARGE_CHUNK pixels beyond at both sides; so must be its slopes. Neither
  * scissor nor band is asked.
  */
-static int32_t room_above(const qtri_large_job *job)
+static int32_t spare_bits(const qtri_large_job *job)
 {
-    const uint64_t bound = value_bound(job);
+    const uint64_t bound = q_bound(job);
     return bound == UINT64_MAX ? 0 : qtri_hold32(qtri_clz64(bound) - 1, 0, 14);
 }
 
@@ -456,11 +457,11 @@ static void set_projected(qtri_large_job *job, qtri_large_attribute *a, const in
 {
     int64_t product[3];
     for (int k = 0; k < 3; k++) {
-        const uint64_t whole = qtri_mul_u32(a->f[k], job->q_at[k]);
+        const uint64_t whole = qtri_mul_u32(a->f[k], job->vertex_q[k]);
         const uint64_t part = qtri_mul_u32(a->f[k], (uint32_t)q_q8[k] & 0xFF) >> 8;
         product[k] = (int64_t)((whole + part + 0x800000u) >> 24);
     }
-    plane_init(&a->plane, &job->t, product, job->q_up);
+    plane_init(&a->plane, &job->t, product, job->q_headroom);
 }
 
 bool qtri_large_set_linear(qtri_large_job *job, int64_t q_q8[3])
@@ -476,12 +477,12 @@ bool qtri_large_set_linear(qtri_large_job *job, int64_t q_q8[3])
 void qtri_large_set_curved(qtri_large_job *job, const int64_t q_q8[3])
 {
     plane_init(&job->q, &job->t, q_q8, 0);
-    job->q_up = (uint8_t)room_above(job);
-    plane_init(&job->q, &job->t, q_q8, job->q_up);
+    job->q_headroom = (uint8_t)spare_bits(job);
+    plane_init(&job->q, &job->t, q_q8, job->q_headroom);
     for (int i = 0; i < job->count; i++) {
         set_projected(job, &job->a[i], q_q8);
     }
     job->is_curved = true;
     job->row_is_linear = false;
-    job->zeros = 0;
+    job->q_zeros = 0;
 }

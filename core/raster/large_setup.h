@@ -25,15 +25,15 @@ enum {
 /* In large.c: edges of a triangle, from the first row on that is drawn; false: there is none. */
 bool qtri_large_edges_init(qtri_large_edges *edges, const qtri_rect *bounds,
                            const qtri_point *const vertex[3], bool clockwise);
-/* What a triangle that is drawn from row t.y + 1 on has but its edges. */
+/* All of a triangle but its edges; t.y is the row before the first. */
 void qtri_large_set_box(qtri_large *t, const qtri_point *const p[3], int64_t area);
 void qtri_large_set_up(qtri_large *t);
 
 /* Columns `left` to `right` of row t.y are drawn next, as far as they are within the bounds. */
 static inline void qtri_large_set_row(qtri_large *t, int32_t left, int32_t right)
 {
-    t->x0 = qtri_greatest32(left, t->x_first);
-    t->x1 = qtri_least32(right, t->x_end);
+    t->x0 = qtri_greatest32(left, t->bounds_left);
+    t->x1 = qtri_least32(right, t->bounds_right);
 }
 
 /* The columns of a row; row by row. */
@@ -111,9 +111,9 @@ static inline uint32_t qtri_large_positive(uint32_t q)
 }
 
 /* In large_setup.c: weights, of true positions where these are known and the triangle is not too
-   thin; others than before, where they differ. */
+   thin; then those of true or of snapped positions. */
 void qtri_large_set_weights(qtri_large *t);
-void qtri_large_use_weights(qtri_large *t, bool is_true);
+void qtri_large_use_weights(qtri_large *t, bool true_positions);
 
 /* The plane through (vertex i, f[i]) by these weights, in row plane_y: of whole values below 2^31.
  */
@@ -143,22 +143,23 @@ void qtri_large_pack_linear(const qtri_large_job *job, qtri_large_piece *piece);
 int32_t qtri_large_linear_piece(qtri_large_job *job);
 /* In large_pieces.c: a piece goes on by n of its pixels. */
 void qtri_large_skip(const qtri_large_job *job, qtri_large_piece *piece, uint32_t n);
-/* In large_colors.c: so do its colours. */
+/* In large_colors.c: its packed colours go on by n pixels. */
 void qtri_large_skip_colors(qtri_large_piece *piece, uint32_t n);
 /* Drops what lies outside of x0..x1 - 1 of a piece that starts at `x`; where textures have levels,
    which come before that, only the second function does. */
 void qtri_large_clip(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
 void qtri_large_cut(qtri_large_job *job, qtri_large_piece *piece, int32_t x);
 
-/* In large_setup.c: of an axis that is held, at a level. */
+/* In large_setup.c: of an axis that needs to be clamped, at a level. */
 qtri_large_zone qtri_large_zone_of(const qtri_large_job *job, int i, uint32_t level);
 
-/* In large_clamp.c, where an axis is held: makes piece[0] what is next of pieces that were found;
-   false: nothing is left of them. Holds pieces that are found now; returns how many there are. */
-bool qtri_large_next_run(qtri_large_job *job);
-int32_t qtri_large_hold(qtri_large_job *job, int32_t pieces);
+/* In large_clamp.c, where an axis needs to be clamped: makes piece[0] what is next of pieces that
+   were found; false: nothing is left of them. Clamps pieces that are found now; returns how many
+   there are. */
+bool qtri_large_next_rest(qtri_large_job *job);
+int32_t qtri_large_clamp_pieces(qtri_large_job *job, int32_t pieces);
 
-/* In large_curves.c: pieces, before they are held, of any attributes or of coordinates alone,
+/* In large_curves.c: pieces, before they are clamped, of any attributes or of coordinates alone,
    without knots; returns how many. */
 int32_t qtri_large_find_pieces(qtri_large_job *job);
 int32_t qtri_large_next_halves(qtri_large_job *job);

@@ -59,7 +59,7 @@ static void set_range(int32_t range[2], int32_t least_24p8, int32_t size_24p8, i
 
 static void set_frame(frame *f, const qtri_large_job *job)
 {
-    const uint32_t *q = job->q_at;
+    const uint32_t *q = job->vertex_q;
     const qtri_surface *surface = job->t.state->surface;
     set_range(f->row, job->t.y_least, job->t.height,
               qtri_least32(surface->height, QTRI_SURFACE_MAX));
@@ -127,7 +127,7 @@ static void set_footprint(qtri_footprint_plane *out, const qtri_large_job *job)
     const int32_t factor = (int32_t)qtri_mul_high32(r, 3037000500u); /* 2^31.5 */
     set_frame(&f, job);
     for (int i = 0; i < 2; i++) {
-        set_ends(&e[i], &f, job, &job->a[i], job->axis[i].shift);
+        set_ends(&e[i], &f, job, &job->a[i], job->axis[i].texel_shift);
         const uint64_t all = qtri_magnitude64(e[i].right[0]) | qtri_magnitude64(e[i].right[1]) |
                              qtri_magnitude64(e[i].down[0]) | qtri_magnitude64(e[i].down[1]);
         bits[i] = qtri_greatest32(64 - qtri_clz64(all | 1), 30);
@@ -146,7 +146,7 @@ static void set_footprint(qtri_footprint_plane *out, const qtri_large_job *job)
         out->down[i] = (uint32_t)(scaled(e[i].down[0], down, factor) >> by) -
                        (uint32_t)f.column[0] * out->down_dx[i];
     }
-    out->before = -most + 41 - 2 * job->q_up;
+    out->before = -most + 41 - 2 * job->q_headroom;
 }
 
 enum {
@@ -192,8 +192,8 @@ static uint32_t linear_level(const qtri_large_job *job, uint32_t last)
     uint32_t right[2], down[2];
     for (int i = 0; i < 2; i++) {
         const qtri_large_plane *plane = &job->a[i].plane;
-        right[i] = linear_step(plane->dx, job->axis[i].shift);
-        down[i] = linear_step(plane->dy, job->axis[i].shift);
+        right[i] = linear_step(plane->dx, job->axis[i].texel_shift);
+        down[i] = linear_step(plane->dy, job->axis[i].texel_shift);
     }
     const uint32_t across = step_length_of(right[0], right[1]);
     const uint32_t along = step_length_of(down[0], down[1]);
@@ -223,8 +223,8 @@ static void set_levels(qtri_large *t)
     const int32_t most = LEVEL_PIECE_LOG2 + 1;
     job->levels->are_found = true;
     job->levels->run_log2 = (uint8_t)qtri_least32(job->run_log2, LEVEL_RUN_LOG2);
-    job->span_max = qtri_least32(job->span_max, most);
-    job->one_log2 = qtri_least32(job->one_log2, most);
+    job->span_log2_max = qtri_least32(job->span_log2_max, most);
+    job->fixed_span_log2 = qtri_least32(job->fixed_span_log2, most);
     set_footprint(&job->levels->footprint, job);
 }
 
@@ -316,8 +316,8 @@ QTRI_NOINLINE static void center(const qtri_large_job *job, qtri_large_piece *pi
     const uint32_t u_shift = 32u - state->width_log2 + level;
     const uint32_t v_shift =
         o->large_texture ? 32u - state->height_log2 + across : 16u + state->width_log2 - level;
-    piece->uv[0].at -= job->axis[0].is_held ? 0 : (uint32_t)1 << (u_shift - 1);
-    piece->uv[1].at -= job->axis[1].is_held ? 0 : (uint32_t)1 << (v_shift - 1);
+    piece->uv[0].at -= job->axis[0].needs_clamp ? 0 : (uint32_t)1 << (u_shift - 1);
+    piece->uv[1].at -= job->axis[1].needs_clamp ? 0 : (uint32_t)1 << (v_shift - 1);
 }
 
 static inline uint32_t curve_down(uint32_t step, uint32_t down)
@@ -327,16 +327,16 @@ static inline uint32_t curve_down(uint32_t step, uint32_t down)
 }
 
 /*
- * Brings coordinates to the level, but what is held. v, where it fills not all bits, has a texel's
- * fraction that ends two bits lower for each level, one where the height goes down no more. Steps
- * are off by half of the last bit, 2^-(17 + width_log2) of the level's texel: 128 pixels on by
- * 2^-11 of one.
+ * Brings coordinates to the level, but those that are yet to be clamped. v, where it fills not all
+ * bits, has a texel's fraction that ends two bits lower for each level, one where the height goes
+ * down no more. Steps are off by half of the last bit, 2^-(17 + width_log2) of the level's texel:
+ * 128 pixels on by 2^-11 of one.
  */
 static inline void set_level(const qtri_large_job *job, qtri_large_piece *piece, uint32_t level)
 {
     const qtri_options *o = job->t.options;
     piece->level = level;
-    if (level != 0 && !job->axis[1].is_held && !o->large_texture) {
+    if (level != 0 && !job->axis[1].needs_clamp && !o->large_texture) {
         const uint32_t down = level + qtri_large_level_down(job, 1, level);
         piece->uv[1].at >>= down;
         piece->uv[1].step = curve_down(piece->uv[1].step, down);
@@ -450,14 +450,14 @@ static int32_t curved_pieces(qtri_large_job *job)
     qtri_large_piece *piece = job->piece;
     const int32_t h = piece[0].count;
     if (pieces == 1 || piece[1].count != h ||
-        (uint32_t)(job->delta + EVEN_DELTA) > 2 * EVEN_DELTA) {
+        (uint32_t)(job->relative_q_rise + EVEN_DELTA) > 2 * EVEN_DELTA) {
         set_apart(job, pieces, job->t.x - h - (pieces == 1 ? 0 : piece[1].count));
         return pieces;
     }
     const int32_t middle = job->t.x - h;
     const uint64_t step = job->q.s_step;
     const uint32_t q = qtri_large_whole(job->q.s - step - (uint64_t)(qtri_wrap64(step) >> 1));
-    const measure m = measure_of(&job->levels->footprint, q, job->zeros);
+    const measure m = measure_of(&job->levels->footprint, q, job->q_zeros);
     const uint32_t level = level_at(job, &m, middle, piece[0].level);
     set_level(job, &piece[0], level);
     set_level(job, &piece[1], level);
@@ -506,11 +506,11 @@ static int32_t find_pieces(qtri_large_job *job)
 static int32_t next_pieces(qtri_large *t)
 {
     qtri_large_job *job = qtri_large_job_of(t);
-    if (job->is_held && qtri_large_next_run(job)) {
+    if (job->needs_clamp && qtri_large_next_rest(job)) {
         return 1;
     }
     const int32_t pieces = find_pieces(job);
-    return job->is_held ? qtri_large_hold(job, pieces) : pieces;
+    return job->needs_clamp ? qtri_large_clamp_pieces(job, pieces) : pieces;
 }
 
 const qtri_level_ops qtri_levels = {begin_levels, qtri_small_find_level, set_levels, next_pieces};

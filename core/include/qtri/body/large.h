@@ -20,8 +20,8 @@ extern "C" {
 /* Knots of coordinates, which divide a piece. */
 typedef struct qtri_large_knots {
     int32_t next, spacing; /* pixels to the next knot, and from one to the next */
-    uint32_t third[2];     /* what bends gain there */
-    uint32_t fourth[2];    /* what that loses from knot to knot */
+    uint32_t bend_gain[2]; /* added to bends there */
+    uint32_t gain_loss[2]; /* lost by that from knot to knot */
 } qtri_large_knots;
 
 /* A texture coordinate: at the first pixel, its step, and what that gains from pixel to pixel. */
@@ -82,7 +82,7 @@ typedef struct qtri_light_walk {
     int32_t (*next)(struct qtri_large *triangle, int32_t count);
     qtri_large_piece piece; /* its colours */
     const qtri_large_packing *packing;
-    uint32_t half; /* what they start with more: it rounds */
+    uint32_t half; /* added to their starts, to round */
 } qtri_light_walk;
 
 enum { QTRI_LARGE_ATTRIBUTES = 6 /* u v, light or red green blue, alpha */ };
@@ -120,11 +120,12 @@ typedef struct qtri_large_plane {
 
 typedef struct qtri_large_attribute {
     qtri_large_plane plane;
-    uint32_t f[3];  /* of the vertices */
-    uint32_t range; /* of colours: 8.16, f counts from the least */
-    uint32_t start; /* what is added where pieces start: the least, the half that rounds */
-    int8_t up;      /* pieces have f 2^up */
-    int32_t point;  /* a quarter of the attribute at the point that was found last */
+    uint32_t f[3];         /* of the vertices */
+    uint32_t range;        /* of colours: 8.16, f counts from the least */
+    uint32_t start;        /* what is added where pieces start: the least, the half that rounds */
+    int8_t piece_shift;    /* pieces have f 2^this */
+    int32_t point_quarter; /* a quarter of the attribute at the point that was found last */
+    /* Shifts from quarters to pieces: left, else right. */
     uint8_t at_left, at_right, step_left, step_right, bend_left, bend_right;
     uint32_t at, step; /* along a row where it is linear */
 } qtri_large_attribute;
@@ -134,7 +135,7 @@ typedef struct qtri_large_attribute {
 typedef struct qtri_large_weights {
     int64_t b[2][3]; /* |.| < 2^61, 2^62 */
     int32_t fraction;
-    bool is_true; /* through the vertices' true positions */
+    bool of_true_positions; /* of the vertices; false: of those that are snapped */
 } qtri_large_weights;
 
 /* An attribute by steps of whole units, exact to half of one each: at column 0 of row 0. */
@@ -147,20 +148,20 @@ typedef struct qtri_large {
     /* From row to row; first, since Armv6-M reaches 31 words, and 31 bytes. */
     qtri_draw_state *state;
     const qtri_large_input *in;
-    bool is_new;       /* nothing of the row is found yet */
-    bool clamps_depth; /* depth may leave its range */
-    bool is_true;      /* weights of attributes may be those of true positions */
+    bool is_new;             /* nothing of the row is found yet */
+    bool clamps_depth;       /* depth may leave its range */
+    bool has_true_positions; /* weights of attributes may be those of true positions */
     int32_t y;
     int32_t x0, x1;                     /* what is drawn of the row: columns x0..x1 - 1 */
     uint32_t row_z, row_z_step, z_step; /* depth of column 0; down, and right */
     uintptr_t row_pixel, row_depth;     /* addresses of column 0 */
     ptrdiff_t pitch, depth_pitch;
     int32_t row_left, row_right; /* of the triangle, inside of the frame */
-    int32_t x_first, x_end;      /* columns of the bounds */
+    int32_t bounds_left, bounds_right;
     int32_t frame_width;
     qtri_large_edges edges;
 
-    int32_t x;     /* where the row's next pieces start */
+    int32_t x;     /* where the row's next pieces start; x1 - 1 while clamped ones are left */
     int32_t fog_x; /* column that fog is asked for next */
     uint32_t fog, fog_step;
 
@@ -204,32 +205,32 @@ typedef struct qtri_large_levels {
     qtri_footprint_plane footprint;
 } qtri_large_levels;
 
-/* Where a texture does not end: see large_clamp.c. */
+/* Coordinates that need no clamping: see large_clamp.c. */
 typedef struct qtri_large_zone {
-    uint32_t least, size; /* least..least + size */
-    uint32_t start;       /* what `least` is for the walk, before it is shifted */
-    uint8_t left, right;  /* to the walk's units */
+    uint32_t least, size;            /* least..least + size */
+    uint32_t start;                  /* what `least` is for the walk, before it is shifted */
+    uint8_t shift_left, shift_right; /* to the walk's units */
 } qtri_large_zone;
 
-/* Units of a coordinate. Held: it is clamped, and reaches where the texture ends; planes and pieces
-   have units of its own before they are held. */
+/* Units of a coordinate. One that needs to be clamped has units of its own in planes and pieces,
+   until it is. */
 typedef struct qtri_large_axis {
-    uint8_t shift; /* a texel, of level 0, is 2^this */
-    int8_t up;     /* to the walk's units */
-    bool is_held;
-    uint32_t first;       /* held: the first texel, */
-    qtri_large_zone zone; /*   and where texels of level 0 do not end */
+    uint8_t texel_shift;  /* a texel, of level 0, is 2^this */
+    int8_t walk_shift;    /* to the walk's units */
+    bool needs_clamp;     /* it leaves the texture */
+    uint32_t texel_zero;  /* where the first texel begins */
+    qtri_large_zone zone; /* of the piece's level, if it needs to be clamped */
 } qtri_large_axis;
 
 /* What varies along rows beside depth. */
 typedef struct qtri_large_job {
-    qtri_large t;              /* first: what functions of all triangles have a pointer to */
+    qtri_large t;              /* first: qtri_large_job_of() converts its address */
     qtri_large_attribute *a;   /* as many as vary: u v, light or red green blue, alpha */
-    qtri_large_piece piece[3]; /* two at most; held: what is not drawn yet of the first */
+    qtri_large_piece piece[3]; /* two at most; clamped: [2] is the rest of the first */
     qtri_large_axis axis[2];
-    bool is_held;   /* one of the axes is */
-    bool waits;     /* held: piece[1] is drawn after piece[2] */
-    int32_t held_x; /* where the row's next pieces start after these */
+    bool needs_clamp;  /* one of the axes does */
+    bool second_waits; /* clamped: piece[1] is drawn after piece[2] */
+    int32_t resume_x;  /* where the row's next pieces start after these */
 
     /* Not curved: packed colours begin anew every QTRI_LARGE_RUN pixels, red, green and blue n.16
        with half of what rounding of packed steps sums up to. */
@@ -238,30 +239,31 @@ typedef struct qtri_large_job {
 
     uint8_t first_color, alpha, count; /* attributes: u v if textured, colours, alpha */
     const qtri_large_packing *packing; /* of colours; NULL: there are none */
-    bool rounds;                       /* it does */
-    uint8_t run_log2;                  /* pixels that colours may be stepped */
-    uint8_t q_up;                      /* planes are times 2^this, q_at is not */
-    uint32_t q_at[3];
+    bool rounds;                       /* packing->rounds */
+    uint8_t run_log2;                  /* of the most pixels that colours are stepped */
+    uint8_t q_headroom;                /* planes are times 2^this, vertex_q is not */
+    uint32_t vertex_q[3];
     qtri_large_plane q;
-    bool is_curved;                               /* planes are times q */
-    bool rows_may_be_linear;                      /* q hardly changes along them: by `steep` */
-    uint32_t steep;                               /* 2^-16 a pixel */
-    int8_t span_log2;                             /* of pixels between points */
-    bool has_knots;                               /* coordinates alone vary, without levels */
-    uint8_t linear_log2;                          /* of pixels that steps of a linear row span */
-    bool row_is_linear;                           /* attributes are, along this row */
-    int16_t q_slope_log2, chord_log2, texel_log2; /* see large_curves.c */
-    int16_t repeat_log2;                          /* of repeats that a pixel steps, as these */
-    int32_t span_max;                             /* log2 of the longest span */
-    int32_t one_log2;          /* of spans, where one length serves all rows; else -1 */
+
+    bool is_curved;          /* planes are times q */
+    bool has_knots;          /* coordinates alone vary, without levels */
+    bool rows_may_be_linear; /* q hardly changes along them: by `steep` */
+    bool row_is_linear;      /* attributes are, along this row */
+    uint32_t steep;          /* 2^-16 a pixel */
+    uint8_t linear_log2;     /* of pixels that steps of a linear row span */
+    int8_t span_log2;        /* of pixels between points */
+    int32_t span_log2_max;
+    int32_t fixed_span_log2; /* where one length serves all rows; else -1 */
+    /* What lengths are found by: logarithms in 1/256, see large_curves.c. */
+    int16_t q_slope_log2, chord_log2, texel_log2, repeat_log2;
     qtri_large_levels *levels; /* of a texture that is mipmapped */
 
     int32_t chunk_end;
     bool has_second; /* piece[1] is drawn next, up to second_end */
     int32_t second_end;
-    int32_t zeros;       /* of q at the last point */
-    uint32_t delta_step; /* of q from a point to the next */
-    int32_t delta;       /* (q1 - q0) / 2 q at the last point, Q16 */
+    int32_t q_zeros;         /* leading zeros of q at the last point */
+    uint32_t q_rise;         /* from a point to the next, whole; 0: spans are single pixels */
+    int32_t relative_q_rise; /* (q1 - q0) / 2 q at the last point, Q16 */
 } qtri_large_job;
 
 static inline qtri_large_job *qtri_large_job_of(qtri_large *t)
@@ -278,7 +280,7 @@ bool qtri_large_begin_samples(qtri_large *t, int32_t place);
 bool qtri_large_next_samples(qtri_large *t);
 
 /* Before the first row: nothing varies yet; what varies; then planes of all of it. */
-void qtri_large_begin_pieces(qtri_large *t);
+void qtri_large_reset_attributes(qtri_large *t);
 void qtri_large_set_texture(qtri_large *t);
 void qtri_large_set_colors(qtri_large *t, const qtri_large_packing *packing, uint32_t half);
 void qtri_large_set_alpha(qtri_large *t);
@@ -331,7 +333,7 @@ QTRI_BODY const qtri_large_packing *qtri_large_packing_of(const qtri_options *o)
 QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w)
 {
     if (qtri_large_has_pieces(o)) {
-        qtri_large_begin_pieces(t);
+        qtri_large_reset_attributes(t);
     }
     if (qtri_is_textured(o)) {
         qtri_large_set_texture(t);
@@ -515,12 +517,12 @@ QTRI_BODY void qtri_large_pieces_draw(const qtri_options *o, qtri_pixel_body *pi
 QTRI_BODY void qtri_large_pass_knot(qtri_large_piece *piece, uint32_t *u_step, uint32_t *u_bend,
                                     uint32_t *v_step, uint32_t *v_bend)
 {
-    *u_bend += piece->of.knots.third[0];
-    *v_bend += piece->of.knots.third[1];
-    *u_step += (uint32_t)((int32_t)piece->of.knots.third[0] >> 1);
-    *v_step += (uint32_t)((int32_t)piece->of.knots.third[1] >> 1);
-    piece->of.knots.third[0] -= piece->of.knots.fourth[0];
-    piece->of.knots.third[1] -= piece->of.knots.fourth[1];
+    *u_bend += piece->of.knots.bend_gain[0];
+    *v_bend += piece->of.knots.bend_gain[1];
+    *u_step += (uint32_t)((int32_t)piece->of.knots.bend_gain[0] >> 1);
+    *v_step += (uint32_t)((int32_t)piece->of.knots.bend_gain[1] >> 1);
+    piece->of.knots.bend_gain[0] -= piece->of.knots.gain_loss[0];
+    piece->of.knots.bend_gain[1] -= piece->of.knots.gain_loss[1];
     piece->of.knots.next = piece->of.knots.spacing;
 }
 
@@ -593,7 +595,7 @@ QTRI_BODY void qtri_large_runs(const qtri_options *o, qtri_pixel_body *pixel, qt
 }
 
 /* Goes on to the next row, or with samples to a part of one; false: there is none. */
-QTRI_BODY bool qtri_large_next_of(const qtri_options *o, struct qtri_large *t)
+QTRI_BODY bool qtri_large_next_part(const qtri_options *o, struct qtri_large *t)
 {
     return qtri_has_samples(o) ? qtri_large_next_samples(t) : qtri_large_next_row(t);
 }
@@ -628,7 +630,7 @@ QTRI_BODY void qtri_large_rows_draw(const qtri_options *o, qtri_pixel_body *pixe
                                     qtri_pixel_walk *w)
 {
     qtri_large_begin(o, t, w);
-    while (qtri_large_next_of(o, t)) {
+    while (qtri_large_next_part(o, t)) {
         const int32_t count = t->x1 - t->x0;
         if (count <= 0) {
             continue;
