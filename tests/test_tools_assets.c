@@ -308,6 +308,14 @@ static void other_formats(void **state)
     assert_refused("mesh cut.stl -o bad.h", "qtri mesh: cut.stl:9: ends without `endsolid`");
     write_bytes("cut.ply", ply, sizeof ply - 10);
     assert_refused("mesh cut.ply -o bad.h", "qtri mesh: cut.ply:15: ends before the last");
+    /* What is binary the library looks at itself: three vertices of zeros, and a face cut short. */
+    char binary[256] = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
+                       "property float y\nproperty float z\nelement face 1\n"
+                       "property list uchar uchar vertex_indices\nend_header\n";
+    const size_t header = strlen(binary);
+    memcpy(binary + header + 36, "\3\0\1\2", 4);
+    write_bytes("cut.ply", binary, header + 36 + 3);
+    assert_refused("mesh cut.ply -o bad.h", "qtri mesh: cut.ply: ");
 }
 
 static void bad_gltf(void **state)
@@ -484,7 +492,8 @@ static void bad_pictures(void **state)
 {
     (void)state;
     write_text("cut.ppm", "P6 4 4 255\nabc");
-    assert_refused("texture cut.ppm -o bad.h", "qtri texture: cut.ppm: ends before its last pixel");
+    assert_refused("texture cut.ppm -o bad.h",
+                   "qtri texture: cut.ppm: the PPM ends before its last pixel");
     write_text("wrong.png", "GIF89a");
     assert_refused("texture wrong.png -o bad.h", "qtri texture: wrong.png: is neither PNG nor");
     write_text("large.pgm", "P5 99999 99999 255\n");

@@ -10,20 +10,6 @@
 
 static const char png_magic[8] = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1A', '\n'};
 
-static bool create(const char *path, struct image *image, uint32_t width, uint32_t height,
-                   struct text_error *error)
-{
-    const char *problem = image_size_problem((long)width, (long)height);
-    if (problem != NULL) {
-        return text_error_set(error, path, 0, "%s", problem);
-    }
-    // NOLINTNEXTLINE(clang-analyzer-optin.portability.UnixAPI): a side of 0 is a problem
-    image->rgba = calloc((size_t)width * height, 4);
-    image->width = (int)width;
-    image->height = (int)height;
-    return image->rgba != NULL || text_error_set(error, path, 0, "out of memory");
-}
-
 void image_free(struct image *image)
 {
     free(image->rgba);
@@ -32,67 +18,25 @@ void image_free(struct image *image)
 
 /* ---- PPM and PGM ---- */
 
-/* The next number of a header, after white space and comments; 0 when there is none to 16384. */
-static uint32_t header_number(const char *bytes, size_t length, size_t *at)
-{
-    uint32_t number = 0;
-    while (*at < length && (text_is_space(bytes[*at]) || bytes[*at] == '#')) {
-        bool comment = bytes[*at] == '#';
-        while (comment && *at < length && bytes[*at] != '\n') {
-            (*at)++;
-        }
-        *at += *at < length ? 1 : 0;
-    }
-    for (; *at < length && bytes[*at] >= '0' && bytes[*at] <= '9'; (*at)++) {
-        number = number * 10 + (uint32_t)(bytes[*at] - '0');
-        if (number > IMAGE_MAX_SIDE) {
-            return 0;
-        }
-    }
-    return number;
-}
-
-static uint8_t scale_sample(char sample, uint32_t most)
-{
-    uint32_t value = (uint8_t)sample;
-    value = value > most ? most : value;
-    return (uint8_t)((value * 255 + most / 2) / most);
-}
-
 static bool parse_pnm(const char *path, const char *bytes, size_t length, struct image *image,
                       struct text_error *error)
 {
-    size_t at = 2;
-    size_t channels = bytes[1] == '5' ? 1 : 3;
-    uint32_t width = header_number(bytes, length, &at);
-    uint32_t height = header_number(bytes, length, &at);
-    uint32_t most = header_number(bytes, length, &at);
-    const char *problem = image_size_problem((long)width, (long)height);
+    struct pnm pnm = {0};
+    const char *problem = pnm_header(bytes, length, &pnm);
+    if (pnm.width > 0 && pnm.height > 0 && image_size_problem(pnm.width, pnm.height) != NULL) {
+        problem = image_size_problem(pnm.width, pnm.height); /* rather than that it ends */
+    }
     if (problem != NULL) {
         return text_error_set(error, path, 0, "%s", problem);
     }
-    if (most < 1 || most > 255) {
-        return text_error_set(error, path, 0, "has a largest value that is not in 1..255");
+    const size_t count = (size_t)pnm.width * (size_t)pnm.height;
+    image->width = pnm.width;
+    image->height = pnm.height;
+    image->rgba = malloc(4 * count);
+    for (size_t i = 0; image->rgba != NULL && i < 4 * count; i++) {
+        image->rgba[i] = i % 4 == 3 ? 255 : pnm_sample(&pnm, bytes, i / 4, (int)(i % 4));
     }
-    if (at >= length || !text_is_space(bytes[at])) {
-        return text_error_set(error, path, 0, "ends in its header");
-    }
-    at++;
-    if ((length - at) / channels < (uint64_t)width * height) {
-        return text_error_set(error, path, 0, "ends before its last pixel");
-    }
-    if (!create(path, image, width, height, error)) {
-        return false;
-    }
-    size_t count = (size_t)width * height;
-    for (size_t i = 0; i < count; i++) {
-        for (size_t channel = 0; channel < 3; channel++) {
-            size_t sample = channels * i + (channels == 1 ? 0 : channel);
-            image->rgba[4 * i + channel] = scale_sample(bytes[at + sample], most);
-        }
-        image->rgba[4 * i + 3] = 255;
-    }
-    return true;
+    return image->rgba != NULL || text_error_set(error, path, 0, "out of memory");
 }
 
 bool image_parse(const char *path, const char *bytes, size_t length, struct image *image,

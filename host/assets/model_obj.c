@@ -326,53 +326,23 @@ static bool build(const struct obj_source *source, bool with_materials, struct m
     return true;
 }
 
-/* Faces, and what the parser passes over. */
-struct obj_count {
-    size_t faces, edges, lines, points, curved;
-};
-
-static void count_statements(const char *text, size_t length, struct obj_count *count)
-{
-    struct line_reader reader;
-    struct line line;
-    memset(count, 0, sizeof *count);
-    lines_begin(&reader, text, length, true);
-    while (lines_next(&reader, &line)) {
-        struct token keyword = {text, 0};
-        (void)line_token(&line, &keyword);
-        const bool is_face = token_equals(&keyword, "f") || token_equals(&keyword, "fo");
-        count->faces += is_face ? 1 : 0;
-        count->edges += is_face && obj_is_edge(line) ? 1 : 0;
-        count->lines += token_equals(&keyword, "l") ? 1 : 0;
-        count->points += token_equals(&keyword, "p") ? 1 : 0;
-        count->curved += token_equals(&keyword, "curv") || token_equals(&keyword, "curv2") ||
-                                 token_equals(&keyword, "surf")
-                             ? 1
-                             : 0;
-    }
-}
-
 bool model_parse_obj(const char *path, const char *text, size_t length, bool with_materials,
                      struct model *model, struct text_error *error)
 {
     struct obj_source source = {.full = true};
-    struct obj_count count;
+    const struct obj_count *count = &source.count;
     memset(model, 0, sizeof *model);
-    count_statements(text, length, &count);
-    if (count.faces == 0 && count.lines + count.points + count.curved > 0) {
-        return text_error_set(error, path, 0, "has no faces, only lines, points or curves");
-    }
     bool ok = obj_parse_source(path, text, length, &source, error);
     if (ok && !build(&source, with_materials, model)) {
         text_error_set(error, path, 0, "out of memory");
         ok = false;
     }
     if (ok) {
-        model_leave_out(model, count.edges, "face of less than 3 corners",
+        model_leave_out(model, count->edges, "face of less than 3 corners",
                         "faces of less than 3 corners");
-        model_leave_out(model, count.lines, "line", "lines");
-        model_leave_out(model, count.points, "statement of points", "statements of points");
-        model_leave_out(model, count.curved, "curve or curved surface",
+        model_leave_out(model, count->lines, "line", "lines");
+        model_leave_out(model, count->points, "statement of points", "statements of points");
+        model_leave_out(model, count->curved, "curve or curved surface",
                         "curves and curved surfaces");
     }
     for (size_t i = 0; ok && with_materials && i < source.libraries.count; i++) {

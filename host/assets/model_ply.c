@@ -12,14 +12,9 @@
 
 enum { MOST_ELEMENTS = 16, MOST_PROPERTIES = 64 };
 
-/* Bytes of a value, and of a list's count, 0 where it is no list. */
-struct property {
-    size_t bytes, count_bytes;
-};
-
 struct element {
     int64_t count;
-    struct property properties[MOST_PROPERTIES];
+    bool is_list[MOST_PROPERTIES];
     int property_count;
 };
 
@@ -27,7 +22,7 @@ struct ply {
     const char *path;
     struct text_error *error;
     int line;
-    bool is_ascii, is_big_endian, ended;
+    bool is_ascii, ended;
     bool in_faces, has_face_colors;
     int64_t faces;
     struct element elements[MOST_ELEMENTS];
@@ -40,23 +35,6 @@ static bool fail(const struct ply *ply, int line, const char *problem)
 }
 
 /* ---- The header ---- */
-
-static size_t bytes_of(const struct token *type)
-{
-    static const struct {
-        const char *name;
-        size_t bytes;
-    } types[] = {{"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},
-                 {"short", 2}, {"ushort", 2},  {"int16", 2},  {"uint16", 2},
-                 {"int", 4},   {"uint", 4},    {"int32", 4},  {"uint32", 4},
-                 {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
-    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
-        if (token_equals(type, types[i].name)) {
-            return types[i].bytes;
-        }
-    }
-    return 0;
-}
 
 static bool parse_element(struct ply *ply, struct line *line)
 {
@@ -88,22 +66,14 @@ static bool parse_element(struct ply *ply, struct line *line)
 static bool parse_property(struct ply *ply, struct line *line)
 {
     struct token type, name;
-    struct property property = {0, 0};
     if (ply->element_count == 0) {
         return fail(ply, ply->line, "a property before the first element");
     }
     struct element *element = &ply->elements[ply->element_count - 1];
-    bool ok = element->property_count < MOST_PROPERTIES && line_token(line, &type);
-    if (ok && token_equals(&type, "list")) {
-        ok = line_token(line, &type);
-        property.count_bytes = ok ? bytes_of(&type) : 0;
-        ok = property.count_bytes > 0 && line_token(line, &type);
-    }
-    property.bytes = ok ? bytes_of(&type) : 0;
-    if (property.bytes == 0) {
+    if (element->property_count == MOST_PROPERTIES || !line_token(line, &type)) {
         return fail(ply, ply->line, "a property of no known type");
     }
-    element->properties[element->property_count++] = property;
+    element->is_list[element->property_count++] = token_equals(&type, "list");
     ply->has_face_colors = ply->has_face_colors ||
                            (ply->in_faces && line_token(line, &name) &&
                             (token_equals(&name, "red") || token_equals(&name, "diffuse_red")));
@@ -124,7 +94,6 @@ static bool parse_line(struct ply *ply, struct line *line)
     }
     if (token_equals(&keyword, "format") && line_token(line, &format)) {
         ply->is_ascii = token_equals(&format, "ascii");
-        ply->is_big_endian = token_equals(&format, "binary_big_endian");
     }
     ply->ended = token_equals(&keyword, "end_header");
     return true;
@@ -138,7 +107,7 @@ static bool check_values(const struct ply *ply, const struct element *element, s
     struct token token;
     for (int i = 0; i < element->property_count; i++) {
         int64_t count = 1;
-        if (element->properties[i].count_bytes > 0 &&
+        if (element->is_list[i] &&
             (!line_token(&line, &token) ||
              number_parse_integer(token.text, token.length, 0, INT32_MAX, &count) != NUMBER_OK)) {
             return fail(ply, line.number, "a list needs a count");
@@ -146,9 +115,8 @@ static bool check_values(const struct ply *ply, const struct element *element, s
         for (; count > 0; count--) {
             if (!line_token(&line, &token)) {
                 return fail(ply, line.number,
-                            element->properties[i].count_bytes > 0
-                                ? "a list is longer than its line"
-                                : "fewer values than its element has");
+                            element->is_list[i] ? "a list is longer than its line"
+                                                : "fewer values than its element has");
             }
         }
     }
@@ -173,51 +141,6 @@ static bool check_text(const struct ply *ply, struct line_reader *reader)
             } while (!line_token(&rest, &token));
             if (!check_values(ply, &ply->elements[i], line)) {
                 return false;
-            }
-        }
-    }
-    return true;
-}
-
-static uint64_t list_length(const struct ply *ply, const char *at, size_t bytes)
-{
-    uint64_t count = 0;
-    for (size_t i = 0; i < bytes && i < 4; i++) {
-        size_t place = ply->is_big_endian ? i : bytes - 1 - i;
-        count = count << 8 | (unsigned char)at[place];
-    }
-    return count;
-}
-
-/* Passes over one element; false where the file ends before. */
-static bool skip_element(const struct ply *ply, const struct element *element, const char **at,
-                         const char *end)
-{
-    for (int i = 0; i < element->property_count; i++) {
-        const struct property *property = &element->properties[i];
-        uint64_t bytes = property->bytes;
-        if ((size_t)(end - *at) < property->count_bytes) {
-            return false;
-        }
-        if (property->count_bytes > 0) {
-            bytes *= list_length(ply, *at, property->count_bytes);
-            *at += property->count_bytes;
-        }
-        if ((uint64_t)(end - *at) < bytes) {
-            return false;
-        }
-        *at += bytes;
-    }
-    return true;
-}
-
-static bool check_binary(const struct ply *ply, const char *at, const char *end)
-{
-    for (int i = 0; i < ply->element_count; i++) {
-        const struct element *element = &ply->elements[i];
-        for (int64_t j = 0; j < element->count && element->property_count > 0; j++) {
-            if (!skip_element(ply, element, &at, end)) {
-                return fail(ply, 0, "ends before the last of its elements");
             }
         }
     }
@@ -249,7 +172,7 @@ bool model_check_ply(const char *path, const char *text, size_t length, struct m
     } else if (ok && ply->faces == 0) {
         ok = fail(ply, 0, "has no faces: is it a cloud of points?");
     } else if (ok) {
-        ok = ply->is_ascii ? check_text(ply, &reader) : check_binary(ply, reader.at, reader.end);
+        ok = !ply->is_ascii || check_text(ply, &reader); /* the library looks at others itself */
     }
     model_leave_out_words(model, ply->has_face_colors ? "colours of faces" : "");
     free(ply);

@@ -2,9 +2,9 @@
 /*
  * The program of a board: one line for each scene,
  *
- *   scene crc32 pixels triangles instructions
+ *   scene hash pixels triangles instructions
  *
- * and `end`. crc32 covers colour and depth, row by row, values in little-endian order.
+ * and `end`.
  */
 #include "bench_program.h"
 
@@ -13,35 +13,6 @@
 #include "bench_print.h"
 
 bench_frame bench_memory;
-
-/* CRC-32 (IEEE 802.3, reflected), four bits at a time, of 16 bits, the low byte first. */
-static uint32_t crc32_add(uint32_t crc, uint32_t value)
-{
-    static const uint32_t table[16] = {0x00000000, 0x1DB71064, 0x3B6E20C8, 0x26D930AC,
-                                       0x76DC4190, 0x6B6B51F4, 0x4DB26158, 0x5005713C,
-                                       0xEDB88320, 0xF00F9344, 0xD6D6A3E8, 0xCB61B38C,
-                                       0x9B64C2B0, 0x86D3D2D4, 0xA00AE278, 0xBDBDF21C};
-    for (uint32_t nibble = 0; nibble < 4; nibble++) {
-        crc = (crc >> 4) ^ table[(crc ^ value) & 15];
-        value >>= 4;
-    }
-    return crc;
-}
-
-static uint32_t checksum(const qtri_surface *surface)
-{
-    uint32_t crc = UINT32_MAX;
-    for (int32_t y = 0; y < surface->rows; y++) {
-        const qtri_pixels *pixels = surface->format->pixels;
-        const uint8_t *color = surface->pixels + y * surface->pitch;
-        const uint16_t *depth = surface->depth + y * surface->depth_pitch;
-        for (int32_t x = 0; x < surface->width; x++) {
-            crc = crc32_add(crc, pixels->load(color + x * pixels->bytes));
-            crc = crc32_add(crc, depth[x]);
-        }
-    }
-    return ~crc;
-}
 
 uint32_t bench_pixels(const bench_frame *frame)
 {
@@ -89,7 +60,7 @@ int board_program(void *memory, size_t bytes)
         bench_finish(frame);
         board_write(scene->name);
         board_write(" ");
-        bench_write_number(checksum(&frame->surface), 16, 8);
+        bench_write_number(bench_hash(&frame->surface), 16, 8);
         bench_write_decimal(bench_pixels(frame));
         bench_write_decimal(bench_triangles(scene));
         bench_write_decimal(instructions);

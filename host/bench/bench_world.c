@@ -103,3 +103,33 @@ void bench_set_view(qtri_view *view, int32_t width, int32_t height)
     qtri_transform_look_at(&view->camera, eye, center, up);
     qtri_transform_perspective(&view->projection, Q16(60), Q16(4.0 / 3.0), Q16(.1), Q16(100));
 }
+
+static uint32_t hash_add(uint32_t hash, uint32_t value, uint32_t bytes)
+{
+    for (uint32_t i = 0; i < bytes; i++) {
+        hash = (hash ^ (value & 255)) * 16777619u;
+        value >>= 8;
+    }
+    return hash;
+}
+
+/* What is stored, as numbers: the same in either byte order, and the bytes as they lie in memory in
+ * the usual one. */
+uint32_t bench_hash(const qtri_surface *surface)
+{
+    const qtri_pixels *pixels = surface->format->pixels;
+    uint32_t hash = 2166136261u;
+    for (int32_t y = 0; y < surface->rows; y++) {
+        const uint8_t *row = surface->pixels + y * surface->pitch;
+        for (int32_t x = 0; x < surface->width; x++) {
+            hash = hash_add(hash, pixels->load(row + x * pixels->bytes), pixels->bytes);
+        }
+    }
+    for (int32_t y = 0; y < surface->rows; y++) {
+        const uint16_t *row = surface->depth + y * surface->depth_pitch;
+        for (int32_t x = 0; x < surface->width; x++) {
+            hash = hash_add(hash, row[x], 2);
+        }
+    }
+    return hash;
+}

@@ -64,6 +64,9 @@ uint16_t bench_rgb565(qtri_rgb color);
 /* Triangles (0,1,2) and (0,2,3) of the quad, a colour for each of its corners. */
 void bench_set_quad(qtri_corner corners[6], const bench_quad *quad, const qtri_rgb colors[4]);
 
+/* Of colour and depth as they lie in the memory of a little-endian machine (FNV-1a). */
+uint32_t bench_hash(const qtri_surface *surface);
+
 /* The camera, for a frame of this size. */
 
 void bench_set_view(qtri_view *view, int32_t width, int32_t height);

@@ -161,9 +161,6 @@ bool matrix_prepare(matrix_frame *frame, const matrix_case *now);
 /* What is measured: one draw call. */
 void matrix_draw(matrix_frame *frame, const matrix_case *now);
 
-/* Of colour and depth as they lie in the memory of a little-endian machine (FNV-1a). */
-uint32_t matrix_hash(const matrix_frame *frame);
-
 /* How many pixels the geometry covers. Draws it: what was prepared is gone. */
 uint32_t matrix_pixels(matrix_frame *frame, const matrix_geometry *geometry);
 

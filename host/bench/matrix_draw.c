@@ -181,37 +181,6 @@ void matrix_draw(matrix_frame *frame, const matrix_case *now)
     draw(frame, now->geometry);
 }
 
-static uint32_t hash_add(uint32_t hash, uint32_t value, uint32_t bytes)
-{
-    for (uint32_t i = 0; i < bytes; i++) {
-        hash = (hash ^ (value & 255)) * 16777619u;
-        value >>= 8;
-    }
-    return hash;
-}
-
-/* What is stored, as numbers: the same in either byte order, and the bytes as they lie in memory in
- * the usual one. */
-uint32_t matrix_hash(const matrix_frame *frame)
-{
-    const qtri_surface *surface = &frame->surface;
-    const qtri_pixels *pixels = surface->format->pixels;
-    uint32_t hash = 2166136261u;
-    for (int32_t y = 0; y < surface->rows; y++) {
-        const uint8_t *row = surface->pixels + y * surface->pitch;
-        for (int32_t x = 0; x < surface->width; x++) {
-            hash = hash_add(hash, pixels->load(row + x * pixels->bytes), pixels->bytes);
-        }
-    }
-    for (int32_t y = 0; y < surface->rows; y++) {
-        const uint16_t *row = surface->depth + y * surface->depth_pitch;
-        for (int32_t x = 0; x < surface->width; x++) {
-            hash = hash_add(hash, row[x], 2);
-        }
-    }
-    return hash;
-}
-
 uint32_t matrix_pixels(matrix_frame *frame, const matrix_geometry *geometry)
 {
     matrix_case plain;

@@ -34,7 +34,7 @@ static void measure(matrix_frame *frame, const matrix_case *now, const char *nam
     uint32_t instructions = board_instructions(start, board_ticks());
     board_write(name);
     board_write(" ");
-    bench_write_number(matrix_hash(frame), 16, 8);
+    bench_write_number(bench_hash(&frame->surface), 16, 8);
     bench_write_decimal(pixels);
     bench_write_decimal(instructions);
     board_write("\n");

@@ -233,7 +233,7 @@ static bool add_polygon(struct obj_parser *parser, size_t first_triangle)
     return true;
 }
 
-bool obj_is_edge(struct line line)
+static bool is_edge(struct line line)
 {
     struct token token;
     int corners = 0;
@@ -247,7 +247,9 @@ bool obj_is_edge(struct line line)
    face of which something is missing. */
 static bool parse_face(struct obj_parser *parser, struct line *line)
 {
-    if (obj_is_edge(*line) && line->end != parser->end) {
+    parser->source->count.faces++;
+    if (is_edge(*line) && line->end != parser->end) {
+        parser->source->count.edges++;
         return true;
     }
     const size_t first_triangle = parser->source->triangle_count;
@@ -363,6 +365,11 @@ static bool parse_statement(struct obj_parser *parser, struct line *line)
         return parse_name(parser, line, &parser->source->libraries, &place);
     }
     if (is_passed_over(&keyword)) {
+        struct obj_count *count = &parser->source->count;
+        count->lines += token_equals(&keyword, "l");
+        count->points += token_equals(&keyword, "p");
+        count->curved += token_equals(&keyword, "curv") || token_equals(&keyword, "curv2") ||
+                         token_equals(&keyword, "surf");
         return true;
     }
     return fail_token(parser, &keyword,
@@ -397,7 +404,11 @@ static bool parse_all(struct obj_parser *parser, const char *text, size_t length
     }
     parser->line = 0; /* what follows is about the whole file */
     if (parser->source->triangle_count == 0) {
-        return fail(parser, "has no faces");
+        const struct obj_count *count = &parser->source->count;
+        const bool is_other = count->faces == 0 && count->lines + count->points + count->curved > 0;
+        return fail(parser, parser->source->full && is_other
+                                ? "has no faces, only lines, points or curves"
+                                : "has no faces");
     }
     return check_forward_references(parser) &&
            (obj_triangulate(parser->source) || fail(parser, "out of memory"));

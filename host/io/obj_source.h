@@ -41,6 +41,11 @@ struct obj_name {
     int line;
 };
 
+/* Statements that make no triangle. */
+struct obj_count {
+    size_t faces, edges, lines, points, curved;
+};
+
 /* A face of more than three corners: its triangles, one behind the other. */
 struct obj_polygon {
     uint32_t first, count;
@@ -62,6 +67,7 @@ struct obj_source {
     size_t polygon_count, polygon_capacity;
     struct obj_list colors; /* one for each position, 0..1; white where the file gives none */
     bool has_colors;
+    struct obj_count count;
     bool wide_positions; /* positions alone are in double precision: they will be scaled */
     /* Where `full`: all that follows, and numbers in double precision. */
     bool full;
@@ -75,10 +81,6 @@ struct obj_source {
  */
 bool obj_parse_source(const char *name, const char *text, size_t length, struct obj_source *source,
                       struct text_error *error);
-
-/* Whether what is left of a face's line are one or two corners, as programs write edges: such faces
-   are passed over. */
-bool obj_is_edge(struct line line);
 
 void obj_source_free(struct obj_source *source);
 

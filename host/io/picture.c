@@ -47,26 +47,17 @@ static size_t pixel_count(const struct picture *picture)
 
 /* ---- PPM ---- */
 
-struct ppm_header {
-    int width, height, maximum;
-    size_t length; /* bytes before the samples */
-};
-
 /* The next header number, after white space and comments; -1 when there is none up to 10^6. */
-static int header_number(const struct file_content *file, size_t *at)
+static int header_number(const char *bytes, size_t length, size_t *at)
 {
-    while (*at < file->length && (text_is_space(file->bytes[*at]) || file->bytes[*at] == '#')) {
-        if (file->bytes[*at] == '#') {
-            while (*at < file->length && file->bytes[*at] != '\n') {
-                (*at)++;
-            }
-        } else {
-            (*at)++;
-        }
+    bool is_comment = false;
+    for (; *at < length && (is_comment || text_is_space(bytes[*at]) || bytes[*at] == '#');
+         (*at)++) {
+        is_comment = bytes[*at] != '\n' && (is_comment || bytes[*at] == '#');
     }
     int number = -1;
-    for (; *at < file->length && file->bytes[*at] >= '0' && file->bytes[*at] <= '9'; (*at)++) {
-        number = (number < 0 ? 0 : number * 10) + (file->bytes[*at] - '0');
+    for (; *at < length && bytes[*at] >= '0' && bytes[*at] <= '9'; (*at)++) {
+        number = (number < 0 ? 0 : number * 10) + (bytes[*at] - '0');
         if (number > 1000000) {
             return -1;
         }
@@ -74,39 +65,38 @@ static int header_number(const struct file_content *file, size_t *at)
     return number;
 }
 
-/* Returns what is wrong, or NULL. */
-static const char *parse_header(const struct file_content *file, struct ppm_header *header)
+const char *pnm_header(const char *bytes, size_t length, struct pnm *pnm)
 {
     size_t at = 2;
-    if (file->length < 2 || memcmp(file->bytes, "P6", 2) != 0) {
+    if (length < 3 || bytes[0] != 'P' || (bytes[1] != '5' && bytes[1] != '6') ||
+        (!text_is_space(bytes[2]) && bytes[2] != '#')) {
         return "not a binary PPM (P6)";
     }
-    if (file->length == 2 || (!text_is_space(file->bytes[2]) && file->bytes[2] != '#')) {
-        return "not a binary PPM (P6)";
-    }
-    header->width = header_number(file, &at);
-    header->height = header_number(file, &at);
-    header->maximum = header_number(file, &at);
-    if (header->width < 1 || header->height < 1) {
+    pnm->channels = bytes[1] == '5' ? 1 : 3;
+    pnm->width = header_number(bytes, length, &at);
+    pnm->height = header_number(bytes, length, &at);
+    pnm->maximum = header_number(bytes, length, &at);
+    if (pnm->width < 1 || pnm->height < 1) {
         return "bad size in the PPM header";
     }
-    if (header->maximum < 1 || header->maximum > 255) {
+    if (pnm->maximum < 1 || pnm->maximum > 255) {
         return "the PPM's largest value is not in 1..255";
     }
-    if (at == file->length || !text_is_space(file->bytes[at])) {
+    if (at == length || !text_is_space(bytes[at])) {
         return "the PPM header does not end";
     }
-    header->length = at + 1;
-    uint64_t samples = (uint64_t)header->width * (uint64_t)header->height * 3; /* < 2^42 */
-    if (file->length - header->length < samples) {
-        return "the PPM ends before its last pixel";
-    }
-    return NULL;
+    pnm->length = at + 1;
+    const uint64_t pixels = (uint64_t)pnm->width * (uint64_t)pnm->height; /* < 2^42 */
+    return length - pnm->length < pixels * (uint64_t)pnm->channels
+               ? "the PPM ends before its last pixel"
+               : NULL;
 }
 
-static uint8_t scale_sample(uint8_t sample, int maximum)
+uint8_t pnm_sample(const struct pnm *pnm, const char *bytes, size_t pixel, int channel)
 {
-    int scaled = (sample * 255 + maximum / 2) / maximum;
+    const size_t at = (size_t)pnm->channels * pixel + (size_t)(pnm->channels == 1 ? 0 : channel);
+    const int sample = (uint8_t)bytes[pnm->length + at];
+    const int scaled = (sample * 255 + pnm->maximum / 2) / pnm->maximum;
     return (uint8_t)(scaled > 255 ? 255 : scaled);
 }
 
@@ -117,8 +107,9 @@ bool picture_read_ppm(const char *path, struct picture *picture, struct text_err
     if (!file_read(path, &file, error)) {
         return false;
     }
-    struct ppm_header header;
-    const char *problem = parse_header(&file, &header);
+    struct pnm header;
+    const char *problem = pnm_header(file.bytes, file.length, &header);
+    problem = problem == NULL && header.channels == 1 ? "not a binary PPM (P6)" : problem;
     if (problem == NULL && !picture_create(picture, header.width, header.height, false)) {
         problem = "out of memory";
     }
@@ -127,9 +118,8 @@ bool picture_read_ppm(const char *path, struct picture *picture, struct text_err
         free(file.bytes);
         return false;
     }
-    const char *samples = file.bytes + header.length;
     for (size_t i = 0; i < pixel_count(picture) * 3; i++) {
-        picture->rgb[i] = scale_sample((uint8_t)samples[i], header.maximum);
+        picture->rgb[i] = pnm_sample(&header, file.bytes, i / 3, (int)(i % 3));
     }
     free(file.bytes);
     return true;

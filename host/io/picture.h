@@ -6,6 +6,7 @@
 #define QTRI_HOST_IO_PICTURE_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "text_error.h"
@@ -30,6 +31,16 @@ void picture_free(struct picture *picture);
  */
 bool picture_read_ppm(const char *path, struct picture *picture, struct text_error *error);
 bool picture_write_ppm(const char *path, const struct picture *picture, struct text_error *error);
+
+/* The header of a binary PPM or PGM, whose samples follow. Returns what is wrong, or NULL. */
+struct pnm {
+    int width, height, maximum, channels;
+    size_t length; /* bytes before the samples */
+};
+const char *pnm_header(const char *bytes, size_t length, struct pnm *pnm);
+
+/* A channel of a pixel, of 255. */
+uint8_t pnm_sample(const struct pnm *pnm, const char *bytes, size_t pixel, int channel);
 
 /*
  * PREFIX.id (uint32 little-endian) and PREFIX.depth (float64 little-endian), top row first.

@@ -106,60 +106,28 @@ struct ref_matrix ref_matrix_look_at_d3d(const double eye[3], const double cente
     return camera_of((const double(*)[3])axis, eye);
 }
 
-/* z of 0..w becomes 2 z - w. */
-static void widen_depth(struct ref_matrix *r)
+/* What looks along +z, its depths of 0..w widened to -w..w. */
+static struct ref_matrix along_z(struct ref_matrix r)
 {
-    for (int k = 0; k < 4; k++)
-        r->m[2][k] = 2.0 * r->m[2][k] - r->m[3][k];
+    for (int row = 0; row < 4; row++)
+        r.m[row][2] = -r.m[row][2];
+    return r;
 }
 
 struct ref_matrix ref_matrix_perspective_d3d(double fovy_degrees, double aspect, double near,
                                              double far)
 {
-    struct ref_matrix r = {{{0}}};
-    double s, c;
-
-    ref_sincos_degrees(fovy_degrees / 2.0, &s, &c);
-    r.m[0][0] = c / s / aspect;
-    r.m[1][1] = c / s;
-    r.m[2][2] = far / (far - near);
-    r.m[2][3] = -near * far / (far - near);
-    r.m[3][2] = 1.0;
-    widen_depth(&r);
-    return r;
+    return along_z(ref_matrix_perspective(fovy_degrees, aspect, near, far));
 }
 
 struct ref_matrix ref_matrix_frustum_d3d(const double bounds[6])
 {
-    double l = bounds[0], r = bounds[1], b = bounds[2], t = bounds[3];
-    double n = bounds[4], f = bounds[5];
-    struct ref_matrix out = {{{0}}};
-
-    out.m[0][0] = 2.0 * n / (r - l);
-    out.m[0][2] = (l + r) / (l - r);
-    out.m[1][1] = 2.0 * n / (t - b);
-    out.m[1][2] = (t + b) / (b - t);
-    out.m[2][2] = f / (f - n);
-    out.m[2][3] = n * f / (n - f);
-    out.m[3][2] = 1.0;
-    widen_depth(&out);
-    return out;
+    return along_z(ref_matrix_frustum(bounds));
 }
 
 struct ref_matrix ref_matrix_ortho_d3d(const double bounds[6])
 {
-    double l = bounds[0], r = bounds[1], b = bounds[2], t = bounds[3];
-    double n = bounds[4], f = bounds[5];
-    struct ref_matrix out = ref_matrix_identity();
-
-    out.m[0][0] = 2.0 / (r - l);
-    out.m[0][3] = (l + r) / (l - r);
-    out.m[1][1] = 2.0 / (t - b);
-    out.m[1][3] = (t + b) / (b - t);
-    out.m[2][2] = 1.0 / (f - n);
-    out.m[2][3] = n / (n - f);
-    widen_depth(&out);
-    return out;
+    return along_z(ref_matrix_ortho(bounds));
 }
 
 /* ---- Directions ---- */

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "../reference/matrix.h"
 #include "../reference/reference.h"
 #include "../reference/reference_picture.h"
 #include "compare.h"
@@ -24,41 +25,19 @@ static const struct {
     {"GRAY8", &qtri_gray8, REFERENCE_GRAY8, SCENE_GRAY8},
 };
 
-static const double degree = 3.14159265358979323846 / 180;
-
 /* The eye of a camera around what it looks at: by azimuth about `up`, then up and down. */
 static void turn_lookat(int32_t number[9], const struct scene_view *view)
 {
-    double arm[3], up[3], side[3], length = 0;
+    double arm[4] = {0}, up[3], side[3];
     for (int i = 0; i < 3; i++) {
         arm[i] = (double)number[i] - number[3 + i];
         up[i] = number[6 + i];
-        length += up[i] * up[i];
     }
-    const double angles[2] = {view->azimuth * degree, view->elevation * degree};
-    for (int turn = 0; turn < 2; turn++) {
-        /* Rodrigues: about up, then about what is at right angles to up and arm. */
-        const double *axis = turn == 0 ? up : side;
-        const double size = sqrt(length);
-        const double dot =
-            size > 0 ? (axis[0] * arm[0] + axis[1] * arm[1] + axis[2] * arm[2]) / size : 0;
-        double turned[3];
-        for (int i = 0; i < 3 && size > 0; i++) {
-            const int j = (i + 1) % 3, k = (i + 2) % 3;
-            turned[i] = arm[i] * cos(angles[turn]) +
-                        (axis[j] * arm[k] - axis[k] * arm[j]) / size * sin(angles[turn]) +
-                        axis[i] / size * dot * (1 - cos(angles[turn]));
-        }
-        if (size > 0) {
-            memcpy(arm, turned, sizeof arm);
-        }
-        length = 0;
-        for (int i = 0; i < 3; i++) {
-            const int j = (i + 1) % 3, k = (i + 2) % 3;
-            side[i] = arm[j] * up[k] - arm[k] * up[j];
-            length += side[i] * side[i];
-        }
-    }
+    const struct ref_matrix turn = ref_matrix_rotate(view->azimuth, up);
+    ref_matrix_transform(&turn, arm, arm);
+    ref_cross3(arm, up, side);
+    const struct ref_matrix lift = ref_matrix_rotate(view->elevation, side);
+    ref_matrix_transform(&lift, arm, arm);
     for (int i = 0; i < 3; i++) {
         const double eye = number[3 + i] + arm[i];
         number[i] = (int32_t)lrint(fmin(fmax(eye, -2147483647.0), 2147483647.0));
