@@ -4,17 +4,13 @@
  * what rounding takes, and that is as small as reported.
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "support/test.h"
 #include "assets/asset.h"
 #include "assets/model.h"
 #include "assets/texture.h"
@@ -41,9 +37,8 @@ static const char cube[] = "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nf -4 -3 -2 -
                            "v -1 1 1\nv 1 1 1\nv 1 1 -1\nv -1 1 -1\nf -4 -3 -2 -1\n"
                            "v -1 -1 -1\nv 1 -1 -1\nv 1 -1 1\nv -1 -1 1\nf -4 -3 -2 -1\n";
 
-static void equal_vertices_are_merged(void **state)
+TEST(equal_vertices_are_merged)
 {
-    (void)state;
     char text[1024];
     snprintf(text, sizeof text, "%s%s", cube, "f 1 1 2\nf 1 2 2\nv 0 -1 1\nf 1 25 2\nv 9 9 9\n");
     struct model model = parse(text);
@@ -53,9 +48,8 @@ static void equal_vertices_are_merged(void **state)
 }
 
 /* A cube's faces meet at 90 degrees. */
-static void normals_are_smooth_below_the_angle(void **state)
+TEST(normals_are_smooth_below_the_angle)
 {
-    (void)state;
     static const struct {
         enum model_normals normals;
         double degrees;
@@ -81,9 +75,8 @@ static void normals_are_smooth_below_the_angle(void **state)
     }
 }
 
-static void models_are_turned_and_fitted(void **state)
+TEST(models_are_turned_and_fitted)
 {
-    (void)state;
     struct model model = parse("v 1 2 3\nv 5 2 3\nv 1 4 3\nv 1 2 11\nf 1 2 3\nf 1 3 4\n");
     model_turn_up(&model, 'z');
     struct model_box box = model_bounds(&model);
@@ -176,9 +169,8 @@ static bool same_triangle(const qtri_mesh *mesh, uint32_t triangle, const struct
     return false;
 }
 
-static void triangles_are_the_models_and_errors_as_reported(void **state)
+TEST(triangles_are_the_models_and_errors_as_reported)
 {
-    (void)state;
     for (int n = 0; n < 8; n++) {
         struct asset asset;
         struct text_error error;
@@ -216,9 +208,8 @@ static void triangles_are_the_models_and_errors_as_reported(void **state)
 }
 
 /* The box holds all positions, and vertices come in the order of their use. */
-static void boxes_hold_and_vertices_follow(void **state)
+TEST(boxes_hold_and_vertices_follow)
 {
-    (void)state;
     for (int n = 0; n < 2; n++) {
         struct asset asset;
         struct text_error error;
@@ -248,9 +239,8 @@ static void boxes_hold_and_vertices_follow(void **state)
     }
 }
 
-static void what_does_not_fit_is_refused(void **state)
+TEST(what_does_not_fit_is_refused)
 {
-    (void)state;
     static const struct {
         const char *text, *message;
     } cases[] = {
@@ -275,9 +265,8 @@ static void what_does_not_fit_is_refused(void **state)
     model_free(&model);
 }
 
-static void materials_become_meshes_or_colors(void **state)
+TEST(materials_become_meshes_or_colors)
 {
-    (void)state;
     static const char text[] = "v 0 0 0 1 1 1\nv 1 0 0 .5 .5 .5\nv 0 1 0\nv 0 0 1\n"
                                "usemtl a\nf 1 2 3\nusemtl unused\nusemtl b\nf 1 3 4\nf 1 4 2\n";
     static const char mtl[] = "newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 .5 1\nmap_Ka x.png\n";
@@ -306,9 +295,8 @@ static void materials_become_meshes_or_colors(void **state)
     model_free(&model);
 }
 
-static void mtl_errors_have_a_line(void **state)
+TEST(mtl_errors_have_a_line)
 {
-    (void)state;
     static const struct {
         const char *text, *message;
     } cases[] = {
@@ -331,9 +319,8 @@ static void mtl_errors_have_a_line(void **state)
     model_free(&model);
 }
 
-static void ply_files_are_complete(void **state)
+TEST(ply_files_are_complete)
 {
-    (void)state;
     static const char head[] = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
                                "element face 1\nproperty list uchar short v\nend_header\n";
     char text[512];
@@ -384,9 +371,8 @@ static void ply_files_are_complete(void **state)
     assert_string_equal(model.left_out, "colours of faces");
 }
 
-static void real_numbers_are_those_of_strtod(void **state)
+TEST(real_numbers_are_those_of_strtod)
 {
-    (void)state;
     uint64_t seed = 1;
     for (int i = 0; i < 20000; i++) {
         char text[64];
@@ -432,9 +418,8 @@ static struct image noise(int width, int height)
     return image;
 }
 
-static void light_is_averaged_not_numbers(void **state)
+TEST(light_is_averaged_not_numbers)
 {
-    (void)state;
     static const uint8_t board[] = {0,   0,   0,   255, 255, 255, 255, 255,
                                     255, 255, 255, 255, 0,   0,   0,   255};
     struct image image = picture_of(2, 2, board), out;
@@ -448,9 +433,8 @@ static void light_is_averaged_not_numbers(void **state)
 }
 
 /* What is transparent has no part in the colour, whatever it is. */
-static void transparent_pixels_do_not_bleed(void **state)
+TEST(transparent_pixels_do_not_bleed)
 {
-    (void)state;
     static const uint8_t half[] = {255, 0, 0, 255, 0, 255, 0, 0, 255, 0, 0, 255, 0, 255, 0, 0};
     struct image image = picture_of(2, 2, half), out;
     assert_true(texture_resample(&image, 1, 1, &out));
@@ -461,9 +445,8 @@ static void transparent_pixels_do_not_bleed(void **state)
     image_free(&image);
 }
 
-static void a_flat_picture_stays_flat(void **state)
+TEST(a_flat_picture_stays_flat)
 {
-    (void)state;
     struct image image = noise(37, 23), out;
     for (size_t i = 0; i < 37 * 23; i++) {
         memcpy(&image.rgba[4 * i], "\x11\x80\xF0\xFF", 4);
@@ -476,9 +459,8 @@ static void a_flat_picture_stays_flat(void **state)
     image_free(&image);
 }
 
-static void errors_of_formats(void **state)
+TEST(errors_of_formats)
 {
-    (void)state;
     static const int most[TEXTURE_FORMATS] = {4, 60, 255, 0, 64};
     struct image image = noise(64, 64);
     for (int i = 0; i < TEXTURE_FORMATS; i++) {
@@ -494,9 +476,8 @@ static void errors_of_formats(void **state)
     image_free(&image);
 }
 
-static void few_colors_are_exact(void **state)
+TEST(few_colors_are_exact)
 {
-    (void)state;
     struct image image = noise(16, 16);
     struct texture_options options = {.format = TEXTURE_PALETTE, .dither = true};
     struct texture texture;
@@ -508,9 +489,8 @@ static void few_colors_are_exact(void **state)
 }
 
 /* Dithering keeps the mean: of a gray between two steps of 5 bits. */
-static void dithering_keeps_the_mean(void **state)
+TEST(dithering_keeps_the_mean)
 {
-    (void)state;
     struct image image = noise(64, 64);
     for (size_t i = 0; i < 64 * 64; i++) {
         memcpy(&image.rgba[4 * i], "\x55\x55\x55\xFF", 4);
@@ -535,9 +515,8 @@ static void dithering_keeps_the_mean(void **state)
 }
 
 /* Whatever is opaque is drawn: its texel is not the key's. */
-static void only_the_keys_texels_are_the_key(void **state)
+TEST(only_the_keys_texels_are_the_key)
 {
-    (void)state;
     static const uint8_t near_key[] = {255, 0, 255, 255, 254, 1, 254, 255,
                                        9,   9, 9,   0,   255, 4, 250, 255};
     for (int i = 0; i < TEXTURE_FORMATS; i++) {
@@ -557,9 +536,8 @@ static void only_the_keys_texels_are_the_key(void **state)
     }
 }
 
-static void pictures_that_end_too_soon(void **state)
+TEST(pictures_that_end_too_soon)
 {
-    (void)state;
     static const char good[] = "P5 # gray\n3 2\n15\n\0\1\2\3\4\17";
     struct image image;
     struct text_error error;
@@ -573,9 +551,8 @@ static void pictures_that_end_too_soon(void **state)
     }
 }
 
-static void sides_are_powers_of_two(void **state)
+TEST(sides_are_powers_of_two)
 {
-    (void)state;
     static const int pairs[][2] = {{1, 1},   {2, 2},    {3, 4},       {5, 4},      {6, 8},
                                    {90, 64}, {91, 128}, {1025, 1024}, {9999, 1024}};
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
@@ -585,26 +562,5 @@ static void sides_are_powers_of_two(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(equal_vertices_are_merged),
-        cmocka_unit_test(normals_are_smooth_below_the_angle),
-        cmocka_unit_test(models_are_turned_and_fitted),
-        cmocka_unit_test(triangles_are_the_models_and_errors_as_reported),
-        cmocka_unit_test(boxes_hold_and_vertices_follow),
-        cmocka_unit_test(what_does_not_fit_is_refused),
-        cmocka_unit_test(materials_become_meshes_or_colors),
-        cmocka_unit_test(mtl_errors_have_a_line),
-        cmocka_unit_test(ply_files_are_complete),
-        cmocka_unit_test(real_numbers_are_those_of_strtod),
-        cmocka_unit_test(light_is_averaged_not_numbers),
-        cmocka_unit_test(transparent_pixels_do_not_bleed),
-        cmocka_unit_test(a_flat_picture_stays_flat),
-        cmocka_unit_test(errors_of_formats),
-        cmocka_unit_test(few_colors_are_exact),
-        cmocka_unit_test(dithering_keeps_the_mean),
-        cmocka_unit_test(only_the_keys_texels_are_the_key),
-        cmocka_unit_test(pictures_that_end_too_soon),
-        cmocka_unit_test(sides_are_powers_of_two),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -19,9 +19,8 @@ static matrix matrix_of(const qtri_transform *t)
 static const double x_axis[3] = {1, 0, 0};
 static const double y_axis[3] = {0, 1, 0};
 
-static void orbits(void **state)
+TEST(orbits)
 {
-    (void)state;
     uint64_t seed = 41;
     double worst = 0;
     for (int n = 0; n < 3000; n++) {
@@ -68,9 +67,8 @@ static void orbits(void **state)
 }
 
 /* camera * billboard has no turn left; the upright one keeps y, and its z points at the eye. */
-static void billboards(void **state)
+TEST(billboards)
 {
-    (void)state;
     uint64_t seed = 42;
     for (int n = 0; n < 2000; n++) {
         qtri_transform camera;
@@ -137,9 +135,8 @@ static double determinant(const qtri_transform *t)
     return c[0] * row[2][0] + c[1] * row[2][1] + c[2] * row[2][2];
 }
 
-static void ten_thousand_products(void **state)
+TEST(ten_thousand_products)
 {
-    (void)state;
     uint64_t seed = 43;
     for (int n = 0; n < 6; n++) {
         qtri_transform t;
@@ -172,9 +169,8 @@ static void ten_thousand_products(void **state)
     }
 }
 
-static void orthonormal_edges(void **state)
+TEST(orthonormal_edges)
 {
-    (void)state;
     uint64_t seed = 44;
     for (int n = 0; n < 2000; n++) { /* far from a rotation: it becomes one, or stays */
         qtri_mat4 m;
@@ -200,9 +196,8 @@ static void orthonormal_edges(void **state)
     }
 }
 
-static void keys(void **state)
+TEST(keys)
 {
-    (void)state;
     uint64_t seed = 45;
     enum { COUNT = 6 };
     for (int n = 0; n < 3000; n++) {
@@ -256,9 +251,8 @@ static double off_promise(q16 is, q16 from, q16 to, double t)
 
 /* Positions and scales of any reach against double precision; 61 units in 100 seconds among them.
  */
-static void straight_lines(void **state)
+TEST(straight_lines)
 {
-    (void)state;
     uint64_t seed = 48;
     double worst = -1;
     double worst_61 = 0;
@@ -298,9 +292,8 @@ static void straight_lines(void **state)
     assert_true(worst_61 <= .501);
 }
 
-static void hierarchies(void **state)
+TEST(hierarchies)
 {
-    (void)state;
     uint64_t seed = 46;
     enum { COUNT = 12 };
     for (int n = 0; n < 300; n++) {
@@ -329,9 +322,8 @@ static void hierarchies(void **state)
     }
 }
 
-static void morphs(void **state)
+TEST(morphs)
 {
-    (void)state;
     uint64_t seed = 47;
     enum { COUNT = 5, FRAMES = 4 };
     for (int n = 0; n < 5000; n++) {
@@ -397,15 +389,5 @@ static void morphs(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(orbits),
-        cmocka_unit_test(billboards),
-        cmocka_unit_test(ten_thousand_products),
-        cmocka_unit_test(orthonormal_edges),
-        cmocka_unit_test(keys),
-        cmocka_unit_test(straight_lines),
-        cmocka_unit_test(hierarchies),
-        cmocka_unit_test(morphs),
-    };
-    return cmocka_run_group_tests_name("core animation", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

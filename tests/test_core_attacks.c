@@ -30,9 +30,8 @@ static const qtri_mesh one = {.positions = corner_positions,
                               .bounds = {{0, 0, 0}, {Q16(1), Q16(1), Q16(1)}}};
 
 /* first_row + rows, and a frame's and a scissor's end plus one, beyond 32 bits. */
-static void surfaces_without_end(void **state)
+TEST(surfaces_without_end)
 {
-    (void)state;
     static const int32_t extremes[] = {INT32_MIN, -1, 0, 1, SIDE, INT32_MAX - 1, INT32_MAX};
     canvas wanted = canvas_new(&qtri_rgb565, SIDE, SIDE);
     qtri_view view;
@@ -72,9 +71,8 @@ static void surfaces_without_end(void **state)
 }
 
 /* Rows of zeros may have any exponent: they are zeros, and say nothing of the other rows. */
-static void rows_of_zeros(void **state)
+TEST(rows_of_zeros)
 {
-    (void)state;
     static const int32_t exponents[] = {INT32_MIN, INT32_MIN + 1, -4097,    -16, -1, 0,
                                         16,        4097,          INT32_MAX};
     canvas wanted = canvas_new(&qtri_rgb565, SIDE, SIDE);
@@ -111,9 +109,8 @@ static void rows_of_zeros(void **state)
 }
 
 /* All zero: no arrays to count from. */
-static void zero_meshes(void **state)
+TEST(zero_meshes)
 {
-    (void)state;
     static const qtri_mesh zero;
     static qtri_vertex vertices[4];
     canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
@@ -151,9 +148,8 @@ static void zero_meshes(void **state)
 }
 
 /* Fewer slots than vertices, in memory that nobody has written: MemorySanitizer's. */
-static void slots_never_written(void **state)
+TEST(slots_never_written)
 {
-    (void)state;
     for (uint32_t slots = 1; slots <= 3; slots++) {
         canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
         qtri_vertex *vertices = malloc(slots * sizeof *vertices);
@@ -200,9 +196,8 @@ static void assert_inert(const qtri_surface *s, const uint8_t *memory, size_t by
 }
 
 /* One that could be drawn on before its new initialisation failed. */
-static void failed_surfaces(void **state)
+TEST(failed_surfaces)
 {
-    (void)state;
     static uint8_t memory[QTRI_BAND_BYTES(SIDE, SIDE, QTRI_RGB565_BYTES)];
     const struct {
         const qtri_format *format;
@@ -235,9 +230,8 @@ static void failed_surfaces(void **state)
 }
 
 /* The same of frames: no band, no change, and nothing of what is prepared for them. */
-static void failed_frames(void **state)
+TEST(failed_frames)
 {
-    (void)state;
     static uint8_t memory[QTRI_FRAME_BYTES(SIDE, SIDE, QTRI_RGB565_BYTES)];
     const struct {
         const qtri_format *format;
@@ -284,9 +278,8 @@ static void failed_frames(void **state)
 }
 
 /* Memory that is not there, however large it is said to be: as too little of it. */
-static void missing_memory(void **state)
+TEST(missing_memory)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
     qtri_outline outline;
     assert_int_equal(qtri_fxaa(&c.surface, NULL, UINT32_MAX), QTRI_ERROR_MEMORY);
@@ -311,9 +304,8 @@ static uint16_t texel_at(int32_t column, int32_t row)
  * A texel to a pixel, the nearest, repeated, as it is: of textures of up to 2^16 texels a mask cuts
  * the row out of 32 bits; it must leave larger ones alone (qtri_texel_row in body/texel.h).
  */
-static void any_texture_as_it_is(void **state)
+TEST(any_texture_as_it_is)
 {
-    (void)state;
     static uint16_t texels[TEXELS_MAX];
     canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
     for (int32_t n = 0; n < 11 * 11; n++) {
@@ -360,11 +352,5 @@ static void any_texture_as_it_is(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(surfaces_without_end), cmocka_unit_test(rows_of_zeros),
-        cmocka_unit_test(zero_meshes),          cmocka_unit_test(slots_never_written),
-        cmocka_unit_test(failed_surfaces),      cmocka_unit_test(failed_frames),
-        cmocka_unit_test(missing_memory),       cmocka_unit_test(any_texture_as_it_is),
-    };
-    return cmocka_run_group_tests_name("core attacks", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

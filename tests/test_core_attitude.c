@@ -4,15 +4,11 @@
  * flight that the boards show, what its gains mean, and extremes.
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "support/test.h"
 #include "boards/attitude.h"
 #include "support/vec.h"
 
@@ -190,9 +186,8 @@ static void fly(double gain, double offset_gain, double difference_limit, double
     assert_true(tilt < tilt_limit);
 }
 
-static void hour(void **state)
+TEST(hour)
 {
-    (void)state;
     /* Mahony; complementary, to which 3.4 degrees a second leave 6.8 and those of a push of 1 s. */
     fly(0.5, 0.0625, 0.0005, 0.5);
     fly(0.5, 0.0, 0.0005, 11.0);
@@ -200,9 +195,8 @@ static void hour(void **state)
 
 /* ---- The flight of the boards ---- */
 
-static void flight(void **state)
+TEST(flight)
 {
-    (void)state;
     const int32_t dt_q30 = ((int32_t)1 << 30) / ATTITUDE_RATE_HZ;
     const qtri_vec3 none = {0, 0, 0};
     qtri_attitude_filter filter, gyroscope;
@@ -244,9 +238,8 @@ static void stand(qtri_attitude_filter *filter, qtri_vec3 rate, qtri_vec3 force,
 }
 
 /* Standing still, tilted: the filter comes to rest there, whatever it believed at first. */
-static void settles(void **state)
+TEST(settles)
 {
-    (void)state;
     const double angles[] = {-170.0, -90.0, -30.0, 45.0, 120.0};
     const qtri_vec3 still = {0, 0, 0};
     for (size_t i = 0; i < sizeof angles / sizeof angles[0]; i++) {
@@ -267,9 +260,8 @@ static void settles(void **state)
  * After a time constant 1 / e of a small error is left. An offset leaves an angle whose sine is
  * offset / gain to the complementary filter, nothing to Mahony's, which knows the offset then.
  */
-static void gains(void **state)
+TEST(gains)
 {
-    (void)state;
     const qtri_vec3 still = {0, 0, 0}, offset = {Q16(2), 0, Q16(-1)}, level = {0, Q16(1), 0};
     const double axis[3] = {1.0, 0.0, 0.0};
     const real_quat identity = {1.0, 0.0, 0.0, 0.0};
@@ -301,9 +293,8 @@ static void assert_unit(const qtri_attitude_filter *filter)
 }
 
 /* Without gravity the filter integrates, as qtri_attitude_integrate_deg does. */
-static void only_integrates(void **state)
+TEST(only_integrates)
 {
-    (void)state;
     const qtri_vec3 rate = {Q16(100), Q16(-70), Q16(3000)};
     const qtri_vec3 forces[] = {{0, 0, 0},
                                 {0, Q16(.84), 0},
@@ -323,9 +314,8 @@ static void only_integrates(void **state)
 }
 
 /* The offset stops at 128 degrees a second and comes back from there. */
-static void saturates(void **state)
+TEST(saturates)
 {
-    (void)state;
     const qtri_vec3 still = {0, 0, 0}, aside = {Q16(1), 0, 0};
     qtri_attitude_filter filter;
     qtri_attitude_filter_init(&filter, 0, Q16(32767));
@@ -339,9 +329,8 @@ static void saturates(void **state)
     assert_true(filter.offset_q24[2] < 0);
 }
 
-static void extremes(void **state)
+TEST(extremes)
 {
-    (void)state;
     static const q16 ends[] = {0, 1, -1, Q16_ONE, INT32_MAX, INT32_MIN};
     uint64_t seed = 7;
     for (int i = 0; i < 100000; i++) {
@@ -361,10 +350,5 @@ static void extremes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(hour),     cmocka_unit_test(flight),          cmocka_unit_test(settles),
-        cmocka_unit_test(gains),    cmocka_unit_test(only_integrates), cmocka_unit_test(saturates),
-        cmocka_unit_test(extremes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

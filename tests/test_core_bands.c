@@ -149,9 +149,8 @@ static void draw_scene(const qtri_surface *surface, const scene *s)
 
 static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
 
-static void bands(void **state)
+TEST(bands)
 {
-    (void)state;
     uint64_t seed = 61;
     for (int n = 0; n < 1500; n++) {
         static scene s;
@@ -173,9 +172,8 @@ static void bands(void **state)
 }
 
 /* Small triangles of a mesh whose vertices are lit: their rows are cut off at both ends. */
-static void lit_meshes(void **state)
+TEST(lit_meshes)
 {
-    (void)state;
     enum { MESH_TRIANGLES = 8, MESH_VERTICES = 3 * MESH_TRIANGLES };
     static const uint16_t indices[MESH_TRIANGLES][3] = {{0, 1, 2},    {3, 4, 5},    {6, 7, 8},
                                                         {9, 10, 11},  {12, 13, 14}, {15, 16, 17},
@@ -233,9 +231,8 @@ static void lit_meshes(void **state)
     }
 }
 
-static void scissors(void **state)
+TEST(scissors)
 {
-    (void)state;
     uint64_t seed = 62;
     for (int n = 0; n < 1000; n++) {
         static scene s;
@@ -289,9 +286,8 @@ static void scissors(void **state)
 }
 
 /* Rows apart, bottom up or both, in the middle of memory that must stay as it is. */
-static void pitches(void **state)
+TEST(pitches)
 {
-    (void)state;
     enum { ROW = 4 * WIDTH + 24, DEPTH_ROW = WIDTH + 7, SPACE = 3 };
     static uint32_t pixel_memory[(HEIGHT + 2 * SPACE) * ROW / 4];
     static uint16_t depth_memory[(HEIGHT + 2 * SPACE) * DEPTH_ROW];
@@ -335,9 +331,8 @@ static void pitches(void **state)
 }
 
 /* Without depth memory nothing is tested. */
-static void no_depth(void **state)
+TEST(no_depth)
 {
-    (void)state;
     uint64_t seed = 64;
     for (int n = 0; n < 200; n++) {
         static scene s;
@@ -361,9 +356,5 @@ static void no_depth(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bands),   cmocka_unit_test(lit_meshes), cmocka_unit_test(scissors),
-        cmocka_unit_test(pitches), cmocka_unit_test(no_depth),
-    };
-    return cmocka_run_group_tests_name("core bands", tests, fill_textures, NULL);
+    return run_all_tests(fill_textures, NULL);
 }

@@ -95,9 +95,8 @@ static double compare(const canvas *drawn, const canvas *before, const canvas *c
     return worst;
 }
 
-static void mixes(void **state)
+TEST(mixes)
 {
-    (void)state;
     uint64_t seed = 1;
     for (int f = 0; f < 6; f++) {
         const qtri_format *format = drawn_format(f);
@@ -152,9 +151,8 @@ static void mixes(void **state)
 }
 
 /* A texture of one texel, which brings alpha. */
-static void texels(void **state)
+TEST(texels)
 {
-    (void)state;
     uint64_t seed = 2;
     static const qtri_texel_format *const formats[3] = {&qtri_texel_argb4444, &qtri_texel_argb1555,
                                                         &qtri_texel_argb8888};
@@ -246,9 +244,8 @@ static void set_view(qtri_view *view)
     qtri_transform_ortho(&view->projection, Q16(-1), Q16(1), Q16(-1), Q16(1), Q16(-2), Q16(2));
 }
 
-static void once(void **state)
+TEST(once)
 {
-    (void)state;
     uint64_t seed = 3;
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     qtri_view view;
@@ -272,9 +269,8 @@ static void once(void **state)
 }
 
 /* A heap of triangles, in one call and each alone, whole and in pieces. */
-static void heaps(void **state)
+TEST(heaps)
 {
-    (void)state;
     enum { COUNT = 60 };
     uint64_t seed = 4;
     static qtri_vec3 positions[3 * COUNT];
@@ -356,9 +352,8 @@ static double fog_share(int kind, double z, double a, double b)
     return kind == 1 ? exp(-a * z) : exp(-(a * z) * (a * z));
 }
 
-static void fogs(void **state)
+TEST(fogs)
 {
-    (void)state;
     uint64_t seed = 5;
     canvas c = canvas_new(&qtri_xrgb8888, 8, 8);
     double worst[2][3] = {{0}};
@@ -439,9 +434,8 @@ static double off_565(uint32_t stored, const double color[3])
  * constant alpha have made of them what is stored, and not before: within 3/4 of a step, and .8
  * where there are both.
  */
-static void fogs_565(void **state)
+TEST(fogs_565)
 {
-    (void)state;
     enum { SIDE = 16 };
     uint64_t seed = 23;
     double worst[2] = {0, 0};
@@ -501,9 +495,8 @@ static void fogs_565(void **state)
  * Rows of RGB565 are blended and fogged where they are. With its bytes exchanged they are not: the
  * pixels are the same.
  */
-static void rows(void **state)
+TEST(rows)
 {
-    (void)state;
     uint64_t seed = 17;
     canvas c[2] = {canvas_new(&qtri_rgb565, WIDTH, HEIGHT),
                    canvas_new(&qtri_rgb565_swapped, WIDTH, HEIGHT)};
@@ -549,9 +542,8 @@ static bool is_before_near(const qtri_fog *fog, int step)
 }
 
 /* Any parameters; fog that nobody set is none. */
-static void extremes(void **state)
+TEST(extremes)
 {
-    (void)state;
     uint64_t seed = 6;
     canvas c = canvas_new(&qtri_rgb565, 16, 16);
     for (int n = 0; n < random_cases(20000); n++) {
@@ -585,9 +577,8 @@ static void extremes(void **state)
 
 /* The least and the greatest numbers, all with all: products with a depth saturate on either side.
  */
-static void fog_of_extreme_numbers(void **state)
+TEST(fog_of_extreme_numbers)
 {
-    (void)state;
     static const q16 numbers[] = {INT32_MIN, INT32_MIN + 1, -1, 0, 1, INT32_MAX};
     enum { NUMBERS = sizeof numbers / sizeof *numbers };
     const qtri_rgb color = {1, 2, 3};
@@ -608,9 +599,8 @@ static void fog_of_extreme_numbers(void **state)
 }
 
 /* More alpha, more pixels, none of which goes; 0 none, 255 all. */
-static void doors(void **state)
+TEST(doors)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_rgb565, 16, 16);
     bool before[256] = {false};
     for (int32_t alpha = 0; alpha <= 255; alpha++) {
@@ -634,9 +624,8 @@ static void doors(void **state)
 }
 
 /* Channels that are kept stay, the others are as without. */
-static void channels(void **state)
+TEST(channels)
 {
-    (void)state;
     static const qtri_blend *const with[] = {&qtri_blend_replace, &qtri_blend_alpha,
                                              &qtri_blend_add, &qtri_blend_multiply};
     uint64_t seed = 7;
@@ -673,9 +662,8 @@ static void channels(void **state)
 }
 
 /* A mesh over itself: drawn again only where its bias brings it nearer; any bias is defined. */
-static void biases(void **state)
+TEST(biases)
 {
-    (void)state;
     uint64_t seed = 8;
     qtri_view view;
     qtri_transform pose;
@@ -712,12 +700,5 @@ static void biases(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(mixes),    cmocka_unit_test(texels),
-        cmocka_unit_test(once),     cmocka_unit_test(heaps),
-        cmocka_unit_test(fogs),     cmocka_unit_test(fogs_565),
-        cmocka_unit_test(extremes), cmocka_unit_test(fog_of_extreme_numbers),
-        cmocka_unit_test(doors),    cmocka_unit_test(channels),
-        cmocka_unit_test(biases),   cmocka_unit_test(rows)};
-    return cmocka_run_group_tests_name("core blend", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

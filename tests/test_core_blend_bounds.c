@@ -131,9 +131,8 @@ static farthest sweep(const qtri_format *format, const qtri_blend *blend)
     return f;
 }
 
-static void blends(void **state)
+TEST(blends)
 {
-    (void)state;
     static const qtri_format *const formats[] = {&qtri_xrgb8888, &qtri_gray8, &qtri_rgb565};
     static const qtri_blend *const all[] = {&qtri_blend_alpha, &qtri_blend_add,
                                             &qtri_blend_multiply};
@@ -239,9 +238,8 @@ static void judge_fog(farthest *f, const canvas *c, const foggy *g)
 }
 
 /* Fog of every kind along rows, into which colours vary that are opaque or not. */
-static void fogs(void **state)
+TEST(fogs)
 {
-    (void)state;
     static const qtri_format *const formats[] = {&qtri_xrgb8888, &qtri_gray8, &qtri_rgb565};
     static const double most[3][2] = {{1.75, 2}, {1.75, 2}, {.85, .9}}; /* opaque, and alpha */
     uint64_t seed = 1;
@@ -263,9 +261,8 @@ static void fogs(void **state)
 }
 
 /* Colours that vary along a row, which themselves are off by more than half a step. */
-static void smooth_blends(void **state)
+TEST(smooth_blends)
 {
-    (void)state;
     static const qtri_format *const formats[] = {&qtri_xrgb8888, &qtri_gray8, &qtri_rgb565};
     static const double most[] = {1.25, 1.25, 1.25};
     uint64_t seed = 2;
@@ -287,7 +284,5 @@ static void smooth_blends(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(blends), cmocka_unit_test(fogs),
-                                       cmocka_unit_test(smooth_blends)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -151,9 +151,8 @@ static double worst_of(const qtri_format *format)
     return worst;
 }
 
-static void is_exact(void **state)
+TEST(is_exact)
 {
-    (void)state;
     for (int f = 0; f < 6; f++) {
         const qtri_format *format = drawn_format(f);
         const double worst = worst_of(format);
@@ -194,9 +193,8 @@ static void far_trial(trial *t, uint64_t *seed)
  * Where one vertex is up to 2^31 times as far away as another: alpha is between those of the
  * vertices, and what planes lack, which counts where 1/w is small, is all that it is off by.
  */
-static void near_and_far(void **state)
+TEST(near_and_far)
 {
-    (void)state;
     uint64_t seed = 61;
     const qtri_material plain = plain_material();
     canvas drawn = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
@@ -338,9 +336,8 @@ static void random_material(qtri_material *m, qtri_texture *texture, const uint1
 }
 
 /* A mesh, whole; its triangles, in bands; the prepared mesh, in bands; with any scissor. */
-static void pieces(void **state)
+TEST(pieces)
 {
-    (void)state;
     static sheet s;
     static qtri_vertex vertices[POINTS];
     static uint16_t lists[QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, 13)];
@@ -404,9 +401,8 @@ static void pieces(void **state)
 }
 
 /* Alpha that is the same everywhere, and lines, are as with the blends that know one alpha. */
-static void as_constant(void **state)
+TEST(as_constant)
 {
-    (void)state;
     static sheet s;
     uint64_t seed = 21;
     for (int n = 0; n < 40; n++) {
@@ -449,9 +445,8 @@ static void as_constant(void **state)
 }
 
 /* With four samples a pixel, inside of a triangle, the same; nothing else on its edges. */
-static void samples(void **state)
+TEST(samples)
 {
-    (void)state;
     uint64_t seed = 31;
     for (int n = 0; n < 30; n++) {
         trial t;
@@ -493,9 +488,8 @@ static void samples(void **state)
 /* ---- Depths moved by slope ---- */
 
 /* Every pixel is moved by what the triangle's slope says, to the rounding of both. */
-static void slopes(void **state)
+TEST(slopes)
 {
-    (void)state;
     uint64_t seed = 41;
     canvas moved = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     canvas plain = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
@@ -542,9 +536,8 @@ static void slopes(void **state)
 }
 
 /* Any numbers: nothing is drawn outside of the surface, and the sanitizers find nothing. */
-static void anything(void **state)
+TEST(anything)
 {
-    (void)state;
     uint64_t seed = 51;
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     for (int n = 0; n < 300; n++) {
@@ -569,10 +562,5 @@ static void anything(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(is_exact), cmocka_unit_test(pieces), cmocka_unit_test(as_constant),
-        cmocka_unit_test(samples),  cmocka_unit_test(slopes), cmocka_unit_test(near_and_far),
-        cmocka_unit_test(anything),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -43,9 +43,8 @@ static matrix looking(qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up)
     return a;
 }
 
-static void look_at(void **state)
+TEST(look_at)
 {
-    (void)state;
     double worst = 0;
     uint64_t seed = 24;
     for (int n = 0; n < 5000; n++) {
@@ -69,9 +68,8 @@ static void look_at(void **state)
     assert_true(worst <= 4);
 }
 
-static void look_at_special(void **state)
+TEST(look_at_special)
 {
-    (void)state;
     static const double cases[][9] = {
         {0, 0, 3, 0, 0, 0, 0, 1, 0},         {1, 2, 3, 1, 2, 3, 0, 1, 0},  /* eye = center */
         {0, 5, 0, 0, 0, 0, 0, 1, 0},         {0, -5, 0, 0, 0, 0, 0, 1, 0}, /* up parallel */
@@ -108,9 +106,8 @@ static void look_at_special(void **state)
 }
 
 /* A camera far from the origin, an object near the camera: translations must cancel. */
-static void translations_cancel(void **state)
+TEST(translations_cancel)
 {
-    (void)state;
     double worst = 0;
     uint64_t seed = 25;
     for (int n = 0; n < 2000; n++) {
@@ -168,9 +165,8 @@ static matrix projecting(double l, double r, double b, double t, double n, doubl
     return p;
 }
 
-static void boxes(void **state)
+TEST(boxes)
 {
-    (void)state;
     double worst = 0;
     uint64_t seed = 26;
     for (int n = 0; n < 5000; n++) {
@@ -197,9 +193,8 @@ static void boxes(void **state)
     assert_true(worst <= 1.01);
 }
 
-static void perspectives(void **state)
+TEST(perspectives)
 {
-    (void)state;
     double worst = 0;        /* fields of view of 20 to 160 degrees */
     double worst_narrow = 0; /* times the half angle's tangent or cotangent */
     uint64_t seed = 27;
@@ -265,9 +260,8 @@ static qtri_transform perspective_of(q16 fovy, q16 aspect, q16 near_z, q16 far_z
 
 /* Fields of view down to 1/65536 degree, and as near to 180: the half angle's sine alone would keep
    13 digits of it. The tangent of what lacks to 180 is what double precision still has. */
-static void narrowest_and_widest(void **state)
+TEST(narrowest_and_widest)
 {
-    (void)state;
     double worst[2] = {0, 0};
     for (q16 rest = 1; rest < Q16(30); rest += rest < 700 ? 1 : 4001) {
         for (int i = 0; i < 4; i++) {
@@ -285,9 +279,8 @@ static void narrowest_and_widest(void **state)
 }
 
 /* Negative angles and ratios, near beyond far: the formulae hold on, as the header says. */
-static void outside_of_ranges(void **state)
+TEST(outside_of_ranges)
 {
-    (void)state;
     uint64_t seed = 31;
     for (int n = 0; n < 2000; n++) {
         const bool d3d = n % 2 != 0;
@@ -317,9 +310,8 @@ static void outside_of_ranges(void **state)
 
 /* Where the two ways to a cotangent meet, they differ in the last bits: 16 degrees take the one of
    wide angles, and what is next below does not. */
-static void where_ways_meet(void **state)
+TEST(where_ways_meet)
 {
-    (void)state;
     const qtri_transform at = perspective_of(Q16(16), Q16(1), Q16(1), Q16(10), false);
     const qtri_transform back = perspective_of(-Q16(16), Q16(1), Q16(1), Q16(10), false);
     const qtri_transform other = perspective_of(Q16(164), Q16(1), Q16(1), Q16(10), false);
@@ -331,9 +323,8 @@ static void where_ways_meet(void **state)
 }
 
 /* A view's camera and projection are set anew, whatever they were, in the viewport's aspect. */
-static void views_are_set_anew(void **state)
+TEST(views_are_set_anew)
 {
-    (void)state;
     static const int32_t sizes[4][2] = {{320, 240}, {128, 64}, {9, 9}, {40, 0}};
     const qtri_vec3 eye = {Q16(3), Q16(2), Q16(-5)};
     const qtri_vec3 up = {0, Q16(1), 0};
@@ -356,16 +347,5 @@ static void views_are_set_anew(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(look_at),
-        cmocka_unit_test(look_at_special),
-        cmocka_unit_test(translations_cancel),
-        cmocka_unit_test(boxes),
-        cmocka_unit_test(perspectives),
-        cmocka_unit_test(narrowest_and_widest),
-        cmocka_unit_test(outside_of_ranges),
-        cmocka_unit_test(where_ways_meet),
-        cmocka_unit_test(views_are_set_anew),
-    };
-    return cmocka_run_group_tests_name("core camera", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -55,14 +55,13 @@ static uint32_t draw_input(uint32_t hash, const uint8_t *input, size_t bytes)
     return hash;
 }
 
-static void inputs_of_the_corpus_draw_what_they_drew(void **state)
+TEST(inputs_of_the_corpus_draw_what_they_drew)
 {
     static char line[LINE_BYTES];
     static uint8_t input[LINE_BYTES];
     char name[RECORDED_NAME_MAX];
     uint32_t hash = RECORDED_BEGIN;
     int count = 0;
-    (void)state;
     seed = recorded_seed(0);
     FILE *in = fopen("tests/corpus/fuzz_draw.b64", "r");
     assert_non_null(in);
@@ -83,8 +82,5 @@ static void inputs_of_the_corpus_draw_what_they_drew(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(inputs_of_the_corpus_draw_what_they_drew),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

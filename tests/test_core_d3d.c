@@ -33,9 +33,8 @@ static matrix looking(qtri_vec3 eye, qtri_vec3 at, qtri_vec3 up)
     return a;
 }
 
-static void cameras(void **state)
+TEST(cameras)
 {
-    (void)state;
     double worst = 0;
     uint64_t seed = 1;
     for (int n = 0; n < 2000; n++) {
@@ -57,9 +56,8 @@ static void cameras(void **state)
 }
 
 /* Clip z in 0..w as the documentation has it is 2 z - w here. */
-static void projections(void **state)
+TEST(projections)
 {
-    (void)state;
     uint64_t seed = 2;
     for (int n = 0; n < 2000; n++) {
         const q16 l = random_in(&seed, -Q16(4), -100);
@@ -124,9 +122,8 @@ static void set_lights(qtri_light_source sources[2], bool is_mirrored)
 }
 
 /* A world mirrored in z, seen by mirrored builders, looks the same. */
-static void same_picture(void **state)
+TEST(same_picture)
 {
-    (void)state;
     static faces_mesh m;
     uint64_t seed = 4;
     for (int n = 0; n < 60; n++) {
@@ -221,9 +218,8 @@ static void project_by(qtri_transform *t, int form, q16 near_z, q16 far_z)
 }
 
 /* near beyond far: "greater" after a clear to 0 draws what "less" after one to 65535 does. */
-static void depth_reversed(void **state)
+TEST(depth_reversed)
 {
-    (void)state;
     static faces_mesh m;
     uint64_t seed = 5;
     int pixels = 0;
@@ -269,11 +265,5 @@ static void depth_reversed(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cameras),
-        cmocka_unit_test(projections),
-        cmocka_unit_test(same_picture),
-        cmocka_unit_test(depth_reversed),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -239,9 +239,8 @@ static void draw_scene(const qtri_surface *s, uint64_t seed, bool smooth)
 /* ---- Tests ---- */
 
 /* Codes keep the order of depths, and come back within half a step, or a step, of them. */
-static void codes(void **state)
+TEST(codes)
 {
-    (void)state;
     uint64_t seed = 1;
     for (int f = 0; f < FORMATS; f++) {
         const qtri_depth_format *format = formats[f];
@@ -272,9 +271,8 @@ static void codes(void **state)
 }
 
 /* As many are encoded and decoded as there are, each as alone; what lies behind them stays. */
-static void counts(void **state)
+TEST(counts)
 {
-    (void)state;
     static const qtri_depth_format *const all[] = {&qtri_depth_linear16, &qtri_depth_float16,
                                                    &qtri_depth_linear24, &qtri_depth_linear32};
     enum { BEHIND = 4, MOST = 32 };
@@ -301,9 +299,8 @@ static void counts(void **state)
 
 /* The codes of linear16, as a format of the application's own, draw and leave what linear16 does,
    bit for bit. */
-static void twins(void **state)
+TEST(twins)
 {
-    (void)state;
     for (uint64_t n = 0; n < (uint64_t)random_cases(500); n++) {
         board with = board_new(drawn_format((int32_t)n), NULL);
         board same = board_new(drawn_format((int32_t)n), &twin);
@@ -316,9 +313,8 @@ static void twins(void **state)
 }
 
 /* Loops over rows draw and leave what depths do that are encoded one by one, bit for bit. */
-static void loops(void **state)
+TEST(loops)
 {
-    (void)state;
     for (uint64_t n = 0; n < (uint64_t)random_cases(450); n++) {
         const qtri_depth_format *format = formats[n % FORMATS];
         qtri_depth_format plain = *format;
@@ -334,9 +330,8 @@ static void loops(void **state)
 }
 
 /* Smooth lines one by one, of even depth: linear16 has that of others in fewer bits. */
-static void smooth_lines(void **state)
+TEST(smooth_lines)
 {
-    (void)state;
     static const uint16_t two[2][3] = {{0, 1, 2}, {0, 2, 3}};
     qtri_vertex vertices[4];
     for (int n = 0; n < 40; n++) {
@@ -395,9 +390,8 @@ static bool model_passes(qtri_compare compare, uint32_t depth, uint32_t stored)
 }
 
 /* What is level, over what was there, by every comparison: shapes over the pixel in the middle. */
-static void comparisons(void **state)
+TEST(comparisons)
 {
-    (void)state;
     static const uint32_t depths[] = {0,
                                       1u << 8,
                                       7u << 20,
@@ -467,9 +461,8 @@ static void comparisons(void **state)
 }
 
 /* Bands and scissors are the whole frame's, and nothing is written beside them. */
-static void pieces(void **state)
+TEST(pieces)
 {
-    (void)state;
     uint64_t seed = 8;
     for (uint64_t n = 0; n < (uint64_t)random_cases(240); n++) {
         const qtri_format *format = drawn_format((int32_t)n / FORMATS);
@@ -493,9 +486,8 @@ static void pieces(void **state)
 }
 
 /* How far stored depths are from the triangle's plane, in steps of linear16. */
-static void planes(void **state)
+TEST(planes)
 {
-    (void)state;
     uint64_t seed = 15;
     for (int f = 0; f < FORMATS; f++) {
         board b = board_new(&qtri_gray8, formats[f]);
@@ -550,9 +542,8 @@ static void planes(void **state)
  * and that is the farthest, or 0: depths are clamped to it, in one colour as in many, by the row as
  * one by one, and stray from the plane by half a step a pixel.
  */
-static void ends_of_depths(void **state)
+TEST(ends_of_depths)
 {
-    (void)state;
     const uint32_t farthest = (uint32_t)65535 << 16;
     qtri_depth_format one_by_one = qtri_depth_linear32;
     one_by_one.kind = QTRI_OTHER_DEPTH;
@@ -589,9 +580,8 @@ static void ends_of_depths(void **state)
 }
 
 /* Sizes, errors, clearing: inside of the scissor alone, of any pitch. */
-static void layouts(void **state)
+TEST(layouts)
 {
-    (void)state;
     static uint8_t memory[QTRI_BAND_BYTES_DEPTH(WIDTH, HEIGHT, 4, 4)];
     qtri_surface s;
     for (int f = 0; f < FORMATS; f++) {
@@ -658,9 +648,8 @@ static void layouts(void **state)
 }
 
 /* Frames lay out bands with depth of any format, in one buffer and in two. */
-static void frames(void **state)
+TEST(frames)
 {
-    (void)state;
     enum { ROWS = 12, OVERLAP = 2 };
     static uint8_t memory[QTRI_FRAME_BYTES_DOUBLE_DEPTH(WIDTH, ROWS + 2 * OVERLAP, 4, 4)];
     for (int n = 0; n < FORMATS * 8; n++) {
@@ -699,9 +688,8 @@ static void frames(void **state)
 }
 
 /* The edge pass takes linear16 from any format; the twin's edges are those of linear16. */
-static void edges(void **state)
+TEST(edges)
 {
-    (void)state;
     static uint32_t outline_memory[2048];
     static uint32_t words[4096];
     static uint16_t neighbours[LENGTH_OF(triangles)][3];
@@ -765,9 +753,8 @@ static void edges(void **state)
 
 /* What float16 stores by a shift is what it stores of each depth; a row's runs have one exponent
    each, whichever way it goes, and together all of its pixels. */
-static void octaves(void **state)
+TEST(octaves)
 {
-    (void)state;
     uint64_t seed = 31;
     for (int n = 0; n < 400000; n++) {
         const uint32_t random = (uint32_t)random_in(&seed, INT32_MIN, INT32_MAX);
@@ -800,12 +787,5 @@ static void octaves(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(loops),   cmocka_unit_test(codes),       cmocka_unit_test(counts),
-        cmocka_unit_test(twins),   cmocka_unit_test(comparisons), cmocka_unit_test(smooth_lines),
-        cmocka_unit_test(pieces),  cmocka_unit_test(planes),      cmocka_unit_test(layouts),
-        cmocka_unit_test(frames),  cmocka_unit_test(edges),       cmocka_unit_test(ends_of_depths),
-        cmocka_unit_test(octaves),
-    };
-    return cmocka_run_group_tests(tests, set_up, NULL);
+    return run_all_tests(set_up, NULL);
 }

@@ -7,9 +7,8 @@
 static const qtri_dither kinds[] = {QTRI_DITHER_NEAREST, QTRI_DITHER_BAYER4, QTRI_DITHER_BAYER8};
 
 /* Every RGB565 and many XRGB8888 pixels, against double: to nearest, of exact ties either way. */
-static void luma(void **state)
+TEST(luma)
 {
-    (void)state;
     uint16_t row[256];
     uint32_t wide[256];
     uint16_t swapped[256];
@@ -52,9 +51,8 @@ static void luma(void **state)
 
 /* Colours cleared into a GRAY8 surface and converted from the others are the same gray, or a tie.
  */
-static void luma_of_formats(void **state)
+TEST(luma_of_formats)
 {
-    (void)state;
     static const qtri_format *const formats[] = {&qtri_gray8, &qtri_xrgb8888, &qtri_rgb888,
                                                  &qtri_bgr888};
     uint64_t random = 2;
@@ -76,9 +74,8 @@ static void luma_of_formats(void **state)
 }
 
 /* Black where a surface holds nothing; nothing else is read or written. */
-static void luma_outside(void **state)
+TEST(luma_outside)
 {
-    (void)state;
     static const qtri_format *const formats[] = {&qtri_rgb565, &qtri_rgb565_swapped, &qtri_xrgb8888,
                                                  &qtri_bgr888, &qtri_rgb888,         &qtri_gray8};
     for (size_t n = 0; n < LENGTH_OF(formats); n++) {
@@ -114,9 +111,8 @@ static int bayer(int order, int x, int y)
                             two[y / (order / 2)][x / (order / 2)];
 }
 
-static void ordered_levels(void **state)
+TEST(ordered_levels)
 {
-    (void)state;
     static const uint8_t most[] = {1, 2, 3, 15, 16, 254, 255};
     for (size_t m = 0; m < LENGTH_OF(most); m++) {
         for (int k = 0; k < 3; k++) {
@@ -148,9 +144,8 @@ static void ordered_levels(void **state)
 
 /* A level depends on gray and coordinates alone: pieces, negative and huge coordinates, in place.
  */
-static void ordered_places(void **state)
+TEST(ordered_places)
 {
-    (void)state;
     uint64_t random = 3;
     for (int n = 0; n < 2000; n++) {
         uint8_t gray[40];
@@ -181,9 +176,8 @@ static void ordered_places(void **state)
 }
 
 /* Flat grays and ramps: the picture's mean is kept, ends are exact, levels stay in range. */
-static void diffusion_means(void **state)
+TEST(diffusion_means)
 {
-    (void)state;
     enum { W = 64, H = 48 };
     double worst = 0;
     for (int n = 0; n < 2 * 257; n++) {
@@ -220,9 +214,8 @@ static void diffusion_means(void **state)
 }
 
 /* The weights, on one bright pixel: 7/16 right, 3/16, 5/16 and 1/16 below. */
-static void diffusion_weights(void **state)
+TEST(diffusion_weights)
 {
-    (void)state;
     int16_t error[5];
     qtri_diffusion d;
     for (int value = 0; value < 256; value++) { /* the nearest level */
@@ -246,9 +239,8 @@ static void diffusion_weights(void **state)
 }
 
 /* Pieces of rows are the row; out of order begins a new picture; any arguments are safe. */
-static void diffusion_order(void **state)
+TEST(diffusion_order)
 {
-    (void)state;
     enum { W = 37, H = 11 };
     uint64_t random = 4;
     uint8_t gray[H][W];
@@ -304,9 +296,8 @@ static void dither_565(qtri_dither kind, int32_t x, int32_t y, const uint32_t *r
 }
 
 /* Colours of RGB565 come out as they are at every pixel of a field. */
-static void colors_of_565_stay(void **state)
+TEST(colors_of_565_stay)
 {
-    (void)state;
     static uint32_t rgb[65536];
     static uint16_t pixels[65536];
     for (uint32_t c = 0; c < 65536; c++) {
@@ -323,9 +314,8 @@ static void colors_of_565_stay(void **state)
 }
 
 /* Means of the three channels over a field, against double; a channel looks at itself alone. */
-static void means_of_565(void **state)
+TEST(means_of_565)
 {
-    (void)state;
     double worst = 0, worst_nearest = 0;
     for (size_t kind = 0; kind < LENGTH_OF(kinds); kind++) {
         for (uint32_t c = 0; c < 256; c++) {
@@ -356,9 +346,8 @@ static void means_of_565(void **state)
 }
 
 /* Pieces of a row, in any order, are the row. */
-static void pieces_of_565(void **state)
+TEST(pieces_of_565)
 {
-    (void)state;
     uint64_t random = 8;
     uint32_t rgb[64];
     uint16_t whole[64], pieces[64];
@@ -385,18 +374,5 @@ static void pieces_of_565(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(luma),
-        cmocka_unit_test(luma_of_formats),
-        cmocka_unit_test(luma_outside),
-        cmocka_unit_test(ordered_levels),
-        cmocka_unit_test(ordered_places),
-        cmocka_unit_test(diffusion_means),
-        cmocka_unit_test(diffusion_weights),
-        cmocka_unit_test(diffusion_order),
-        cmocka_unit_test(colors_of_565_stay),
-        cmocka_unit_test(means_of_565),
-        cmocka_unit_test(pieces_of_565),
-    };
-    return cmocka_run_group_tests_name("core dither", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

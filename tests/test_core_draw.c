@@ -142,9 +142,8 @@ static int painted(const canvas *c)
     return count;
 }
 
-static void any_scratch_size(void **state)
+TEST(any_scratch_size)
 {
-    (void)state;
     static const uint32_t sizes[] = {1, 2, 3, 7, VERTICES - 1, VERTICES, 2 * VERTICES};
     static qtri_vertex scratch[2 * VERTICES + 1];
     static full_mesh m;
@@ -185,9 +184,8 @@ static void any_scratch_size(void **state)
 }
 
 /* The same corners drawn as a mesh and as a list, each band alone too. */
-static void corners_equal_mesh(void **state)
+TEST(corners_equal_mesh)
 {
-    (void)state;
     static full_mesh m;
     static qtri_corner corners[TRIANGLES * 3];
     uint64_t seed = 102;
@@ -226,9 +224,8 @@ static void corners_equal_mesh(void **state)
 }
 
 /* Inside a closed box whose faces are cut to pieces: every pixel is covered exactly once. */
-static void inside_a_box(void **state)
+TEST(inside_a_box)
 {
-    (void)state;
     enum { CUTS = 3 };
     uint64_t seed = 103;
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
@@ -281,9 +278,8 @@ static void inside_a_box(void **state)
 }
 
 /* Light by faces does not depend on the normals that the mesh has for light by vertices. */
-static void flat_light_without_normals(void **state)
+TEST(flat_light_without_normals)
 {
-    (void)state;
     static full_mesh m;
     uint64_t seed = 110;
     int total = 0;
@@ -329,9 +325,8 @@ static bool is_close(uint32_t one, uint32_t two)
  * Compact arrays that hold the same numbers as the wide ones give the same picture, but for the
  * pixels where a rounding of the position in 2^28 shows.
  */
-static void compact_equals_wide(void **state)
+TEST(compact_equals_wide)
 {
-    (void)state;
     static full_mesh m;
     static qtri_vertex scratch[VERTICES];
     uint64_t seed = 107;
@@ -388,9 +383,8 @@ static void compact_equals_wide(void **state)
  * A vertex stage draws the meshes that it serves as the whole one does, nothing of those whose
  * positions it does not serve, and without light what it does not light.
  */
-static void stages(void **state)
+TEST(stages)
 {
-    (void)state;
     static full_mesh m;
     static qtri_vertex scratch[VERTICES];
     uint64_t seed = 113;
@@ -454,9 +448,8 @@ static void stages(void **state)
 }
 
 /* A box around the mesh never changes the picture, and does keep a mesh out of sight from work. */
-static void bounds(void **state)
+TEST(bounds)
 {
-    (void)state;
     static full_mesh m;
     static qtri_vertex scratch[VERTICES];
     uint64_t seed = 108;
@@ -559,9 +552,8 @@ static double intensity(const qtri_light *light, const qtri_transform *to_eye, c
 }
 
 /* COURSE scene 7: light under rotation, even and uneven scale, reflection and shear. */
-static void lit(void **state)
+TEST(lit)
 {
-    (void)state;
     double worst[2][2] = {{0, 0}, {0, 0}};
     int seen = 0;
     uint64_t seed = 104;
@@ -639,9 +631,8 @@ static void lit(void **state)
     canvas_free(&c);
 }
 
-static void nothing_to_draw(void **state)
+TEST(nothing_to_draw)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     qtri_view view;
     qtri_transform pose;
@@ -675,9 +666,8 @@ static void nothing_to_draw(void **state)
 }
 
 /* Clip-space corners with any w: the three share a scale, the picture does not depend on it. */
-static void homogeneous(void **state)
+TEST(homogeneous)
 {
-    (void)state;
     uint64_t seed = 105;
     for (int n = 0; n < random_cases(2000); n++) {
         canvas a = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
@@ -737,9 +727,8 @@ static void random_lights(qtri_light *lights, qtri_light_source sources[QTRI_LIG
     (void)qtri_light_init(lights, sources, (uint32_t)random_in(seed, 0, 9), ambient);
 }
 
-static void garbage(void **state)
+TEST(garbage)
 {
-    (void)state;
     static full_mesh m;
     static qtri_vertex scratch[QTRI_LIT_VERTICES(VERTICES)];
     static qtri_corner corners[12];
@@ -836,18 +825,5 @@ static void garbage(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_scratch_size),
-        cmocka_unit_test(corners_equal_mesh),
-        cmocka_unit_test(inside_a_box),
-        cmocka_unit_test(compact_equals_wide),
-        cmocka_unit_test(flat_light_without_normals),
-        cmocka_unit_test(stages),
-        cmocka_unit_test(bounds),
-        cmocka_unit_test(lit),
-        cmocka_unit_test(nothing_to_draw),
-        cmocka_unit_test(homogeneous),
-        cmocka_unit_test(garbage),
-    };
-    return cmocka_run_group_tests_name("core draw", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -81,9 +81,8 @@ static void draw_bands(canvas *c, const qtri_mesh *mesh, const qtri_view *view,
 }
 
 /* Planes that turn no face away, of a mesh that is larger than it says: as without them. */
-static void planes_of_a_smaller_mesh(void **state)
+TEST(planes_of_a_smaller_mesh)
 {
-    (void)state;
     static const qtri_face8 none[TRIANGLES];
     int met = 0;
     for (int n = 0; n < 120; n++) {
@@ -119,9 +118,8 @@ static void planes_of_a_smaller_mesh(void **state)
 }
 
 /* Of two triangles that nobody may see the planes say so, and what they span is not marked. */
-static void vertices_that_were_never_met(void **state)
+TEST(vertices_that_were_never_met)
 {
-    (void)state;
     static const qtri_face8 away[TRIANGLES] = {
         {0, 0, -120, 120}, {0, 0, -120, 120}, {0, 0, 120, 120}, {0, 0, 120, 120},
         {-120, 0, 0, 120}, {-120, 0, 0, 120}, {120, 0, 0, 120}, {120, 0, 0, 120},
@@ -169,9 +167,8 @@ static void vertices_that_were_never_met(void **state)
 /* ---- Hidden lines ---- */
 
 /* Depth is compared as the material says, and the lines' bias is towards the eye. */
-static void hidden_lines_of_all_comparisons(void **state)
+TEST(hidden_lines_of_all_comparisons)
 {
-    (void)state;
     static const qtri_compare near_ones[2] = {QTRI_LESS, QTRI_LESS_EQUAL};
     static const qtri_compare far_ones[2] = {QTRI_GREATER, QTRI_GREATER_EQUAL};
     qtri_transform pose;
@@ -201,9 +198,8 @@ static void hidden_lines_of_all_comparisons(void **state)
 }
 
 /* Without a format there is nothing to draw on. */
-static void hidden_lines_on_no_surface(void **state)
+TEST(hidden_lines_on_no_surface)
 {
-    (void)state;
     qtri_transform pose;
     const qtri_view view = view_of(6, &pose);
     const qtri_mesh mesh = cube();
@@ -219,9 +215,8 @@ static void hidden_lines_on_no_surface(void **state)
 }
 
 /* What a texture leaves out hides nothing: by its key, or by its alpha. */
-static void hidden_lines_through_holes(void **state)
+TEST(hidden_lines_through_holes)
 {
-    (void)state;
     static const uint16_t holes[4] = {0, 0, 0, 0}, solid[4] = {0x8000, 0x8000, 0x8000, 0x8000};
     qtri_transform pose;
     const qtri_view view = view_of(6, &pose);
@@ -273,9 +268,8 @@ static void draw_strokes(const qtri_surface *s, const qtri_stroke *stroke,
     }
 }
 
-static void strokes_of_nothing(void **state)
+TEST(strokes_of_nothing)
 {
-    (void)state;
     for (int n = 0; n < 8; n++) {
         qtri_stroke stroke = qtri_stroke_default();
         qtri_material material = qtri_material_default();
@@ -317,9 +311,8 @@ static void strokes_of_nothing(void **state)
 }
 
 /* Wide wireframes: nothing of a mesh without triangles; those with wrong indices are skipped. */
-static void wide_wireframes_of_wrong_meshes(void **state)
+TEST(wide_wireframes_of_wrong_meshes)
 {
-    (void)state;
     static uint16_t wrong[TRIANGLES + 3][3];
     memcpy(wrong, cube_triangles, sizeof cube_triangles);
     wrong[TRIANGLES][0] = VERTICES;
@@ -358,9 +351,8 @@ static void wide_wireframes_of_wrong_meshes(void **state)
  * Edges of triangles beyond a band, in steps of 1/256 pixel to where their strokes do not reach it
  * any more: its rows are those of the whole frame.
  */
-static void wide_edges_beside_a_band(void **state)
+TEST(wide_edges_beside_a_band)
 {
-    (void)state;
     static const uint16_t one[1][3] = {{0, 1, 2}};
     qtri_view view;
     qtri_transform identity;
@@ -397,9 +389,8 @@ static void wide_edges_beside_a_band(void **state)
     assert_in_range(reached, 700, 1200); /* 512 of 700 on either side, less where centres count */
 }
 
-static void prepared_in_many_lights(void **state)
+TEST(prepared_in_many_lights)
 {
-    (void)state;
     static qtri_vec3 spread[3 * VERTICES];
     static qtri_normal up[3 * VERTICES];
     static uint16_t all[3 * TRIANGLES][3];
@@ -463,9 +454,8 @@ static void prepared_in_many_lights(void **state)
 }
 
 /* Memory of light that something else has cleared since: what is drawn is black. */
-static void prepared_light_that_was_lost(void **state)
+TEST(prepared_light_that_was_lost)
 {
-    (void)state;
     const qtri_light_source source = {
         .kind = &qtri_directional_light, .position = vec3_of(1, 2, 2), .color = {Q16(1), 0, 0}};
     const qtri_light_color dark = {0, 0, 0};
@@ -498,9 +488,8 @@ static void prepared_light_that_was_lost(void **state)
 
 /* Surfaces of another width or height; rows behind the last band; memory for all that places can
    count. */
-static void prepared_for_another_frame(void **state)
+TEST(prepared_for_another_frame)
 {
-    (void)state;
     static uint16_t many[70000];
     static const uint32_t counts[3] = {400, 69000, 70000};
     qtri_transform pose;
@@ -540,9 +529,8 @@ static void prepared_for_another_frame(void **state)
 }
 
 /* More triangles than the largest groups have room for: those that are in none are looked at. */
-static void prepared_with_the_largest_groups(void **state)
+TEST(prepared_with_the_largest_groups)
 {
-    (void)state;
     enum { MANY = 300000 };
     static uint16_t all[MANY][3]; /* nothing but the last ones has an area */
     memcpy(all[MANY - TRIANGLES], cube_triangles, sizeof cube_triangles);
@@ -567,9 +555,8 @@ static void prepared_with_the_largest_groups(void **state)
 }
 
 /* Bands of one row: more lists than there are blocks. And a frame that has lost its rows. */
-static void prepared_in_rows(void **state)
+TEST(prepared_in_rows)
 {
-    (void)state;
     static const uint32_t counts[4] = {88, 150, 200, 400};
     qtri_transform pose;
     const qtri_view view = view_of(5, &pose);
@@ -604,9 +591,8 @@ static void prepared_in_rows(void **state)
 /* ---- Memory that is laid out otherwise ---- */
 
 /* Rows far apart, upside down, or not as far apart as those of depth; depth that is not written. */
-static void surfaces_of_any_pitch(void **state)
+TEST(surfaces_of_any_pitch)
 {
-    (void)state;
     enum { FAR = 70000 };
     static uint16_t far[FAR / 2 * HEIGHT];
     qtri_transform pose;
@@ -644,9 +630,8 @@ static void surfaces_of_any_pitch(void **state)
 }
 
 /* Blended edges are drawn by every triangle that has them, in bands as in the frame. */
-static void blended_wireframes(void **state)
+TEST(blended_wireframes)
 {
-    (void)state;
     static const qtri_compare compares[3] = {QTRI_LESS, QTRI_LESS_EQUAL, QTRI_DEPTH_OFF};
     qtri_transform pose;
     const qtri_view view = view_of(5, &pose);
@@ -670,9 +655,8 @@ static void blended_wireframes(void **state)
 /* ---- Boxes ---- */
 
 /* A mesh with bounds, moved out of the frame by parts of a pixel: as one without. */
-static void samples_beside_the_frame(void **state)
+TEST(samples_beside_the_frame)
 {
-    (void)state;
     static uint32_t memory[2][QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_RGB565_X4_BYTES) / 4];
     const qtri_material material = qtri_material_default();
     int seen = 0;
@@ -701,9 +685,8 @@ static void samples_beside_the_frame(void **state)
     assert_in_range(seen, 10, 24 * HEIGHT - 10);
 }
 
-static void default_material(void **state)
+TEST(default_material)
 {
-    (void)state;
     const qtri_material m = qtri_material_default();
     assert_int_equal(m.alpha, 255);
     assert_true(m.color.r == 255 && m.color.g == 255 && m.color.b == 255);
@@ -716,24 +699,5 @@ static void default_material(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(planes_of_a_smaller_mesh),
-        cmocka_unit_test(default_material),
-        cmocka_unit_test(vertices_that_were_never_met),
-        cmocka_unit_test(hidden_lines_of_all_comparisons),
-        cmocka_unit_test(hidden_lines_through_holes),
-        cmocka_unit_test(hidden_lines_on_no_surface),
-        cmocka_unit_test(strokes_of_nothing),
-        cmocka_unit_test(wide_wireframes_of_wrong_meshes),
-        cmocka_unit_test(wide_edges_beside_a_band),
-        cmocka_unit_test(prepared_in_many_lights),
-        cmocka_unit_test(prepared_light_that_was_lost),
-        cmocka_unit_test(prepared_for_another_frame),
-        cmocka_unit_test(prepared_with_the_largest_groups),
-        cmocka_unit_test(prepared_in_rows),
-        cmocka_unit_test(surfaces_of_any_pitch),
-        cmocka_unit_test(blended_wireframes),
-        cmocka_unit_test(samples_beside_the_frame),
-    };
-    return cmocka_run_group_tests_name("core draw ends", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -85,9 +85,8 @@ static int make_torus(void **state)
 }
 
 /* The neighbour across an edge has it the other way round; a closed mesh has all of them. */
-static void neighbours_are_found(void **state)
+TEST(neighbours_are_found)
 {
-    (void)state;
     int none = 0;
     for (int t = 0; t < TRIANGLES; t++) {
         for (int i = 0; i < 3; i++) {
@@ -279,9 +278,8 @@ static void prepare(struct bands *b, const struct scene *s, qtri_prepared *prepa
     assert_int_equal(qtri_prepared_find_edges(prepared, of), QTRI_OK);
 }
 
-static void bands_and_lists(void **state)
+TEST(bands_and_lists)
 {
-    (void)state;
     uint64_t seed = 1;
     for (int round = 0; round < 600; round++) {
         struct scene s = random_scene(&seed);
@@ -331,9 +329,8 @@ static void bands_and_lists(void **state)
     }
 }
 
-static void scissors_and_pitches(void **state)
+TEST(scissors_and_pitches)
 {
-    (void)state;
     uint64_t seed = 2;
     for (int round = 0; round < 400; round++) {
         struct scene s = random_scene(&seed);
@@ -371,9 +368,8 @@ static void scissors_and_pitches(void **state)
 }
 
 /* Until the blend, an outlined mesh is drawn as any other, and only pixels near edges change. */
-static void drawing_is_the_same(void **state)
+TEST(drawing_is_the_same)
 {
-    (void)state;
     uint64_t seed = 3;
     int changed = 0;
     for (int round = 0; round < 100; round++) {
@@ -496,9 +492,8 @@ static double coverage_of(const struct polygon *polygon, int px, int py)
  * Far from corners, the box's coverage. An edge that passes a pixel's centre by less than the walk
  * knows, 2^-10 of a pixel, may find the neighbour on the wrong side: then nothing changes.
  */
-static void shares_are_the_coverage(void **state)
+TEST(shares_are_the_coverage)
 {
-    (void)state;
     uint64_t seed = 4;
     double worst = 0;
     int pixels = 0, wrong_side = 0;
@@ -552,9 +547,8 @@ static void shares_are_the_coverage(void **state)
 }
 
 /* Edge a b is edge b a: triangles of either winding have the same outline. */
-static void winding_does_not_matter(void **state)
+TEST(winding_does_not_matter)
 {
-    (void)state;
     uint64_t seed = 5;
     for (int round = 0; round < 300; round++) {
         static struct picture one, other;
@@ -577,9 +571,8 @@ static void winding_does_not_matter(void **state)
 }
 
 /* Two triangles of one colour over black: no seam inside, nothing darker than their coverage. */
-static void shared_edges_leave_no_seam(void **state)
+TEST(shared_edges_leave_no_seam)
 {
-    (void)state;
     uint64_t seed = 6;
     for (int round = 0; round < 300; round++) {
         qtri_vec3 corners[4];
@@ -601,9 +594,8 @@ static void shared_edges_leave_no_seam(void **state)
 }
 
 /* 8192 pixels wide: shares are as exact at the far end. */
-static void long_edges(void **state)
+TEST(long_edges)
 {
-    (void)state;
     static uint32_t wide[QTRI_BAND_BYTES(8192, 6, 1) / 4 + 1];
     static uint32_t marks[QTRI_EDGES_WORDS(8192, 6, 1)];
     static const uint16_t triangle[1][3] = {{0, 1, 2}}, none[1][3] = {{1, 1, 1}};
@@ -658,9 +650,8 @@ static void long_edges(void **state)
 /* ---- What is left alone ---- */
 
 /* A mesh behind a near quad: none of the quad's pixels changes but on its own border. */
-static void hidden_edges(void **state)
+TEST(hidden_edges)
 {
-    (void)state;
     uint64_t seed = 8;
     int beside = 0;
     for (int round = 0; round < 100; round++) {
@@ -714,9 +705,8 @@ static void hidden_edges(void **state)
 }
 
 /* Memory and arguments that do not serve. */
-static void errors(void **state)
+TEST(errors)
 {
-    (void)state;
     uint64_t seed = 9;
     struct scene s = random_scene(&seed);
     qtri_surface surface;
@@ -765,9 +755,8 @@ static void errors(void **state)
 }
 
 /* Bands whose overlap is drawn again: where they lie, and what is changed. */
-static void overlap_is_drawn_again(void **state)
+TEST(overlap_is_drawn_again)
 {
-    (void)state;
     uint64_t seed = 10;
     qtri_frame frame;
     qtri_surface band, shown;
@@ -820,9 +809,8 @@ static void overlap_is_drawn_again(void **state)
 }
 
 /* Bands whose overlap is kept: which rows are drawn, kept and shown, in one buffer and in two. */
-static void overlap_is_kept(void **state)
+TEST(overlap_is_kept)
 {
-    (void)state;
     uint64_t seed = 11;
     qtri_surface band, shown;
     uint8_t kept[QTRI_FRAME_KEPT_BYTES(WIDTH, 8, 2) + 1];
@@ -900,9 +888,8 @@ static void overlap_is_kept(void **state)
 }
 
 /* What overlap adds to what has changed: in the middle, and at each border of the frame. */
-static void overlap_widens_changes(void **state)
+TEST(overlap_widens_changes)
 {
-    (void)state;
     enum { OVERLAP = 2, SIDE = 20, ROWS = 5 };
     static uint32_t bytes[QTRI_FRAME_BYTES(SIDE, ROWS + 2 * OVERLAP, 4) / 4 + 4];
     static const struct {
@@ -925,9 +912,8 @@ static void overlap_widens_changes(void **state)
 }
 
 /* Rows that are no band's, in the halo below the last: all triangles are looked at. */
-static void rows_below_the_last_band(void **state)
+TEST(rows_below_the_last_band)
 {
-    (void)state;
     uint64_t seed = 9;
     for (int round = 0; round < 40; round++) {
         struct scene s = random_scene(&seed);
@@ -959,21 +945,5 @@ static void rows_below_the_last_band(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(neighbours_are_found),
-        cmocka_unit_test(bands_and_lists),
-        cmocka_unit_test(rows_below_the_last_band),
-        cmocka_unit_test(scissors_and_pitches),
-        cmocka_unit_test(drawing_is_the_same),
-        cmocka_unit_test(shares_are_the_coverage),
-        cmocka_unit_test(winding_does_not_matter),
-        cmocka_unit_test(shared_edges_leave_no_seam),
-        cmocka_unit_test(long_edges),
-        cmocka_unit_test(hidden_edges),
-        cmocka_unit_test(errors),
-        cmocka_unit_test(overlap_is_drawn_again),
-        cmocka_unit_test(overlap_is_kept),
-        cmocka_unit_test(overlap_widens_changes),
-    };
-    return cmocka_run_group_tests(tests, make_torus, NULL);
+    return run_all_tests(make_torus, NULL);
 }

@@ -187,9 +187,8 @@ static void check_window(sweep *s, int64_t from, int count)
     }
 }
 
-static void single_functions(void **state)
+TEST(single_functions)
 {
-    (void)state;
     static int32_t value[STRESS_COUNT];
     int count = stress_values(value);
     for (int i = 0; i < ELEMENTARY_SINGLE; i++) {
@@ -255,9 +254,8 @@ static void check_turn(q16 x)
     }
 }
 
-static void sine_and_cosine(void **state)
+TEST(sine_and_cosine)
 {
-    (void)state;
     int64_t step = long_run() ? 1 : 1021;
     for (int64_t x = INT32_MIN; x <= INT32_MAX; x += step) {
         check_sincos((q16)x);
@@ -277,9 +275,8 @@ static void sine_and_cosine(void **state)
     }
 }
 
-static void angles_that_are_exact(void **state)
+TEST(angles_that_are_exact)
 {
-    (void)state;
     static const q16 quadrant[4] = {0, Q16_ONE, 0, -Q16_ONE};
     for (int32_t right = -364; right <= 364; right++) {
         q16 angle = right * Q16(90);
@@ -322,9 +319,8 @@ static void check_atan2(double worst[2], q16 y, q16 x)
     }
 }
 
-static void two_sides(void **state)
+TEST(two_sides)
 {
-    (void)state;
     static int32_t value[STRESS_COUNT];
     int count = stress_values(value);
     double worst[2] = {0, 0};
@@ -377,9 +373,8 @@ static void check_pow(power_worst *worst, q16 x, q16 y)
     }
 }
 
-static void powers(void **state)
+TEST(powers)
 {
-    (void)state;
     static int32_t value[STRESS_COUNT];
     int count = stress_values(value);
     power_worst worst = {0, 0};
@@ -427,9 +422,8 @@ static void powers(void **state)
     assert_int_equal(q16_pow(Q16_MAX, Q16_MAX), Q16_MAX);
 }
 
-static void powers_of_two(void **state)
+TEST(powers_of_two)
 {
-    (void)state;
     for (int32_t n = -16; n < 15; n++) {
         q16 power = n < 0 ? 65536 >> -n : (q16)65536 << n;
         assert_int_equal(q16_exp2(n * 65536), power);
@@ -449,9 +443,8 @@ static void powers_of_two(void **state)
 }
 
 /* Half-word products give the same bits. */
-static void narrow_cores(void **state)
+TEST(narrow_cores)
 {
-    (void)state;
     static const elementary_build here = ELEMENTARY_BUILD;
     const elementary_build *narrow = &elementary_narrow_build;
     static int32_t value[STRESS_COUNT];
@@ -481,9 +474,8 @@ static void narrow_cores(void **state)
 }
 
 /* The committed header is what the generator prints. */
-static void generated_coefficients(void **state)
+TEST(generated_coefficients)
 {
-    (void)state;
     FILE *committed = fopen("core/math/coefficients.h", "r");
     if (committed == NULL || LDBL_MANT_DIG < 64) {
         print_message("needs the source folder and a long double of 64 bits\n");
@@ -508,25 +500,13 @@ static void generated_coefficients(void **state)
 }
 
 /* Of no direction there is none, to the last bit of a turn. */
-static void angle_of_nothing(void **state)
+TEST(angle_of_nothing)
 {
-    (void)state;
     assert_int_equal(qtri_angle_q31(0, 0, false), 0);
     assert_int_equal(qtri_angle_q31(0, 0, true), 0);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(single_functions),
-        cmocka_unit_test(angle_of_nothing),
-        cmocka_unit_test(sine_and_cosine),
-        cmocka_unit_test(angles_that_are_exact),
-        cmocka_unit_test(two_sides),
-        cmocka_unit_test(powers),
-        cmocka_unit_test(powers_of_two),
-        cmocka_unit_test(narrow_cores),
-        cmocka_unit_test(generated_coefficients),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

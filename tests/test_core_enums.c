@@ -109,9 +109,8 @@ static void draw_with(board *b, const setting *s, uint32_t number)
     draw_all(&b->surface, &m, &stroke);
 }
 
-static void numbers_that_are_none_have_the_documented_result(void **state)
+TEST(numbers_that_are_none_have_the_documented_result)
 {
-    (void)state;
     static board expected, got;
     static const qtri_format *const formats[4] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8,
                                                   &qtri_rgb565_x4};
@@ -135,8 +134,5 @@ static void numbers_that_are_none_have_the_documented_result(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers_that_are_none_have_the_documented_result),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -86,9 +86,8 @@ static void check_pose(const qtri_mesh *mesh, const qtri_view *view, const qtri_
 }
 
 /* Frames of all sizes: snapping counts most in the smallest. */
-static void culls_no_front_face(void **state)
+TEST(culls_no_front_face)
 {
-    (void)state;
     static faces_mesh m;
     static const int32_t sizes[] = {16, 64, 320, 1000, 4000};
     uint64_t seed = 201;
@@ -114,9 +113,8 @@ static void culls_no_front_face(void **state)
 }
 
 /* Any transform, any numbers in planes: nothing traps, sums stay below 2^31. */
-static void any_numbers(void **state)
+TEST(any_numbers)
 {
-    (void)state;
     uint64_t seed = 202;
     unsigned found = 0;
     for (int n = 0; n < repeats(200000); n++) {
@@ -193,9 +191,8 @@ static void draw_in_bands(canvas *c, qtri_vertex *vertices, uint32_t count, uint
  * few: the same pixels. Light by faces is another matter, see below. Every eighth mesh has indices
  * past the end.
  */
-static void same_pictures(void **state)
+TEST(same_pictures)
 {
-    (void)state;
     static faces_mesh m;
     static qtri_vertex vertices[FACES_VERTICES + 50];
     static uint16_t lists[QTRI_PREPARED_LISTS(FACES_TRIANGLES, HEIGHT, 16)];
@@ -306,9 +303,8 @@ static void check_plane(const qtri_mesh *mesh, uint32_t triangle)
     assert_true(beside <= along / 64 + 1e-6);
 }
 
-static void planes_keep_the_contract(void **state)
+TEST(planes_keep_the_contract)
 {
-    (void)state;
     static faces_mesh m;
     uint64_t seed = 204;
     for (int n = 0; n < repeats(60); n++) {
@@ -338,9 +334,8 @@ static void planes_keep_the_contract(void **state)
 }
 
 /* Light by a plane is that of its x y z, and within the plane's angle of the face's own. */
-static void light_by_planes(void **state)
+TEST(light_by_planes)
 {
-    (void)state;
     static faces_mesh m;
     uint64_t seed = 206;
     double worst = 0;
@@ -391,9 +386,8 @@ static int channel(uint32_t pixel, int shift)
  * A flat mesh with planes: the picture without, but for colours that are off as light is. Where
  * planes do not light, uneven transforms, it is the same. In bands and by slots as well.
  */
-static void pictures_lit_by_planes(void **state)
+TEST(pictures_lit_by_planes)
 {
-    (void)state;
     static faces_mesh m;
     static qtri_vertex vertices[FACES_VERTICES];
     static uint16_t lists[QTRI_PREPARED_LISTS(FACES_TRIANGLES, HEIGHT, 16)];
@@ -465,9 +459,8 @@ static void pictures_lit_by_planes(void **state)
 }
 
 /* Small ones and open ones are left as they are; what is no triangle has no plane. */
-static void planes_where_they_pay(void **state)
+TEST(planes_where_they_pay)
 {
-    (void)state;
     static faces_mesh m;
     static qtri_face8 planes[FACES_TRIANGLES];
     uint64_t seed = 205;
@@ -499,11 +492,5 @@ static void planes_where_they_pay(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(culls_no_front_face),   cmocka_unit_test(any_numbers),
-        cmocka_unit_test(same_pictures),         cmocka_unit_test(planes_keep_the_contract),
-        cmocka_unit_test(light_by_planes),       cmocka_unit_test(pictures_lit_by_planes),
-        cmocka_unit_test(planes_where_they_pay),
-    };
-    return cmocka_run_group_tests_name("core faces", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -91,9 +91,8 @@ static void levels_of(const qtri_format *format, double levels[3])
     levels[2] = levels[0];
 }
 
-static void halves_are_means(void **state)
+TEST(halves_are_means)
 {
-    (void)state;
     for (uint64_t seed = 0; seed < 60; seed++) {
         qtri_surface large, half;
         static struct picture before;
@@ -135,9 +134,8 @@ static void halves_are_means(void **state)
 }
 
 /* What becomes of a band has half of each of its measures; a scissor keeps what it only touches. */
-static void halves_are_measured(void **state)
+TEST(halves_are_measured)
 {
-    (void)state;
     uint64_t seed = 7;
     for (int round = 0; round < 200; round++) {
         qtri_surface large, half;
@@ -163,9 +161,8 @@ static void halves_are_measured(void **state)
     }
 }
 
-static void halves_of_bands(void **state)
+TEST(halves_of_bands)
 {
-    (void)state;
     uint64_t seed = 1;
     for (int round = 0; round < 100; round++) {
         qtri_surface large, half, band, part;
@@ -226,9 +223,8 @@ static void smooth(const qtri_surface *surface, enum way way)
     assert_int_equal((way == ONE_BY_ONE ? narrow_fxaa : qtri_fxaa)(&s, words, count), QTRI_OK);
 }
 
-static void fxaa_bands_and_scissors(void **state)
+TEST(fxaa_bands_and_scissors)
 {
-    (void)state;
     uint64_t seed = 2;
     int changed = 0;
     for (int round = 0; round < 200; round++) {
@@ -285,9 +281,8 @@ static void fxaa_bands_and_scissors(void **state)
 }
 
 /* Pictures of one colour, smooth ones and single steps stay; colours lie between neighbours'. */
-static void fxaa_leaves_the_rest(void **state)
+TEST(fxaa_leaves_the_rest)
 {
-    (void)state;
     for (uint64_t seed = 0; seed < 50; seed++) {
         qtri_surface surface;
         static struct picture before;
@@ -324,9 +319,8 @@ static void fxaa_leaves_the_rest(void **state)
 
 /* ---- Sums ---- */
 
-static void means_are_exact(void **state)
+TEST(means_are_exact)
 {
-    (void)state;
     uint64_t seed = 3;
     for (int turn = 0; turn < 60; turn++) {
         const qtri_format *format = formats[turn % FORMATS];
@@ -410,9 +404,8 @@ static int count_below_slope(const qtri_view *view)
 }
 
 /* Places are one in each part of a pixel, across and down, and the picture moves by them. */
-static void jittered_views(void **state)
+TEST(jittered_views)
 {
-    (void)state;
     qtri_view view, moved;
     qtri_view_init(&view, 320, 240);
     qtri_transform_perspective(&view.projection, Q16(60), Q16(1.3333), Q16(.1), Q16(100));
@@ -440,11 +433,5 @@ static void jittered_views(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(halves_are_means),     cmocka_unit_test(halves_are_measured),
-        cmocka_unit_test(halves_of_bands),      cmocka_unit_test(fxaa_bands_and_scissors),
-        cmocka_unit_test(fxaa_leaves_the_rest), cmocka_unit_test(means_are_exact),
-        cmocka_unit_test(jittered_views),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

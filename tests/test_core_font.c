@@ -35,9 +35,8 @@ static void place(const qtri_surface *s, const qtri_glyph *g, int32_t pen, int32
     }
 }
 
-static void glyphs_and_pens(void **state)
+TEST(glyphs_and_pens)
 {
-    (void)state;
     static const qtri_ink *const inks[] = {NULL, &qtri_ink_blend, &qtri_ink_smooth};
     static const uint8_t alphas[] = {255, 255, 128};
     uint64_t seed = 21;
@@ -78,9 +77,8 @@ static void glyphs_and_pens(void **state)
  * A glyph of any width, clipped anywhere, mixed or not, in pixels of any size: each of its bits is
  * a pixel like that of a dot. Its rows end where their memory does, and have bits behind the last.
  */
-static void clipped_glyphs(void **state)
+TEST(clipped_glyphs)
 {
-    (void)state;
     static const qtri_ink *const inks[] = {NULL, &qtri_ink_blend, &qtri_ink_smooth};
     static const uint8_t dot_rows[] = {0x80};
     static const qtri_glyph dot_glyph[] = {{0, 1, 1, 0, 0, 1}};
@@ -130,9 +128,8 @@ static void clipped_glyphs(void **state)
     }
 }
 
-static void far_away(void **state)
+TEST(far_away)
 {
-    (void)state;
     static const int32_t places[] = {INT32_MIN, INT32_MIN + 3, -17000,
                                      17000,     INT32_MAX - 3, INT32_MAX};
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
@@ -149,9 +146,8 @@ static void far_away(void **state)
     canvas_free(&c);
 }
 
-static void utf8(void **state)
+TEST(utf8)
 {
-    (void)state;
     for (uint32_t c = 1; c <= 0x10FFFF; c += c < 0x3000 ? 1 : 37) {
         char text[5] = {0};
         if (c < 0x80) {
@@ -196,9 +192,8 @@ static void utf8(void **state)
 }
 
 /* core/paint/font_small.c is what `qtri font` makes of its source. */
-static void small_font(void **state)
+TEST(small_font)
 {
-    (void)state;
     struct bdf_font bdf;
     struct font_build build;
     struct text_error error;
@@ -225,10 +220,5 @@ static void small_font(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(glyphs_and_pens), cmocka_unit_test(clipped_glyphs),
-        cmocka_unit_test(far_away),        cmocka_unit_test(utf8),
-        cmocka_unit_test(small_font),
-    };
-    return cmocka_run_group_tests_name("core font", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -40,9 +40,8 @@ static uint32_t color_of(const qtri_format *format, uint32_t rgb)
 }
 
 /* What is stored means what is stored again. Of 32 bits the high 8 mean nothing. */
-static void round_trips(void **state)
+TEST(round_trips)
 {
-    (void)state;
     uint64_t seed = 90;
     for (size_t f = 0; f < LENGTH_OF(formats); f++) {
         const uint32_t bytes = formats[f]->pixels->bytes;
@@ -57,9 +56,8 @@ static void round_trips(void **state)
     assert_int_equal(qtri_xrgb8888.decode(0xFF123456), 0x123456);
 }
 
-static void meanings(void **state)
+TEST(meanings)
 {
-    (void)state;
     for (uint32_t n = 0; n < 65536; n++) {
         const uint32_t red = (255 * (n >> 11) + 15) / 31;
         const uint32_t green = (255 * (n >> 5 & 63) + 31) / 63;
@@ -85,9 +83,8 @@ static void meanings(void **state)
 }
 
 /* Channels of 8 bits to the nearest step; what is stored stays as it is. */
-static void exact_565(void **state)
+TEST(exact_565)
 {
-    (void)state;
     for (uint32_t c = 0; c < 256; c++) {
         const uint32_t five = (2 * 31 * c + 255) / 510;
         const uint32_t six = (2 * 63 * c + 255) / 510;
@@ -101,9 +98,8 @@ static void exact_565(void **state)
 }
 
 /* White and its ratio to 255, and that packing rounds. */
-static void kinds(void **state)
+TEST(kinds)
 {
-    (void)state;
     static const qtri_colors *const all[] = {&qtri_colors_565, &qtri_colors_888, &qtri_colors_gray};
     static const uint32_t white[] = {0xFFFF, 0xFFFFFF, 255};
     static const int32_t black[3] = {0, 0, 0};
@@ -141,9 +137,8 @@ static void put(uint8_t *at, uint32_t bytes, uint32_t stored)
            bytes);
 }
 
-static void loops(void **state)
+TEST(loops)
 {
-    (void)state;
     static const qtri_pixels *const sizes[4] = {&qtri_pixels_8, &qtri_pixels_16, &qtri_pixels_24,
                                                 &qtri_pixels_32};
     static uint32_t is[MEMORY / 4];
@@ -198,9 +193,8 @@ static uint32_t decode_444(uint32_t stored)
 static const qtri_format rgb444 = {
     &qtri_pixels_16, &qtri_colors_888, encode_444, decode_444, NULL, 0};
 
-static void surfaces(void **state)
+TEST(surfaces)
 {
-    (void)state;
     static const qtri_rgb color = {0xCC, 0x33, 0x88};
     for (size_t f = 0; f <= LENGTH_OF(formats); f++) {
         const qtri_format *format = f < LENGTH_OF(formats) ? formats[f] : &rgb444;
@@ -221,9 +215,8 @@ static void surfaces(void **state)
 }
 
 /* Without a format nothing is drawn; nothing is written beyond the pixels of any. */
-static void nothing(void **state)
+TEST(nothing)
 {
-    (void)state;
     qtri_surface s = {0};
     static uint8_t memory[QTRI_BAND_BYTES(8, 8, QTRI_XRGB8888_BYTES)];
     static uint8_t before[sizeof memory];
@@ -252,10 +245,5 @@ static void nothing(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(round_trips), cmocka_unit_test(meanings), cmocka_unit_test(exact_565),
-        cmocka_unit_test(kinds),       cmocka_unit_test(loops),    cmocka_unit_test(surfaces),
-        cmocka_unit_test(nothing),
-    };
-    return cmocka_run_group_tests_name("core format", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -160,9 +160,8 @@ static void assert_same_stored(const qtri_surface *a, const qtri_surface *b, uin
 }
 
 /* Colours have 8 bits until they are stored: within a step of the format, two with three blends. */
-static void drawing_is_a_step_off(void **state)
+TEST(drawing_is_a_step_off)
 {
-    (void)state;
     make_texels();
     for (size_t f = 0; f < LENGTH_OF(known); f++) {
         const qtri_format own = other_size(known[f]);
@@ -180,9 +179,8 @@ static void drawing_is_a_step_off(void **state)
     }
 }
 
-static void another_size_has_the_same_picture(void **state)
+TEST(another_size_has_the_same_picture)
 {
-    (void)state;
     make_texels();
     for (size_t f = 0; f < LENGTH_OF(known); f++) {
         const qtri_format own = other_size(known[f]);
@@ -204,9 +202,8 @@ static void another_size_has_the_same_picture(void **state)
 }
 
 /* Mixed in steps of 8 bits and stored again: a step of the format off where they are coarse. */
-static void mixes_are_a_step_off(void **state)
+TEST(mixes_are_a_step_off)
 {
-    (void)state;
     static const qtri_ink *const inks[2] = {&qtri_ink_blend, &qtri_ink_smooth};
     for (size_t f = 0; f < LENGTH_OF(known); f++) {
         const qtri_format own = other_size(known[f]);
@@ -237,9 +234,8 @@ static void mixes_are_a_step_off(void **state)
 }
 
 /* Pictures of one's own formats, and onto them: with a key, and without. */
-static void pictures_are_converted(void **state)
+TEST(pictures_are_converted)
 {
-    (void)state;
     make_texels();
     for (size_t f = 0; f < LENGTH_OF(known); f++) {
         const qtri_format own = other_size(known[f]);
@@ -282,9 +278,8 @@ static void pictures_are_converted(void **state)
 }
 
 /* Means of samples and of frames, and smoothed edges: as of the library's format. */
-static void filters_are_the_same(void **state)
+TEST(filters_are_the_same)
 {
-    (void)state;
     static uint32_t words[QTRI_SUM_WORDS(WIDTH, HEIGHT) + QTRI_FXAA_WORDS(WIDTH)];
     make_texels();
     for (size_t f = 0; f < LENGTH_OF(known); f++) {
@@ -329,9 +324,8 @@ static uint32_t decode_bgr565(uint32_t stored)
 static const qtri_format bgr565 = {
     &qtri_pixels_16, &qtri_colors_565, encode_bgr565, decode_bgr565, NULL, 0};
 
-static void exchanged_channels_have_the_same_picture(void **state)
+TEST(exchanged_channels_have_the_same_picture)
 {
-    (void)state;
     make_texels();
     canvas a = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     canvas b = canvas_new(&bgr565, WIDTH, HEIGHT);
@@ -396,9 +390,8 @@ static int draw_by_own(const qtri_surface *s)
 }
 
 /* A format with the same colours in pixels of the same size is another one. */
-static void a_pipeline_draws_on_its_own_format_alone(void **state)
+TEST(a_pipeline_draws_on_its_own_format_alone)
 {
-    (void)state;
     const qtri_format same = bgr565;
     const qtri_format wide = other_size(&bgr565);
     canvas a = canvas_new(&bgr565, WIDTH, HEIGHT);
@@ -430,9 +423,8 @@ static uint32_t decode_332(uint32_t stored)
     return qtri_decode_rgb565((stored & 0xE0) << 8 | (stored & 0x1C) << 6 | (stored & 3) << 3);
 }
 
-static void a_byte_of_565(void **state)
+TEST(a_byte_of_565)
 {
-    (void)state;
     static const qtri_format rgb332 = {
         &qtri_pixels_8, &qtri_colors_565, encode_332, decode_332, NULL, 0};
     make_texels();
@@ -450,9 +442,8 @@ static void a_byte_of_565(void **state)
 }
 
 /* On depth alone nothing is painted: there are no pixels. */
-static void depth_alone_has_no_pixels(void **state)
+TEST(depth_alone_has_no_pixels)
 {
-    (void)state;
     static uint8_t before[QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_RGB565_BYTES)];
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     canvas all = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
@@ -492,16 +483,5 @@ static void depth_alone_has_no_pixels(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(drawing_is_a_step_off),
-        cmocka_unit_test(another_size_has_the_same_picture),
-        cmocka_unit_test(mixes_are_a_step_off),
-        cmocka_unit_test(pictures_are_converted),
-        cmocka_unit_test(filters_are_the_same),
-        cmocka_unit_test(exchanged_channels_have_the_same_picture),
-        cmocka_unit_test(a_pipeline_draws_on_its_own_format_alone),
-        cmocka_unit_test(a_byte_of_565),
-        cmocka_unit_test(depth_alone_has_no_pixels),
-    };
-    return cmocka_run_group_tests_name("core format own", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -135,9 +135,8 @@ static uint8_t band_memory[QTRI_FRAME_BYTES_DOUBLE(WIDTH, HEIGHT, QTRI_XRGB8888_
 static qtri_vertex vertex_memory[VERTICES];
 static uint16_t list_memory[LISTS];
 
-static void heights(void **state)
+TEST(heights)
 {
-    (void)state;
     uint64_t seed = 71;
     for (int n = 0; n < 60; n++) {
         static scene s;
@@ -173,9 +172,8 @@ static void heights(void **state)
 
 /* A sphere as high as the frame, in bands down to one row: each triangle that is seen has its own
    entries, in the memory that the macro says. */
-static void lists_have_room_for_thin_bands(void **state)
+TEST(lists_have_room_for_thin_bands)
 {
-    (void)state;
     enum { SIDE = 240, SLICES = 56, SPHERE = QTRI_SPHERE_VERTICES(SLICES, SLICES) };
     static qtri_vec3 points[SPHERE];
     static uint16_t corners[QTRI_SPHERE_TRIANGLES(SLICES, SLICES)][3];
@@ -215,9 +213,8 @@ static void lists_have_room_for_thin_bands(void **state)
 
 /* A triangle over all bands needs two numbers a band, up to whole blocks of eight, and a block for
    each band's list: with one number less the lists do not fit. */
-static void lists_take_no_more_than_they_need(void **state)
+TEST(lists_take_no_more_than_they_need)
 {
-    (void)state;
     static const qtri_vec3 corners[3] = {
         {-Q16(9), -Q16(9), 0}, {Q16(9), -Q16(9), 0}, {0, Q16(9), 0}};
     static const uint16_t triangle[1][3] = {{0, 1, 2}};
@@ -248,9 +245,8 @@ static void lists_take_no_more_than_they_need(void **state)
 }
 
 /* In coloured lights the memory that the macro says has vertices for the colours, and lists. */
-static void colored_light_has_room_for_colors(void **state)
+TEST(colored_light_has_room_for_colors)
 {
-    (void)state;
     static const qtri_light_source source = {.kind = &qtri_directional_light,
                                              .direction = {0, 0, -Q16(1)},
                                              .color = {Q16(1), Q16(.5), Q16(.2)}};
@@ -284,9 +280,8 @@ static void colored_light_has_room_for_colors(void **state)
 }
 
 /* Memory of any size is divided inside of it, and what is drawn does not depend on it. */
-static void any_memory_draws_the_same(void **state)
+TEST(any_memory_draws_the_same)
 {
-    (void)state;
     uint64_t seed = 77;
     enum { MOST = QTRI_PREPARED_BYTES(QTRI_LIT_VERTICES(VERTICES), TRIANGLES, HEIGHT, 1) };
     static uint8_t memory[MOST + 2 * 65536]; /* for more entries than lists can have */
@@ -343,9 +338,8 @@ static void any_memory_draws_the_same(void **state)
 }
 
 /* Rows that are not the frame's bands, in any order, inside any scissor. */
-static void other_rows(void **state)
+TEST(other_rows)
 {
-    (void)state;
     uint64_t seed = 72;
     for (int n = 0; n < 400; n++) {
         static scene s;
@@ -377,9 +371,8 @@ static void other_rows(void **state)
 }
 
 /* What two cores share is not written to while they draw. */
-static void only_reads(void **state)
+TEST(only_reads)
 {
-    (void)state;
     uint64_t seed = 73;
     static qtri_vertex vertices[VERTICES];
     static uint16_t lists[LISTS];
@@ -410,9 +403,8 @@ static void only_reads(void **state)
 }
 
 /* Nothing before it is prepared, of an empty mesh, and into frames of another size. */
-static void nothing_drawn(void **state)
+TEST(nothing_drawn)
 {
-    (void)state;
     uint64_t seed = 74;
     scene s;
     random_scene(&s, &seed);
@@ -451,9 +443,8 @@ static void nothing_drawn(void **state)
 
 /* ---- Frames ---- */
 
-static void sizes(void **state)
+TEST(sizes)
 {
-    (void)state;
     struct {
         int32_t width, height, rows;
         enum qtri_error error;
@@ -491,9 +482,8 @@ static void sizes(void **state)
 }
 
 /* Each row once, in order; buffers alternate, are aligned, apart and inside the memory. */
-static void bands(void **state)
+TEST(bands)
 {
-    (void)state;
     static uint8_t memory[QTRI_FRAME_BYTES_DOUBLE(13, 9, QTRI_XRGB8888_BYTES) + 8];
     for (int n = 0; n < 9 * 3 * 2 * 4; n++) {
         const int32_t rows = n % 9 + 1;
@@ -533,9 +523,8 @@ static void bands(void **state)
 }
 
 /* Several frames share the bands: each one once. */
-static void shares(void **state)
+TEST(shares)
 {
-    (void)state;
     for (int32_t parts = 1; parts <= 5; parts++) {
         int seen[HEIGHT] = {0};
         for (int32_t part = 0; part < parts; part++) {
@@ -574,9 +563,8 @@ static void assert_rect(qtri_rect r, int32_t x0, int32_t y0, int32_t x1, int32_t
     }
 }
 
-static void marks(void **state)
+TEST(marks)
 {
-    (void)state;
     qtri_frame frame;
     qtri_surface band;
     assert_int_equal(
@@ -619,9 +607,8 @@ static void marks(void **state)
 }
 
 /* A display that only gets what has changed shows the same picture as one that gets all. */
-static void display(void **state)
+TEST(display)
 {
-    (void)state;
     uint64_t seed = 75;
     int small = 0;
     for (int n = 0; n < 40; n++) {
@@ -687,9 +674,8 @@ static void display(void **state)
 }
 
 /* The rectangle of a mesh inside the picture, to the pixel. */
-static void tight(void **state)
+TEST(tight)
 {
-    (void)state;
     qtri_frame frame;
     qtri_surface band;
     qtri_prepared prepared;
@@ -729,21 +715,5 @@ static void tight(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(heights),
-        cmocka_unit_test(other_rows),
-        cmocka_unit_test(only_reads),
-        cmocka_unit_test(sizes),
-        cmocka_unit_test(nothing_drawn),
-        cmocka_unit_test(bands),
-        cmocka_unit_test(shares),
-        cmocka_unit_test(marks),
-        cmocka_unit_test(display),
-        cmocka_unit_test(tight),
-        cmocka_unit_test(lists_have_room_for_thin_bands),
-        cmocka_unit_test(lists_take_no_more_than_they_need),
-        cmocka_unit_test(colored_light_has_room_for_colors),
-        cmocka_unit_test(any_memory_draws_the_same),
-    };
-    return cmocka_run_group_tests_name("core frame", tests, make_torus, NULL);
+    return run_all_tests(make_torus, NULL);
 }

@@ -15,9 +15,8 @@ enum { WIDTH = 24, HEIGHT = 20 };
 
 static const qtri_rgb sky = {40, 80, 160}, red = {250, 10, 30};
 
-static void overlap_that_does_not_fit(void **state)
+TEST(overlap_that_does_not_fit)
 {
-    (void)state;
     static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, 4 + 2 * 2, QTRI_RGB565_BYTES)];
     static const struct {
         int32_t rows, overlap;
@@ -50,9 +49,8 @@ static void overlap_that_does_not_fit(void **state)
 }
 
 /* What a frame cannot have leaves it without bands, and so does what is asked of such a frame. */
-static void refused_frames_have_no_bands(void **state)
+TEST(refused_frames_have_no_bands)
 {
-    (void)state;
     static uint8_t memory[QTRI_FRAME_BYTES(1, QTRI_SURFACE_MAX, QTRI_RGB565_BYTES)];
     for (int32_t spare = 3; spare <= 4; spare++) {
         qtri_frame frame;
@@ -80,9 +78,8 @@ static void refused_frames_have_no_bands(void **state)
 }
 
 /* Rows that are kept are needed by the next band: all come, and whole. */
-static void nothing_is_left_out_where_rows_are_kept(void **state)
+TEST(nothing_is_left_out_where_rows_are_kept)
 {
-    (void)state;
     static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, 4 + 2, QTRI_RGB565_BYTES)];
     static uint8_t kept[QTRI_FRAME_KEPT_BYTES(WIDTH, 1, QTRI_RGB565_BYTES)];
     const qtri_rect change = {3, 9, 5, 10};
@@ -120,9 +117,8 @@ static void nothing_is_left_out_where_rows_are_kept(void **state)
 }
 
 /* Marks without an inside change nothing; without a change there is no band. */
-static void changes_of_nothing(void **state)
+TEST(changes_of_nothing)
 {
-    (void)state;
     static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, 4 + 2 * 2, QTRI_RGB565_BYTES)];
     static const qtri_rect empty[] = {{3, 3, 3, 9}, {3, 3, 9, 3},   {9, 3, 3, 9},
                                       {3, 9, 9, 3}, {30, 3, 40, 9}, {3, -9, 9, -2}};
@@ -151,9 +147,8 @@ static void fill_gray(uint8_t gray[WIDTH], uint64_t *seed)
 }
 
 /* The last row that there can be is a row. */
-static void diffusion_at_the_last_row(void **state)
+TEST(diffusion_at_the_last_row)
 {
-    (void)state;
     uint64_t seed = 6;
     int16_t errors[2][WIDTH];
     qtri_diffusion d[2];
@@ -172,9 +167,8 @@ static void diffusion_at_the_last_row(void **state)
 }
 
 /* Displays that show nothing keep all of what they should have shown: it is held, and no more. */
-static void errors_are_held(void **state)
+TEST(errors_are_held)
 {
-    (void)state;
     for (int sign = 0; sign < 2; sign++) {
         int16_t errors[WIDTH];
         qtri_diffusion d;
@@ -225,9 +219,8 @@ static int filter_all(const qtri_surface *s, uint32_t *words, uint32_t count)
 }
 
 /* A scissor without pixels needs no memory, and leaves all as it is. */
-static void nothing_to_filter(void **state)
+TEST(nothing_to_filter)
 {
-    (void)state;
     static const qtri_rect empty[3] = {{5, 5, 5, 9}, {5, 9, 9, 9}, {40, 0, 50, 9}};
     for (int f = 0; f < 2; f++) {
         canvas c = canvas_new(of[f], WIDTH, HEIGHT);
@@ -249,9 +242,8 @@ static void nothing_to_filter(void **state)
     }
 }
 
-static void too_little_memory_changes_nothing(void **state)
+TEST(too_little_memory_changes_nothing)
 {
-    (void)state;
     static uint32_t words[QTRI_SUM_WORDS(WIDTH, HEIGHT)];
     for (int f = 0; f < 2; f++) {
         canvas c = canvas_new(of[f], WIDTH, HEIGHT);
@@ -276,9 +268,8 @@ static void too_little_memory_changes_nothing(void **state)
 }
 
 /* Rows that do not begin at words, and bands of odd size. */
-static void halves_of_odd_memory(void **state)
+TEST(halves_of_odd_memory)
 {
-    (void)state;
     static uint32_t memory[2][(WIDTH + 3) * HEIGHT];
     qtri_surface half[2];
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
@@ -327,9 +318,8 @@ static const qtri_format any_565 = {.pixels = &qtri_pixels_16,
                                     .encode = encode_any,
                                     .decode = qtri_decode_rgb565};
 
-static void fxaa_of_odd_rows(void **state)
+TEST(fxaa_of_odd_rows)
 {
-    (void)state;
     static uint32_t words[QTRI_FXAA_WORDS(WIDTH)];
     canvas c[2] = {canvas_new(&qtri_rgb565, WIDTH, HEIGHT),
                    canvas_new(&qtri_rgb565, WIDTH, HEIGHT)};
@@ -357,9 +347,8 @@ static void fill_40(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t coun
     }
 }
 
-static void pixels_of_any_size_are_filled(void **state)
+TEST(pixels_of_any_size_are_filled)
 {
-    (void)state;
     enum { MOST = 100 };
     static const qtri_pixels pixels = {5, NULL, fill_40, NULL};
     qtri_format format = qtri_rgb565;
@@ -385,18 +374,5 @@ static void pixels_of_any_size_are_filled(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(overlap_that_does_not_fit),
-        cmocka_unit_test(refused_frames_have_no_bands),
-        cmocka_unit_test(nothing_is_left_out_where_rows_are_kept),
-        cmocka_unit_test(pixels_of_any_size_are_filled),
-        cmocka_unit_test(changes_of_nothing),
-        cmocka_unit_test(diffusion_at_the_last_row),
-        cmocka_unit_test(errors_are_held),
-        cmocka_unit_test(nothing_to_filter),
-        cmocka_unit_test(too_little_memory_changes_nothing),
-        cmocka_unit_test(halves_of_odd_memory),
-        cmocka_unit_test(fxaa_of_odd_rows),
-    };
-    return cmocka_run_group_tests_name("core frame ends", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -80,9 +80,8 @@ static void *draw_bands(void *argument)
     return NULL;
 }
 
-static void alternate_bands(void **state)
+TEST(alternate_bands)
 {
-    (void)state;
     static qtri_vertex vertices[VERTICES];
     static uint16_t lists[QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, ROWS)];
     static core cores[THREADS];
@@ -136,6 +135,5 @@ static void alternate_bands(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(alternate_bands)};
-    return cmocka_run_group_tests_name("frame threads", tests, make_waves, NULL);
+    return run_all_tests(make_waves, NULL);
 }

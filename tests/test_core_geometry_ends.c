@@ -15,18 +15,16 @@
 #include <qtri/view.h>
 #include <qtri/light.h>
 
-static void viewports_are_held(void **state)
+TEST(viewports_are_held)
 {
-    (void)state;
     assert_int_equal(qtri_viewport_bottom(1, 2, 30, 40, 100).y, 58);
     assert_int_equal(qtri_viewport_bottom(0, INT32_MAX, 10, 10, 10).y, -QTRI_VIEWPORT_MAX);
     assert_int_equal(qtri_viewport_bottom(0, INT32_MIN, 10, INT32_MIN, 10).y, QTRI_VIEWPORT_MAX);
 }
 
 /* A camera that has lost an axis, or that looks straight down, turns nothing. */
-static void billboards_need_all_axes(void **state)
+TEST(billboards_need_all_axes)
 {
-    (void)state;
     qtri_transform start;
     qtri_transform camera;
     const qtri_row empty = {0};
@@ -53,9 +51,8 @@ static void billboards_need_all_axes(void **state)
 }
 
 /* A polygon that is not convex crosses a plane more often: no more vertices than there is room. */
-static void zigzags_stay_in_their_room(void **state)
+TEST(zigzags_stay_in_their_room)
 {
-    (void)state;
     for (int count = 3; count <= QTRI_CLIP_MAX; count++) {
         for (int turn = 0; turn < 2; turn++) {
             struct {
@@ -82,9 +79,8 @@ static void zigzags_stay_in_their_room(void **state)
 }
 
 /* A row of zeros is one whatever its exponent. */
-static void rows_of_zeros_have_any_exponent(void **state)
+TEST(rows_of_zeros_have_any_exponent)
 {
-    (void)state;
     static const int32_t exponents[] = {-4096, -300, -80, 0, 43, 300, 4096};
     const qtri_vec3 origin = vec3_of(.5, -1, 2);
     const qtri_position16 p[3] = {{-32767, 100, 5}, {0, 0, 0}, {32767, -20000, 32767}};
@@ -110,9 +106,8 @@ static void rows_of_zeros_have_any_exponent(void **state)
 }
 
 /* Translations of nearly 2^61, the most that a row holds, whose sum is more: in other units. */
-static void translations_at_their_limit(void **state)
+TEST(translations_at_their_limit)
 {
-    (void)state;
     for (int n = 0; n < 4; n++) {
         qtri_transform a, b, product;
         qtri_transform_identity(&a);
@@ -129,9 +124,8 @@ static void translations_at_their_limit(void **state)
 }
 
 /* w = 8 everywhere: affine but for its scale, which the product keeps. */
-static void constant_weights_are_kept(void **state)
+TEST(constant_weights_are_kept)
 {
-    (void)state;
     qtri_transform eighth;
     qtri_transform turned;
     qtri_transform product;
@@ -151,9 +145,8 @@ static void constant_weights_are_kept(void **state)
 }
 
 /* The rest of a vertex that cannot be projected is that of w = 1, and none beyond the guard. */
-static void rests_without_w(void **state)
+TEST(rests_without_w)
 {
-    (void)state;
     const qtri_point at = {0, 0};
     int16_t rest[2][2];
     for (int64_t w = -3; w <= 0; w++) {
@@ -169,9 +162,8 @@ static void rests_without_w(void **state)
 
 /* ---- Bounds and shapes that move ---- */
 
-static void boxes_of_all_numbers(void **state)
+TEST(boxes_of_all_numbers)
 {
-    (void)state;
     static const q16 ends[][2] = {
         {Q16_MIN, Q16_MAX}, {Q16_MIN + 1, Q16_MAX}, {Q16_MIN, -1}, {0, Q16_MAX}, {-3, 4}, {5, 5},
         {Q16_MAX, Q16_MAX}, {Q16_MIN, Q16_MIN}};
@@ -187,9 +179,8 @@ static void boxes_of_all_numbers(void **state)
     }
 }
 
-static void ten_thousand_targets_are_held(void **state)
+TEST(ten_thousand_targets_are_held)
 {
-    (void)state;
     enum { TARGETS = 9000 };
     static const qtri_position16 far[2] = {{32767, -32768, 100}, {-32768, 32767, -100}};
     static const qtri_position16 *target[TARGETS];
@@ -205,9 +196,8 @@ static void ten_thousand_targets_are_held(void **state)
     assert_true(out[1].x == -32767 && out[1].y == 32767 && out[1].z == -32767);
 }
 
-static void frames_end_at_32767(void **state)
+TEST(frames_end_at_32767)
 {
-    (void)state;
     enum { FRAMES = 40000 };
     static qtri_position16 positions[FRAMES];
     for (int i = 0; i < FRAMES; i++) {
@@ -242,9 +232,8 @@ static bool finds_eye(const qtri_mat4 *m, const qtri_viewport *viewport, uint32_
 }
 
 /* How wide the bound is, within which a face may turn either way: an eye at three distances. */
-static void bounds_of_eyes(void **state)
+TEST(bounds_of_eyes)
 {
-    (void)state;
     static const struct {
         double distance;
         int32_t w, behind;
@@ -270,9 +259,8 @@ static void bounds_of_eyes(void **state)
 }
 
 /* Views in which snapping moves corners by more than a face: no face is left out. */
-static void views_that_tell_nothing(void **state)
+TEST(views_that_tell_nothing)
 {
-    (void)state;
     uint64_t seed = 8;
     /* A pixel that shows next to nothing: x and y in finer units than w. */
     const qtri_viewport pixel = qtri_viewport_top(0, 0, 1, 1);
@@ -300,9 +288,8 @@ static void views_that_tell_nothing(void **state)
 /* ---- Light ---- */
 
 /* min(1, ambient + diffuse max(0, n . towards)), of any two numbers. */
-static void any_ambient_and_diffuse(void **state)
+TEST(any_ambient_and_diffuse)
 {
-    (void)state;
     static const double shares[] = {-3, -.5, 0, .25, .8, 1, 1.5, 4, 4.5, 30000};
     uint64_t seed = 12;
     for (int n = 0; n < 4000; n++) {
@@ -345,9 +332,8 @@ static void any_ambient_and_diffuse(void **state)
 }
 
 /* Sources that are too far for any exponent stay on their side. */
-static void places_are_held_on_both_sides(void **state)
+TEST(places_are_held_on_both_sides)
 {
-    (void)state;
     qtri_transform camera;
     qtri_transform_identity(&camera);
     qtri_light_space space = {.camera = &camera, .even = false};
@@ -370,9 +356,8 @@ static void places_are_held_on_both_sides(void **state)
 }
 
 /* Poses of any size have the light of their angles. */
-static void sizes_beyond_any_do_not_dim(void **state)
+TEST(sizes_beyond_any_do_not_dim)
 {
-    (void)state;
     const qtri_light_color white = {Q16(1), Q16(1), Q16(1)};
     const qtri_light_color black = {0, 0, 0};
     const qtri_light_source source = {
@@ -418,9 +403,8 @@ static double of_row(const qtri_row *row, int i)
  * From 16-bit positions to places in eye space by rows of whole numbers, in a unit that is a power
  * of 2: they fill 28 bits and no more, are multiples of 4, and end where the pose says.
  */
-static void places_of_short_positions(void **state)
+TEST(places_of_short_positions)
 {
-    (void)state;
     const qtri_light_color black = {0, 0, 0};
     const qtri_light_source source = {
         .kind = &qtri_directional_light, .position = vec3_of(1, 2, 2), .color = black};
@@ -496,9 +480,8 @@ static void places_of_short_positions(void **state)
 
 /* A point is seen up to a pixel beside the viewport and not half a pixel further; depths, to 1/16.
  */
-static void views_end_a_pixel_beside(void **state)
+TEST(views_end_a_pixel_beside)
 {
-    (void)state;
     enum { SIDE = 64, PIXEL = 2 * 65536 / SIDE };
     static const int32_t end[3][2] = {
         {Q16_ONE + PIXEL, PIXEL / 4}, {Q16_ONE + PIXEL, PIXEL / 4}, {Q16_ONE, Q16_ONE / 16}};
@@ -520,24 +503,5 @@ static void views_end_a_pixel_beside(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(places_of_short_positions),
-        cmocka_unit_test(viewports_are_held),
-        cmocka_unit_test(billboards_need_all_axes),
-        cmocka_unit_test(zigzags_stay_in_their_room),
-        cmocka_unit_test(rows_of_zeros_have_any_exponent),
-        cmocka_unit_test(translations_at_their_limit),
-        cmocka_unit_test(constant_weights_are_kept),
-        cmocka_unit_test(rests_without_w),
-        cmocka_unit_test(boxes_of_all_numbers),
-        cmocka_unit_test(ten_thousand_targets_are_held),
-        cmocka_unit_test(frames_end_at_32767),
-        cmocka_unit_test(bounds_of_eyes),
-        cmocka_unit_test(views_that_tell_nothing),
-        cmocka_unit_test(any_ambient_and_diffuse),
-        cmocka_unit_test(places_are_held_on_both_sides),
-        cmocka_unit_test(sizes_beyond_any_do_not_dim),
-        cmocka_unit_test(views_end_a_pixel_beside),
-    };
-    return cmocka_run_group_tests_name("core geometry ends", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -112,9 +112,8 @@ static void assert_pixel(const qtri_surface *before, const qtri_surface *after,
     }
 }
 
-static void placed(void **state)
+TEST(placed)
 {
-    (void)state;
     uint64_t seed = 11;
     static picture p;
     for (int n = 0; n < 1800; n++) {
@@ -144,9 +143,8 @@ static void placed(void **state)
 }
 
 /* Turned and scaled: the picture's pixel at the centre, unless that is close to another. */
-static void turned(void **state)
+TEST(turned)
 {
-    (void)state;
     uint64_t seed = 12;
     static picture p;
     int checked = 0;
@@ -196,9 +194,8 @@ static void turned(void **state)
 }
 
 /* Bands and scissors show the whole frame's pixels; without turning, it is the plain way. */
-static void bands(void **state)
+TEST(bands)
 {
-    (void)state;
     uint64_t seed = 13;
     static picture p;
     for (int n = 0; n < 600; n++) {
@@ -234,9 +231,8 @@ static void bands(void **state)
 }
 
 /* Any numbers at all; what is no picture paints nothing. */
-static void any_arguments(void **state)
+TEST(any_arguments)
 {
-    (void)state;
     uint64_t seed = 14;
     static picture p;
     canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
@@ -272,9 +268,8 @@ static void any_arguments(void **state)
 }
 
 /* A surface is a picture. */
-static void of_surfaces(void **state)
+TEST(of_surfaces)
 {
-    (void)state;
     canvas a = canvas_new(&qtri_rgb888, SIDE, SIDE);
     canvas b = canvas_new(&qtri_rgb888, SIDE, SIDE);
     background(&a.surface);
@@ -303,9 +298,8 @@ static int64_t inverse_of(int64_t c, int128 determinant)
  * Long pictures in steep matrices, where the rounding of the inverse moves them by rows: exactly
  * the pixels are painted whose centres the rounded inverse puts into the picture.
  */
-static void steep(void **state)
+TEST(steep)
 {
-    (void)state;
     static uint8_t texels[8192];
     uint64_t seed = 15;
     int painted = 0;
@@ -360,9 +354,8 @@ static void steep(void **state)
 }
 
 /* Rows of a few bytes, which end before they are aligned: nothing beside them is written. */
-static void narrow(void **state)
+TEST(narrow)
 {
-    (void)state;
     const uint8_t memory[] = {10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21};
     for (int32_t n = 0; n < 8 * 4 * 4; n++) {
         const int32_t x = n / 16;
@@ -383,9 +376,8 @@ static void narrow(void **state)
 }
 
 /* A picture of four samples a pixel, all of one colour, is the picture of those colours. */
-static void of_samples(void **state)
+TEST(of_samples)
 {
-    (void)state;
     enum { WIDTH = 11, HEIGHT = 7 };
     static uint16_t memory[HEIGHT][WIDTH];
     canvas records = canvas_new(&qtri_rgb565_x4, WIDTH, HEIGHT);
@@ -435,9 +427,8 @@ static void of_samples(void **state)
 }
 
 /* A picture of no bytes a pixel, turned or not, changes no surface of its own format. */
-static void without_pixels(void **state)
+TEST(without_pixels)
 {
-    (void)state;
     static const uint8_t nothing[4];
     const qtri_image image = {
         .pixels = nothing, .pitch = 0, .format = &qtri_depth_only, .width = 9, .height = 5};
@@ -457,12 +448,5 @@ static void without_pixels(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(placed),         cmocka_unit_test(turned),
-        cmocka_unit_test(bands),          cmocka_unit_test(any_arguments),
-        cmocka_unit_test(of_surfaces),    cmocka_unit_test(narrow),
-        cmocka_unit_test(steep),          cmocka_unit_test(of_samples),
-        cmocka_unit_test(without_pixels),
-    };
-    return cmocka_run_group_tests_name("core image", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

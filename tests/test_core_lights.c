@@ -334,24 +334,21 @@ static void against_double(bool even, bool compact)
     assert_true(many * 5000 <= count);
 }
 
-static void vertices_even(void **state)
+TEST(vertices_even)
 {
-    (void)state;
     against_double(true, false);
     against_double(true, true);
 }
 
-static void vertices_uneven(void **state)
+TEST(vertices_uneven)
 {
-    (void)state;
     against_double(false, false);
     against_double(false, true);
 }
 
 /* Beyond 2^29 places are kept to a quarter. */
-static void places_far_away(void **state)
+TEST(places_far_away)
 {
-    (void)state;
     qtri_illumination by;
     memset(&by, 0, sizeof by);
     by.even = true;
@@ -370,10 +367,5 @@ static void places_far_away(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(vertices_even),
-        cmocka_unit_test(places_far_away),
-        cmocka_unit_test(vertices_uneven),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

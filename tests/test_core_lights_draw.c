@@ -112,9 +112,8 @@ static void forget(void)
 }
 
 /* A mesh is the same with colours kept, with vertices kept, with few and none, and in bands. */
-static void any_memory(void **state)
+TEST(any_memory)
 {
-    (void)state;
     static faces_mesh m;
     static qtri_rgb colors[FACES_VERTICES];
     static qtri_vec2 uvs[FACES_VERTICES];
@@ -175,9 +174,8 @@ static void any_memory(void **state)
 }
 
 /* A mesh is the same drawn with its outline, and edges are lit where they are strokes. */
-static void outlines_and_edges(void **state)
+TEST(outlines_and_edges)
 {
-    (void)state;
     static faces_mesh m;
     static uint32_t words[QTRI_OUTLINE_WORDS(FACES_TRIANGLES) + QTRI_OUTLINE_SUMS(FACES_VERTICES)];
     uint64_t seed = 9;
@@ -250,9 +248,8 @@ static unsigned count_apart(unsigned *drawn, const qtri_surface *a, const qtri_s
  * pixel these decide which is seen. By pixel colours are not compared: those of meshes that are
  * smaller than 6 pixels are lit by vertex.
  */
-static void loose_triangles(void **state)
+TEST(loose_triangles)
 {
-    (void)state;
     unsigned drawn = 0, apart = 0;
     static faces_mesh m;
     static qtri_corner corners[3 * FACES_TRIANGLES];
@@ -342,9 +339,8 @@ static lamps lamps_of(const qtri_light_source *sources, uint32_t count, q16 ambi
 }
 
 /* Corners that differ in one channel of one of them: in full light as without any. */
-static void colors_of_corners(void **state)
+TEST(colors_of_corners)
 {
-    (void)state;
     const qtri_light_source off = {.kind = NULL};
     qtri_material material = qtri_material_default();
     canvas lit = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
@@ -383,9 +379,8 @@ static void colors_of_corners(void **state)
 }
 
 /* Normals turn from one side to the other: halfway there is none, and no light but the ambient. */
-static void normals_that_vanish(void **state)
+TEST(normals_that_vanish)
 {
-    (void)state;
     enum { MIDDLE = WIDTH / 2 };
     const qtri_light_source source[2] = {
         {.kind = &qtri_directional_light, .position = {0, 0, Q16_ONE}, .color = {Q16_ONE, 0, 0}},
@@ -424,9 +419,8 @@ static void normals_that_vanish(void **state)
  * others; the light is that of the corner. The far plane clips the triangle: of others that have no
  * texture no true positions are asked for.
  */
-static void corners_that_lie_beside_their_pixels(void **state)
+TEST(corners_that_lie_beside_their_pixels)
 {
-    (void)state;
     enum { X = 10, Y = 24 };
     const qtri_light_source source = {
         .kind = &qtri_directional_light, .position = {0, 0, Q16_ONE}, .color = {Q16_ONE, 0, 0}};
@@ -461,9 +455,8 @@ static void corners_that_lie_beside_their_pixels(void **state)
  * Small triangles with four samples a pixel, whose blend asks for alpha of vertices, take the way
  * of large ones. Where all is opaque and light the same everywhere it is that of the others.
  */
-static void samples_and_alphas(void **state)
+TEST(samples_and_alphas)
 {
-    (void)state;
     static faces_mesh m;
     uint64_t seed = 15;
     uint8_t alphas[FACES_VERTICES];
@@ -508,9 +501,8 @@ static void samples_and_alphas(void **state)
 }
 
 /* A square that shows its back is lit as one that shows its front from the other side. */
-static void two_sides(void **state)
+TEST(two_sides)
 {
-    (void)state;
     static const uint16_t front[2][3] = {{0, 1, 2}, {0, 2, 3}};
     static const uint16_t back[2][3] = {{0, 2, 1}, {0, 3, 2}};
     uint64_t seed = 6;
@@ -566,9 +558,8 @@ static void two_sides(void **state)
     }
 }
 
-static void power_tables(void **state)
+TEST(power_tables)
 {
-    (void)state;
     double worst = 0;
     uint64_t seed = 7;
     for (int n = 0; n < random_cases(300); n++) {
@@ -596,9 +587,8 @@ static void power_tables(void **state)
     }
 }
 
-static void spheres(void **state)
+TEST(spheres)
 {
-    (void)state;
     static faces_mesh m;
     static qtri_uv16 uvs[FACES_VERTICES];
     uint64_t seed = 8;
@@ -645,9 +635,8 @@ static void spheres(void **state)
     assert_int_equal(uvs[5].y, 8192);
 }
 
-static void too_many(void **state)
+TEST(too_many)
 {
-    (void)state;
     static const qtri_light_source sources[QTRI_LIGHTS_MAX + 1];
     const qtri_light_color none = {0, 0, 0};
     qtri_light lights;
@@ -681,9 +670,8 @@ static void any_transform(uint64_t *seed, qtri_transform *t)
 }
 
 /* Nothing overflows, whatever the arguments are: the sanitizers look on. */
-static void any_bits(void **state)
+TEST(any_bits)
 {
-    (void)state;
     static const qtri_light_kind *const kinds[] = {&qtri_directional_light, &qtri_point_light,
                                                    &qtri_spot_light, NULL};
     uint64_t seed = 9;
@@ -772,7 +760,7 @@ static void any_bits(void **state)
 }
 
 /* Sources of a kind are added by one call, whatever lies between them. */
-static void sources_of_a_kind_are_one_run(void **state)
+TEST(sources_of_a_kind_are_one_run)
 {
     static const qtri_light_kind *const kinds[] = {
         &qtri_directional_light, &qtri_point_light,      &qtri_directional_light, NULL,
@@ -784,7 +772,6 @@ static void sources_of_a_kind_are_one_run(void **state)
     qtri_view view;
     qtri_transform pose;
     qtri_illumination by;
-    (void)state;
     for (size_t i = 0; i < LENGTH_OF(kinds); i++) {
         sources[i].kind = kinds[i];
         sources[i].position.z = Q16(1) + (q16)i;
@@ -805,20 +792,5 @@ static void sources_of_a_kind_are_one_run(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_memory),
-        cmocka_unit_test(outlines_and_edges),
-        cmocka_unit_test(loose_triangles),
-        cmocka_unit_test(two_sides),
-        cmocka_unit_test(power_tables),
-        cmocka_unit_test(spheres),
-        cmocka_unit_test(too_many),
-        cmocka_unit_test(any_bits),
-        cmocka_unit_test(colors_of_corners),
-        cmocka_unit_test(normals_that_vanish),
-        cmocka_unit_test(corners_that_lie_beside_their_pixels),
-        cmocka_unit_test(samples_and_alphas),
-        cmocka_unit_test(sources_of_a_kind_are_one_run),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -74,9 +74,8 @@ static void check_line(canvas *c, point a, point b)
     }
 }
 
-static void rule(void **state)
+TEST(rule)
 {
-    (void)state;
     static const int32_t reach[] = {300, 3000, 8000, 17000, 33000, 1 << 19, 4000000};
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 71;
@@ -94,9 +93,8 @@ static void rule(void **state)
 }
 
 /* A chain along one axis has one pixel in every column, joints included. */
-static void chains(void **state)
+TEST(chains)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 72;
     for (int n = 0; n < 2000; n++) {
@@ -139,9 +137,8 @@ static point at(double x, double y)
     return p;
 }
 
-static void pictures(void **state)
+TEST(pictures)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_rgb565, 6, 4);
     const qtri_surface *s = &c.surface;
     draw(s, at(1.5, 1.5), at(4.5, 1.5));
@@ -223,9 +220,8 @@ static void random_attributes(uint64_t *seed, qtri_screen_vertex v[2])
     }
 }
 
-static void values(void **state)
+TEST(values)
 {
-    (void)state;
     static const struct {
         const qtri_format *format;
         int32_t width, height;
@@ -310,9 +306,8 @@ static void fill_depths(uint64_t seed, const qtri_surface *s)
  * Lines of a draw call, by the loops for RGB565 where they serve, by what draws any, and by narrow
  * products: the same pixels, in all formats, for all compares, lit by a table or not.
  */
-static void ways(void **state)
+TEST(ways)
 {
-    (void)state;
     enum { SIDE = 300, WAYS = 4, LINES = 30 };
     static uint16_t own_depth[SIDE * (SIDE + 7)];
     uint64_t seed = 74;
@@ -388,9 +383,8 @@ static void ways(void **state)
 }
 
 /* Every compare against every order, the farthest apart too; what passes is written, or is not. */
-static void compares(void **state)
+TEST(compares)
 {
-    (void)state;
     static const uint16_t depth[] = {0, 1, 29999, 30000, 30001, 65534, 65535};
     enum { COUNT = LENGTH_OF(depth) };
     canvas c = canvas_new(&qtri_rgb565, COUNT, 1);
@@ -422,9 +416,8 @@ static void compares(void **state)
 }
 
 /* How far tints are from the share of the colour that is exact at the pixel. */
-static void tints(void **state)
+TEST(tints)
 {
-    (void)state;
     static const struct {
         const qtri_format *format;
         double bound;
@@ -480,9 +473,8 @@ static void tints(void **state)
 }
 
 /* Reciprocals of short lines: not above 2^32 / length and less than 1.01 below it, all of them. */
-static void short_lengths(void **state)
+TEST(short_lengths)
 {
-    (void)state;
     for (uint32_t length = 1; length < 65536; length++) {
         const double below = 4294967296. / length - narrow_line_reciprocal(length);
         if (below < 0 || below > 1.01) {
@@ -492,9 +484,8 @@ static void short_lengths(void **state)
 }
 
 /* Cores without long multiply and divide: the same lines. */
-static void narrow(void **state)
+TEST(narrow)
 {
-    (void)state;
     uint64_t seed = 75;
     for (int n = 0; n < 20000; n++) {
         static canvas wide, other;
@@ -546,26 +537,13 @@ static void assert_all_in_use(const qtri_pipeline *const *list, bool has_smooth)
     assert_int_equal(in_use, ((uint32_t)1 << count) - 1);
 }
 
-static void each_pipeline_is_in_use(void **state)
+TEST(each_pipeline_is_in_use)
 {
-    (void)state;
     assert_all_in_use(qtri_line_pipelines, false);
     assert_all_in_use(qtri_stroke_pipelines, true);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_pipeline_is_in_use),
-        cmocka_unit_test(rule),
-        cmocka_unit_test(chains),
-        cmocka_unit_test(pictures),
-        cmocka_unit_test(values),
-        cmocka_unit_test(ways),
-        cmocka_unit_test(tints),
-        cmocka_unit_test(narrow),
-        cmocka_unit_test(short_lengths),
-        cmocka_unit_test(compares),
-    };
-    return cmocka_run_group_tests_name("core line", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

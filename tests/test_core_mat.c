@@ -94,9 +94,8 @@ static qtri_mat4 random_mat4(uint64_t *seed)
 }
 
 /* COURSE scene 1. */
-static void plane_transforms(void **state)
+TEST(plane_transforms)
 {
-    (void)state;
     qtri_vec2 p = {Q16(2), Q16(1)};
     qtri_vec2 by[2] = {{Q16(1), Q16(2)}, {Q16(2), Q16(1)}};
     static const double expected[2][2] = {{1.70710678, 4.12132034}, {2.70710678, 3.12132034}};
@@ -155,9 +154,8 @@ static void plane_transforms(void **state)
  * Four products at the limits of every way to add them: sums around 2^64, which are 0 in 64 bits,
  * and around 2^47, which is where results saturate, of factors of every length.
  */
-static void sums_at_the_limits(void **state)
+TEST(sums_at_the_limits)
 {
-    (void)state;
     uint64_t seed = 14;
     for (int n = 0; n < 200000; n++) {
         q16 rows[8]; /* a row, and what it is multiplied by */
@@ -191,9 +189,8 @@ static void sums_at_the_limits(void **state)
     }
 }
 
-static void products(void **state)
+TEST(products)
 {
-    (void)state;
     uint64_t seed = 13;
     for (int n = 0; n < 40000; n++) {
         qtri_mat4 a = random_mat4(&seed);
@@ -308,9 +305,8 @@ static void check_inverse(const q16 *inverse, const q16 *m, int n, int128 det)
     }
 }
 
-static void inverses(void **state)
+TEST(inverses)
 {
-    (void)state;
     uint64_t seed = 42;
     int singular = 0;
     int saturating = 0;
@@ -368,9 +364,8 @@ static void inverses(void **state)
 }
 
 /* The whole range, where 128 bits are not enough to check by. */
-static void large_inverses(void **state)
+TEST(large_inverses)
 {
-    (void)state;
     uint64_t seed = 43;
     qtri_mat4 lowest;
     for (int i = 0; i < 16; i++) {
@@ -415,9 +410,8 @@ static void large_inverses(void **state)
 }
 
 /* M inverse(M) is the identity, as far as rounded elements let it. */
-static void inverses_undo(void **state)
+TEST(inverses_undo)
 {
-    (void)state;
     uint64_t seed = 44;
     double worst = 0;
     for (int n = 0; n < 20000; n++) {
@@ -450,9 +444,8 @@ static void inverses_undo(void **state)
     assert_true(worst <= 16); /* half an ULP on each element, times rows up to 8 + 3 2 long */
 }
 
-static void builders(void **state)
+TEST(builders)
 {
-    (void)state;
     qtri_vec3 p = vec3_of(1, 2, 3);
     qtri_vec3 by = vec3_of(-4, 5, 0.5);
     qtri_mat4 m = qtri_mat4_translate(by);
@@ -479,9 +472,8 @@ static void builders(void **state)
     assert_true(r.x == p.z && r.y == p.y && r.z == -p.x);
 }
 
-static void rotations(void **state)
+TEST(rotations)
 {
-    (void)state;
     uint64_t seed = 45;
     double worst = 0;
     for (int n = 0; n < 50000; n++) {
@@ -526,9 +518,8 @@ static void rotations(void **state)
     assert_true(worst <= .51);
 }
 
-static void euler_orders(void **state)
+TEST(euler_orders)
 {
-    (void)state;
     static const qtri_euler order[6] = {QTRI_EULER_XYZ, QTRI_EULER_XZY, QTRI_EULER_YXZ,
                                         QTRI_EULER_YZX, QTRI_EULER_ZXY, QTRI_EULER_ZYX};
     static const int axes[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
@@ -561,9 +552,8 @@ static void euler_orders(void **state)
     assert_true(worst <= .51);
 }
 
-static void reflections(void **state)
+TEST(reflections)
 {
-    (void)state;
     uint64_t seed = 47;
     for (int n = 0; n < 50000; n++) {
         qtri_vec3 normal = random_vec3(&seed);
@@ -587,12 +577,5 @@ static void reflections(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(plane_transforms),   cmocka_unit_test(products),
-        cmocka_unit_test(sums_at_the_limits), cmocka_unit_test(inverses),
-        cmocka_unit_test(large_inverses),     cmocka_unit_test(inverses_undo),
-        cmocka_unit_test(builders),           cmocka_unit_test(rotations),
-        cmocka_unit_test(euler_orders),       cmocka_unit_test(reflections),
-    };
-    return cmocka_run_group_tests_name("core mat", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -51,9 +51,8 @@ static void check_single(int32_t x)
     assert_int_equal(q16_to_int_round(x), (int32_t)floor_div((int128)x + 32768, 65536));
 }
 
-static void scalars(void **state)
+TEST(scalars)
 {
-    (void)state;
     static int32_t value[STRESS_COUNT];
     int count = stress_values(value);
     for (int i = 0; i < count; i++) {
@@ -82,9 +81,8 @@ static void scalars(void **state)
     }
 }
 
-static void clamps(void **state)
+TEST(clamps)
 {
-    (void)state;
     assert_int_equal(q16_clamp(5, 0, 3), 3);
     assert_int_equal(q16_clamp(-5, 0, 3), 0);
     assert_int_equal(q16_clamp(1, 3, 0), 0);
@@ -121,9 +119,8 @@ static void check_sqrt(int32_t x)
     }
 }
 
-static void square_roots(void **state)
+TEST(square_roots)
 {
-    (void)state;
     static int32_t value[STRESS_COUNT];
     int count = stress_values(value);
     for (int i = 0; i < count; i++) {
@@ -161,9 +158,8 @@ static void check_reciprocal(uint32_t x)
     }
 }
 
-static void reciprocals(void **state)
+TEST(reciprocals)
 {
-    (void)state;
     for (uint32_t i = 0; i < 500000; i++) {
         check_reciprocal(0x80000000u + i);
         check_reciprocal(0xFFFFFFFFu - i);
@@ -184,9 +180,8 @@ static void reciprocals(void **state)
     }
 }
 
-static void integers(void **state)
+TEST(integers)
 {
-    (void)state;
     uint64_t seed = 4;
     for (int i = 0; i < 1000000; i++) {
         uint64_t a = i < 8 ? UINT64_MAX - (uint64_t)(i & 1) : random64(&seed) >> (i % 50);
@@ -212,9 +207,8 @@ static void integers(void **state)
     assert_int_equal(qtri_shift_round(5, 0), 5);
 }
 
-static void quotients(void **state)
+TEST(quotients)
 {
-    (void)state;
     uint64_t seed = 9;
     for (int i = 0; i < 1000000; i++) {
         uint64_t n = random64(&seed) >> (2 + i % 62);
@@ -236,9 +230,8 @@ static void quotients(void **state)
 
 enum { TURN = 360 * 65536 };
 
-static void angles(void **state)
+TEST(angles)
 {
-    (void)state;
     double worst = 0;
     double worst_q30 = 0;
     int32_t worst_at = 0;
@@ -266,9 +259,8 @@ static void angles(void **state)
     assert_true(worst_q30 <= 1.4142); /* 2^-29.5 */
 }
 
-static void angles_repeat(void **state)
+TEST(angles_repeat)
 {
-    (void)state;
     static const q16 quadrant[4] = {0, Q16_ONE, 0, -Q16_ONE};
     for (int32_t right = -364; right <= 364; right++) {
         int32_t degrees = right * 90;
@@ -336,9 +328,8 @@ static void check_wide(qtri_wide result, long double exact, long double scale, c
     }
 }
 
-static void wides(void **state)
+TEST(wides)
 {
-    (void)state;
     uint64_t seed = 5;
     for (int i = 0; i < 300000; i++) {
         qtri_wide a = random_wide(&seed);
@@ -370,9 +361,8 @@ static void wides(void **state)
     (void)qtri_wide_make(1, INT32_MIN);
 }
 
-static void wide_vectors(void **state)
+TEST(wide_vectors)
 {
-    (void)state;
     uint64_t seed = 6;
     long double worst = 0;
     for (int i = 0; i < 30000; i++) {
@@ -408,9 +398,8 @@ static void wide_vectors(void **state)
 }
 
 /* The debug build stops at what saturates and at arguments without a result, at nothing else. */
-static void faults(void **state)
+TEST(faults)
 {
-    (void)state;
     for (const math_checked_case *c = math_checked_cases; c->name != NULL; c++) {
         q16_checked_faults = 0;
         c->sound();
@@ -426,11 +415,5 @@ static void faults(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(faults),       cmocka_unit_test(scalars),       cmocka_unit_test(clamps),
-        cmocka_unit_test(square_roots), cmocka_unit_test(reciprocals),   cmocka_unit_test(integers),
-        cmocka_unit_test(angles),       cmocka_unit_test(angles_repeat), cmocka_unit_test(wides),
-        cmocka_unit_test(wide_vectors), cmocka_unit_test(quotients),
-    };
-    return cmocka_run_group_tests_name("core math", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

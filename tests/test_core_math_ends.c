@@ -10,9 +10,8 @@
 #include <qtri/mat.h>
 #include <qtri/q16.h>
 
-static void quotients_round_up_to_the_end(void **state)
+TEST(quotients_round_up_to_the_end)
 {
-    (void)state;
     /* (2^32 - 1) / 2 = 2^31 - 1/2. */
     assert_int_equal(q16_muldiv(65537, 65535, 2), Q16_MAX);
     assert_int_equal(q16_muldiv(-65537, 65535, 2), Q16_MIN); /* away from zero */
@@ -36,9 +35,8 @@ static void quotients_round_up_to_the_end(void **state)
  * results next to powers of two, where a mantissa may round up to two, and to 32768, where it is
  * more than there is.
  */
-static void powers_round_up_to_the_next(void **state)
+TEST(powers_round_up_to_the_next)
 {
-    (void)state;
     int held = 0;
     for (int k = 15; k >= 1; k--) {
         for (int32_t y = 65536 * k / 15 + 1; y < 65536 * k / 15 + (k == 15 ? 1500 : 400); y++) {
@@ -57,9 +55,8 @@ static void powers_round_up_to_the_next(void **state)
     assert_true(held > 100);
 }
 
-static void identities_change_nothing(void **state)
+TEST(identities_change_nothing)
 {
-    (void)state;
     uint64_t seed = 3;
     const qtri_mat3 one = qtri_mat3_identity();
     for (int n = 0; n < 100; n++) {
@@ -75,9 +72,8 @@ static void identities_change_nothing(void **state)
 }
 
 /* light_kinds.c: v y of a square's upper half v in [1/4, 1) stays below 2^16 for every v. */
-static void lengths_by_the_seed_fit_a_half_word(void **state)
+TEST(lengths_by_the_seed_fit_a_half_word)
 {
-    (void)state;
     for (uint32_t v = 0x4000; v <= 0xFFFF; v++) {
         assert_true((v * qtri_rsqrt_seed_in_place(v)) >> 15 <= 0xFFFD);
     }
@@ -114,9 +110,8 @@ static int32_t signed_up_to(uint64_t *seed, uint32_t most)
 }
 
 /* multiply.h: high words by half-words, in a narrow build, are those of the long product. */
-static void high_words_are_those_of_the_long_product(void **state)
+TEST(high_words_are_those_of_the_long_product)
 {
-    (void)state;
     uint64_t seed = 5;
     for (int n = 0; n < 20000; n++) {
         const uint32_t any = factor_up_to(&seed, UINT32_MAX);
@@ -141,12 +136,5 @@ static void high_words_are_those_of_the_long_product(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(quotients_round_up_to_the_end),
-        cmocka_unit_test(powers_round_up_to_the_next),
-        cmocka_unit_test(identities_change_nothing),
-        cmocka_unit_test(lengths_by_the_seed_fit_a_half_word),
-        cmocka_unit_test(high_words_are_those_of_the_long_product),
-    };
-    return cmocka_run_group_tests_name("core math ends", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

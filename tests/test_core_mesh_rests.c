@@ -124,9 +124,8 @@ static void count_different(int counts[2], const canvas *a, const canvas *b)
     }
 }
 
-static void wide_compact_and_prepared_meshes_agree(void **state)
+TEST(wide_compact_and_prepared_meshes_agree)
 {
-    (void)state;
     uint64_t seed = 12;
     int counts[2] = {0, 0};
     long covered = 0;
@@ -154,6 +153,5 @@ static void wide_compact_and_prepared_meshes_agree(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(wide_compact_and_prepared_meshes_agree)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

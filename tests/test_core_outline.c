@@ -120,9 +120,8 @@ static void blend_edges(const qtri_surface *s, const qtri_outline *outline)
 
 /* ---- Arguments ---- */
 
-static void outlines_that_cannot_be(void **state)
+TEST(outlines_that_cannot_be)
 {
-    (void)state;
     static uint16_t wrong[TRIANGLES][3];
     qtri_outline outline;
     qtri_mesh mesh = cube(true);
@@ -145,9 +144,8 @@ static void outlines_that_cannot_be(void **state)
 }
 
 /* Whatever goes wrong, edges change nothing. */
-static void prepared_outlines_that_cannot_be(void **state)
+TEST(prepared_outlines_that_cannot_be)
 {
-    (void)state;
     static uint32_t more_memory[WORDS];
     static qtri_vertex few[VERTICES];
     qtri_transform pose;
@@ -186,9 +184,8 @@ static void prepared_outlines_that_cannot_be(void **state)
 }
 
 /* A fill has no outline, and neither has what cannot be seen; the mesh is drawn as without. */
-static void drawn_outlines_that_cannot_be(void **state)
+TEST(drawn_outlines_that_cannot_be)
 {
-    (void)state;
     for (int n = 0; n < 8; n++) {
         qtri_transform pose;
         qtri_view view = view_of(0, n / 2 == 1 ? -6 : 5, &pose);
@@ -219,9 +216,8 @@ static void drawn_outlines_that_cannot_be(void **state)
 }
 
 /* Triangles with indices past the end are skipped, whatever their neighbours and sums. */
-static void wrong_indices_have_no_edges(void **state)
+TEST(wrong_indices_have_no_edges)
 {
-    (void)state;
     enum { WRONG = 48, MORE = TRIANGLES + WRONG };
     static uint16_t all[MORE][3], around[MORE][3];
     static qtri_face8 planes[MORE];
@@ -274,9 +270,8 @@ static void wrong_indices_have_no_edges(void **state)
 /* ---- Surfaces ---- */
 
 /* No edge is noted on a surface of another size, or where there is nothing to be changed. */
-static void surfaces_of_other_sizes(void **state)
+TEST(surfaces_of_other_sizes)
 {
-    (void)state;
     qtri_transform pose;
     const qtri_view view = view_of(0, 5, &pose);
     const qtri_mesh mesh = cube(true);
@@ -312,9 +307,8 @@ static const qtri_compare compares[7] = {QTRI_LESS,      QTRI_LESS_EQUAL,    QTR
  * Lists are for bands of so many rows and a halo: parts of a frame that are cut otherwise, the
  * whole frame among them, look at all triangles. Memory for more entries than there can be.
  */
-static void parts_that_have_no_list(void **state)
+TEST(parts_that_have_no_list)
 {
-    (void)state;
     int changed = 0;
     for (int n = 0; n < 42; n++) {
         const qtri_compare compare = compares[n % 7];
@@ -378,9 +372,8 @@ static void parts_that_have_no_list(void **state)
 
 /* Any rows of a frame, taller than a band with its halo or in the last one's halo below the frame:
    the edges that lists have are those that are found without. */
-static void any_rows_have_all_edges(void **state)
+TEST(any_rows_have_all_edges)
 {
-    (void)state;
     int changed = 0;
     for (int n = 0; n < 10; n++) {
         qtri_transform pose;
@@ -424,9 +417,8 @@ static void any_rows_have_all_edges(void **state)
 }
 
 /* Edges above and below the frame are in no list, and others are in theirs. */
-static void edges_beside_the_frame_are_not_listed(void **state)
+TEST(edges_beside_the_frame_are_not_listed)
 {
-    (void)state;
     const qtri_material material = qtri_material_default();
     static uint32_t memory[QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_RGB565_BYTES) / 4];
     for (int n = -12; n <= 12; n++) {
@@ -452,9 +444,8 @@ static void edges_beside_the_frame_are_not_listed(void **state)
 }
 
 /* Lists of a mesh that has been prepared behind the eye since: none of their edges is noted. */
-static void lists_of_an_earlier_pose_are_left(void **state)
+TEST(lists_of_an_earlier_pose_are_left)
 {
-    (void)state;
     const qtri_material material = qtri_material_default();
     qtri_transform pose;
     const qtri_view view = view_of(0, 4, &pose);
@@ -534,9 +525,8 @@ static void assert_last_drawing_has_outline(bool has_neighbours)
     canvas_free(&c[1]);
 }
 
-static void the_last_drawing_has_the_outline(void **state)
+TEST(the_last_drawing_has_the_outline)
 {
-    (void)state;
     assert_last_drawing_has_outline(true);
     assert_last_drawing_has_outline(false);
 }
@@ -577,9 +567,8 @@ static void draw_frame_and_bands(canvas *whole, canvas *banded, const qtri_mesh 
 }
 
 /* A number that is no qtri_cull culls nothing, nor is it taken for what culls: borders too. */
-static void numbers_that_are_no_cull(void **state)
+TEST(numbers_that_are_no_cull)
 {
-    (void)state;
     static uint16_t around[TRIANGLES][3];
     static const uint32_t numbers[4] = {3, 4, 255, 0x80000001u};
     qtri_mesh mesh = cube(true);
@@ -608,9 +597,8 @@ static void numbers_that_are_no_cull(void **state)
 }
 
 /* Neighbours of any numbers, of triangles that are seen, cross a plane or lie beyond one. */
-static void neighbours_that_are_none(void **state)
+TEST(neighbours_that_are_none)
 {
-    (void)state;
     static uint16_t any[TRIANGLES][3];
     uint64_t seed = 3;
     for (int n = 0; n < 60; n++) {
@@ -633,9 +621,8 @@ static void neighbours_that_are_none(void **state)
 
 /* Creases take light: without one there is none, and what is drawn of samples beside a frame that
    the mesh does not reach has none either. */
-static void creases_without_light(void **state)
+TEST(creases_without_light)
 {
-    (void)state;
     static uint32_t memory[QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_RGB565_X4_BYTES) / 4];
     const qtri_material material = {.color = {255, 255, 255}};
     qtri_transform pose;
@@ -679,20 +666,5 @@ static void creases_without_light(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(outlines_that_cannot_be),
-        cmocka_unit_test(prepared_outlines_that_cannot_be),
-        cmocka_unit_test(drawn_outlines_that_cannot_be),
-        cmocka_unit_test(wrong_indices_have_no_edges),
-        cmocka_unit_test(surfaces_of_other_sizes),
-        cmocka_unit_test(parts_that_have_no_list),
-        cmocka_unit_test(any_rows_have_all_edges),
-        cmocka_unit_test(edges_beside_the_frame_are_not_listed),
-        cmocka_unit_test(lists_of_an_earlier_pose_are_left),
-        cmocka_unit_test(the_last_drawing_has_the_outline),
-        cmocka_unit_test(numbers_that_are_no_cull),
-        cmocka_unit_test(neighbours_that_are_none),
-        cmocka_unit_test(creases_without_light),
-    };
-    return cmocka_run_group_tests_name("core outline", tests, make_cube, NULL);
+    return run_all_tests(make_cube, NULL);
 }

@@ -229,9 +229,8 @@ static bool is_clear_cut(const shape *h, double x, double y, double reach)
     return true;
 }
 
-static void hard_edges(void **state)
+TEST(hard_edges)
 {
-    (void)state;
     uint64_t seed = 1;
     canvas c = canvas_new(&qtri_gray8, SIDE, SIDE);
     const qtri_rgb white = {255, 255, 255};
@@ -274,9 +273,8 @@ static double area(const shape *h, int32_t x, int32_t y, uint32_t painted)
 }
 
 /* Within 1/32, the samples' own error of an edge along their rows, 1/96, on top. */
-static void smooth_edges(void **state)
+TEST(smooth_edges)
 {
-    (void)state;
     uint64_t seed = 2;
     canvas c = canvas_new(&qtri_gray8, SIDE, SIDE);
     const qtri_rgb white = {255, 255, 255};
@@ -311,9 +309,8 @@ static double overlap(int32_t from, int32_t to, int32_t i)
 }
 
 /* Smooth outlines whose inner side begins and ends with a row, and may lie in one column. */
-static void hollow_rows(void **state)
+TEST(hollow_rows)
 {
-    (void)state;
     uint64_t seed = 12;
     canvas c = canvas_new(&qtri_gray8, SIDE, SIDE);
     const qtri_rgb white = {255, 255, 255};
@@ -362,9 +359,8 @@ static qtri_brush random_brush(uint64_t *seed)
 }
 
 /* Bands and scissors leave the pixels of the whole frame, and nothing outside. */
-static void bands(void **state)
+TEST(bands)
 {
-    (void)state;
     uint64_t seed = 3;
     for (int n = 0; n < random_cases(1500); n++) {
         const qtri_format *format = drawn_format(n);
@@ -394,9 +390,8 @@ static double step_of(const qtri_format *format, int channel)
 }
 
 /* Mixed pixels: the surface's own mixed in double precision; 1 of 255, 3/4 of a step of RGB565. */
-static void mixes(void **state)
+TEST(mixes)
 {
-    (void)state;
     uint64_t seed = 4;
     double worst = 0;
     for (int n = 0; n < random_cases(120); n++) {
@@ -433,9 +428,8 @@ static void mixes(void **state)
 }
 
 /* A smooth brush that covers all of a pixel paints what the hard one does. */
-static void whole_pixels(void **state)
+TEST(whole_pixels)
 {
-    (void)state;
     uint64_t seed = 5;
     for (int n = 0; n < random_cases(200); n++) {
         const qtri_format *format = drawn_format(n);
@@ -466,9 +460,8 @@ static void whole_pixels(void **state)
 }
 
 /* Sides on centres of pixels: the left and the upper ones belong to the shape. */
-static void sides_on_centers(void **state)
+TEST(sides_on_centers)
 {
-    (void)state;
     const qtri_rgb white = {255, 255, 255};
     const qtri_brush brush = qtri_brush_of(white);
     const qtri_area box = {QTRI_PX(1.5), QTRI_PX(0.5), QTRI_PX(4.5), QTRI_PX(2.5)};
@@ -495,9 +488,8 @@ static void sides_on_centers(void **state)
 }
 
 /* Two shapes with a common side leave no gap and no pixel painted twice. */
-static void common_sides(void **state)
+TEST(common_sides)
 {
-    (void)state;
     uint64_t seed = 6;
     const qtri_rgb level = {100, 100, 100};
     const qtri_brush brush = {level, 128, &qtri_ink_blend};
@@ -523,9 +515,8 @@ static void common_sides(void **state)
 }
 
 /* Any arguments: nothing is written outside, which sanitizers see. */
-static void any_arguments(void **state)
+TEST(any_arguments)
 {
-    (void)state;
     uint64_t seed = 7;
     canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
     for (int n = 0; n < random_cases(30000); n++) {
@@ -549,9 +540,8 @@ static void any_arguments(void **state)
 }
 
 /* A comb: more sides cross a row than are kept. It is its teeth. */
-static void many_sides_in_a_row(void **state)
+TEST(many_sides_in_a_row)
 {
-    (void)state;
     enum { TEETH = 11, POINTS = 4 * TEETH };
     static const qtri_ink *const kinds[3] = {NULL, &qtri_ink_blend, &qtri_ink_smooth};
     qtri_point point[POINTS];
@@ -578,9 +568,8 @@ static void many_sides_in_a_row(void **state)
 }
 
 /* Shapes that have no inside. */
-static void no_inside(void **state)
+TEST(no_inside)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
     canvas cleared = canvas_new(&qtri_rgb565, SIDE, SIDE);
     const qtri_brush brush = qtri_brush_of((qtri_rgb){255, 255, 255});
@@ -598,9 +587,8 @@ static void no_inside(void **state)
 
 /* Outlines that leave no inside, just so or by far, are their rectangles; just some inside is seen.
  */
-static void outlines_without_inside(void **state)
+TEST(outlines_without_inside)
 {
-    (void)state;
     const qtri_rgb white = {255, 255, 255};
     uint64_t seed = 18;
     int other = 0;
@@ -633,9 +621,8 @@ static void outlines_without_inside(void **state)
  * Polygons of few points have their sides made ready once, others in every row. An L whose sides
  * have more points between their ends is the same; so are its level sides anywhere in a row.
  */
-static void sides_with_points_between(void **state)
+TEST(sides_with_points_between)
 {
-    (void)state;
     enum { ENDS = 6, PARTS = 9 };
     static const qtri_rgb white = {255, 255, 255};
     uint64_t seed = 19;
@@ -673,9 +660,8 @@ static void sides_with_points_between(void **state)
 
 /* A rectangle's share of one pixel, to nearest, for every width and height: mixed as an alpha is.
  */
-static void shares_of_a_pixel(void **state)
+TEST(shares_of_a_pixel)
 {
-    (void)state;
     static const qtri_rgb black = {0, 0, 0};
     const qtri_brush brush = {black, 255, &qtri_ink_smooth};
     uint8_t mixed[256];
@@ -705,9 +691,8 @@ static void shares_of_a_pixel(void **state)
 
 /* Thin slices of a row, of a polygon: of no height that a color's step shows is anything left out.
  */
-static void slices_of_a_row(void **state)
+TEST(slices_of_a_row)
 {
-    (void)state;
     static const qtri_rgb white = {255, 255, 255};
     const qtri_brush brush = {white, 255, &qtri_ink_smooth};
     for (int32_t height = 1; height <= 256; height++) {
@@ -727,9 +712,8 @@ static void slices_of_a_row(void **state)
 }
 
 /* The least that is seen at all is 1 of 255. */
-static void least_alpha(void **state)
+TEST(least_alpha)
 {
-    (void)state;
     static const qtri_rgb white = {255, 255, 255};
     canvas c = canvas_new(&qtri_xrgb8888, SIDE, SIDE);
     const qtri_area all = {0, 0, QTRI_PX(SIDE), QTRI_PX(SIDE)};
@@ -744,23 +728,5 @@ static void least_alpha(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(many_sides_in_a_row),
-        cmocka_unit_test(no_inside),
-        cmocka_unit_test(slices_of_a_row),
-        cmocka_unit_test(shares_of_a_pixel),
-        cmocka_unit_test(outlines_without_inside),
-        cmocka_unit_test(sides_with_points_between),
-        cmocka_unit_test(bands),
-        cmocka_unit_test(least_alpha),
-        cmocka_unit_test(mixes),
-        cmocka_unit_test(whole_pixels),
-        cmocka_unit_test(common_sides),
-        cmocka_unit_test(sides_on_centers),
-        cmocka_unit_test(any_arguments),
-        cmocka_unit_test(hard_edges),
-        cmocka_unit_test(smooth_edges),
-        cmocka_unit_test(hollow_rows),
-    };
-    return cmocka_run_group_tests_name("core paint", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

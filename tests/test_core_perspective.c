@@ -289,9 +289,8 @@ static void report(const char *what, tally sum)
     assert_true(sum.worst <= 8); /* 2^-5 of a texel, or of a step where that is more */
 }
 
-static void texels(void **state)
+TEST(texels)
 {
-    (void)state;
     number_texels();
     for (int n = 0; n < 2; n++) {
         const qtri_format *format = n == 0 ? &qtri_rgb565 : &qtri_xrgb8888;
@@ -308,9 +307,8 @@ static void texels(void **state)
     }
 }
 
-static void nearly_level(void **state)
+TEST(nearly_level)
 {
-    (void)state;
     number_texels();
     report("level but for a unit, w to 1:4096", level_rows(12, 60, 12, 600, 400, 4));
     report("narrow, w to 1:60000", level_rows(14, 200, 16, 30, 30, 4));
@@ -387,9 +385,8 @@ static double random_colors(uint64_t seed, int count, const qtri_format *format,
     return worst;
 }
 
-static void colors(void **state)
+TEST(colors)
 {
-    (void)state;
     static const struct {
         const char *name;
         const qtri_format *format;
@@ -421,9 +418,8 @@ static void colors(void **state)
 }
 
 /* Materials and formats of all kinds, drawn whole and then in parts. */
-static void parts(void **state)
+TEST(parts)
 {
-    (void)state;
     number_texels();
     uint64_t seed = 30;
     const qtri_texture textures[] = {texture_of(&qtri_rgb565, 6, 6),
@@ -483,9 +479,8 @@ static void parts(void **state)
 }
 
 /* Anything may be drawn, and colours stay between those of the vertices. */
-static void extremes(void **state)
+TEST(extremes)
 {
-    (void)state;
     number_texels();
     uint64_t seed = 40;
     const qtri_texture texture = texture_of(&qtri_rgb565, 7, 9);
@@ -543,9 +538,5 @@ static void extremes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(texels), cmocka_unit_test(nearly_level), cmocka_unit_test(colors),
-        cmocka_unit_test(parts),  cmocka_unit_test(extremes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -193,62 +193,54 @@ static uint32_t level_bound(random_states *w, uint32_t hash, random_draw *draw)
     return random_hash(hash, high, 4);
 }
 
-static void levels(void **state)
+TEST(levels)
 {
-    (void)state;
     record("lit textures of samples", 40, draw_lit_textures, random_on_samples);
     record("levels", 60, draw_levels, random_on_surface);
     record("bounds of levels", 60, NULL, level_bound);
 }
 
-static void usual(void **state)
+TEST(usual)
 {
-    (void)state;
     memset(&states, 0, sizeof states); /* of bands, which sanitizers try fewer of */
     record("usual", 90, random_draw_usual, random_on_surface);
     record("usual on screen", 120, random_draw_usual_screen, random_on_surface);
 }
 
-static void solids(void **state)
+TEST(solids)
 {
-    (void)state;
     record("solids", 60, random_draw_solid, random_on_surface);
     record("solids of samples", 60, random_draw_solid, random_on_samples);
 }
 
-static void meshes(void **state)
+TEST(meshes)
 {
-    (void)state;
     record("meshes", 120, draw_mesh, random_on_surface);
     record("meshes of samples", 50, draw_mesh, random_on_samples);
 }
 
-static void corners(void **state)
+TEST(corners)
 {
-    (void)state;
     record("corners", 120, random_draw_corners, random_on_surface);
     record("corners of samples", 50, random_draw_corners, random_on_samples);
 }
 
-static void on_screen(void **state)
+TEST(on_screen)
 {
-    (void)state;
     record("screen", 120, random_draw_screen, random_on_surface);
     record("screen of samples", 50, random_draw_screen, random_on_samples);
 }
 
-static void passes(void **state)
+TEST(passes)
 {
-    (void)state;
     record("outlines", 60, random_draw_outlined, random_on_surface);
     record("bands", 60, NULL, random_in_bands);
     record("fours", 60, NULL, random_by_fours);
 }
 
 /* A band has the rows of the whole picture. */
-static void bands_have_the_pixels_of_the_whole(void **state)
+TEST(bands_have_the_pixels_of_the_whole)
 {
-    (void)state;
     for (const random_kind *kind = random_kinds; kind->name != NULL; kind++) {
         for (int n = 0; kind->in_bands && n < random_cases(400); n++) {
             random_states *w = states_of(n);
@@ -264,11 +256,5 @@ static void bands_have_the_pixels_of_the_whole(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(meshes),    cmocka_unit_test(corners),
-        cmocka_unit_test(on_screen), cmocka_unit_test(passes),
-        cmocka_unit_test(solids),    cmocka_unit_test(bands_have_the_pixels_of_the_whole),
-        cmocka_unit_test(usual),     cmocka_unit_test(levels),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

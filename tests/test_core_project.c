@@ -49,9 +49,8 @@ static double check_clip_space_point(qtri_vec4 p, int32_t width, int32_t height)
     return fabs(screen.depth_16p16 / 65536. - depth);
 }
 
-static void snaps(void **state)
+TEST(snaps)
 {
-    (void)state;
     static const q16 ws[] = {Q16(1), Q16(2), Q16(3), Q16(1.5), Q16(7), Q16(0.75), 3, 65537};
     double worst = 0;
     uint64_t seed = 41;
@@ -75,9 +74,8 @@ static void snaps(void **state)
 }
 
 /* The projector's rows as they are, applied exactly: rounding to the grid adds nothing to them. */
-static void projects_its_rows(void **state)
+TEST(projects_its_rows)
 {
-    (void)state;
     uint64_t seed = 42;
     double worst = 0;
     int drawn = 0;
@@ -143,9 +141,8 @@ static void random_row(qtri_row *row, uint64_t *seed, bool alone)
 }
 
 /* Many vertices at once, by shifts and a reciprocal, are those of the exact way, bit for bit. */
-static void vertices_are_exact(void **state)
+TEST(vertices_are_exact)
 {
-    (void)state;
     uint64_t seed = 47;
     int inside = 0;
     for (int n = 0; n < random_cases(60000); n++) {
@@ -202,9 +199,8 @@ static void vertices_are_exact(void **state)
  * What snapping moved a vertex by, against exact arithmetic; ties, which are half a step, and what
  * the guard band held, which counts as 0. A w that is 0 or below is 1.
  */
-static void rests_of_snapping(void **state)
+TEST(rests_of_snapping)
 {
-    (void)state;
     uint64_t seed = 48;
     double least = 0, greatest = 0;
     for (int n = 0; n < random_cases(60000); n++) {
@@ -278,9 +274,8 @@ static void check_scene(const qtri_projector *projector, qtri_vec3 p, const doub
 }
 
 /* COURSE scenes 2 and 3. */
-static void course_scenes(void **state)
+TEST(course_scenes)
 {
-    (void)state;
     static const double xy[6][2] = {{591.421356, 350}, {350, 108.578644}, {108.578644, 350},
                                     {128, 54.0991655}, {17.1487483, 128}, {238.8512517, 128}};
     qtri_transform t;
@@ -303,9 +298,8 @@ static void course_scenes(void **state)
     check_scene(&projector, vec3_of(1, 0, 1), xy[5], 2, 10, .959595960);
 }
 
-static void viewports(void **state)
+TEST(viewports)
 {
-    (void)state;
     qtri_viewport top = qtri_viewport_top(10, 20, 100, 50);
     qtri_viewport bottom = qtri_viewport_bottom(10, 30, 100, 50, 100);
     assert_memory_equal(&top, &bottom, sizeof top);
@@ -333,9 +327,8 @@ static void viewports(void **state)
     check_fact(&projector, corner[2], -4096.5, 8192.5, .5);
 }
 
-static void outcodes(void **state)
+TEST(outcodes)
 {
-    (void)state;
     const int64_t w = (int64_t)1 << 40;
     const int64_t far_x = w << QTRI_GUARD_LOG2;
     struct {
@@ -361,9 +354,8 @@ static void outcodes(void **state)
     }
 }
 
-static void no_w(void **state)
+TEST(no_w)
 {
-    (void)state;
     qtri_transform identity;
     qtri_transform_identity(&identity);
     qtri_projector projector = projector_for(&identity, 256, 256);
@@ -420,9 +412,8 @@ static void with_weights(qtri_clip_vertex v[3])
     }
 }
 
-static void clipped_polygons(void **state)
+TEST(clipped_polygons)
 {
-    (void)state;
     uint64_t seed = 43;
     int longest = 0;
     int64_t outside = 0;
@@ -475,9 +466,8 @@ static void clipped_polygons(void **state)
 }
 
 /* Two triangles on either side of an edge agree about every point where the planes cut it. */
-static void shared_edges(void **state)
+TEST(shared_edges)
 {
-    (void)state;
     uint64_t seed = 44;
     int cuts = 0;
     for (int n = 0; n < random_cases(300000); n++) {
@@ -516,9 +506,8 @@ static void shared_edges(void **state)
     assert_true(cuts > 10000);
 }
 
-static void around_the_eye(void **state)
+TEST(around_the_eye)
 {
-    (void)state;
     qtri_transform t;
     qtri_transform_identity(&t);
     qtri_transform_perspective(&t, Q16(60), Q16(1), Q16(0.1), Q16(100));
@@ -546,9 +535,8 @@ static void around_the_eye(void **state)
     }
 }
 
-static void clipped_lines(void **state)
+TEST(clipped_lines)
 {
-    (void)state;
     uint64_t seed = 45;
     for (int n = 0; n < random_cases(200000); n++) {
         qtri_clip_vertex v[2] = {random_clip_vertex(&seed, 58), random_clip_vertex(&seed, 58)};
@@ -569,19 +557,5 @@ static void clipped_lines(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(snaps),
-        cmocka_unit_test(projects_its_rows),
-        cmocka_unit_test(vertices_are_exact),
-        cmocka_unit_test(rests_of_snapping),
-        cmocka_unit_test(course_scenes),
-        cmocka_unit_test(viewports),
-        cmocka_unit_test(outcodes),
-        cmocka_unit_test(no_w),
-        cmocka_unit_test(clipped_polygons),
-        cmocka_unit_test(shared_edges),
-        cmocka_unit_test(around_the_eye),
-        cmocka_unit_test(clipped_lines),
-    };
-    return cmocka_run_group_tests_name("core project", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -90,9 +90,8 @@ static void check_triple(q16 a, q16 b, q16 c)
     }
 }
 
-static void stress_sets(void **state)
+TEST(stress_sets)
 {
-    (void)state;
     static int32_t value[STRESS_COUNT];
     int count = stress_values(value);
     for (int i = 0; i < count; i++) {
@@ -106,9 +105,8 @@ static void stress_sets(void **state)
     }
 }
 
-static void random_sets(void **state)
+TEST(random_sets)
 {
-    (void)state;
     uint64_t seed = 1;
     int count = long_run() ? 200000000 : 2000000;
     for (int i = 0; i < count; i++) {
@@ -122,9 +120,8 @@ static void random_sets(void **state)
 }
 
 /* Quotients at and beside the middle of two results, and of the largest ones. */
-static void near_halves(void **state)
+TEST(near_halves)
 {
-    (void)state;
     uint64_t seed = 2;
     for (int i = 0; i < 400000; i++) {
         int64_t b = (int64_t)size_of(random_any(&seed));
@@ -203,9 +200,8 @@ static void check_single(q16 x)
     }
 }
 
-static void singles(void **state)
+TEST(singles)
 {
-    (void)state;
     static int32_t value[STRESS_COUNT];
     int count = stress_values(value);
     for (int i = 0; i < count; i++) {
@@ -225,9 +221,8 @@ static void singles(void **state)
     }
 }
 
-static void formats(void **state)
+TEST(formats)
 {
-    (void)state;
     static int32_t value[STRESS_COUNT];
     int count = stress_values(value);
     for (int i = 0; i < count; i++) {
@@ -250,9 +245,8 @@ static void formats(void **state)
     }
 }
 
-static void choices(void **state)
+TEST(choices)
 {
-    (void)state;
     assert_int_equal(q16_clamp(5, 0, 3), 3);
     assert_int_equal(q16_clamp(-5, 0, 3), 0);
     assert_int_equal(q16_clamp(1, 3, 0), 0);
@@ -299,9 +293,8 @@ static void check_faults(q16 a, q16 b)
     assert_int_equal(q16_checked_faults, 0);
 }
 
-static void faults(void **state)
+TEST(faults)
 {
-    (void)state;
     static int32_t value[STRESS_COUNT];
     int count = stress_values(value);
     for (int i = 0; i < count; i++) {
@@ -316,9 +309,8 @@ static void faults(void **state)
 }
 
 /* The bounds that the corrections rely on. */
-static void seeds(void **state)
+TEST(seeds)
 {
-    (void)state;
     for (size_t i = 0; i < LENGTH_OF(builds); i++) {
         for (uint32_t x = 32768; x <= 65536; x++) {
             uint32_t seed = builds[i]->reciprocal_seed(x);
@@ -360,9 +352,8 @@ static void check_reciprocal(uint32_t x)
     }
 }
 
-static void integers(void **state)
+TEST(integers)
 {
-    (void)state;
     uint64_t seed = 4;
     for (int i = 0; i < 500000; i++) {
         uint64_t root = random64(&seed) >> (32 + i % 32);
@@ -392,10 +383,5 @@ static void integers(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(stress_sets), cmocka_unit_test(random_sets), cmocka_unit_test(near_halves),
-        cmocka_unit_test(singles),     cmocka_unit_test(formats),     cmocka_unit_test(choices),
-        cmocka_unit_test(faults),      cmocka_unit_test(seeds),       cmocka_unit_test(integers),
-    };
-    return cmocka_run_group_tests_name("core q16", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

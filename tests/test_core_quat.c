@@ -129,9 +129,8 @@ static double saturated_double(double x)
     return fmin(fmax(x, INT32_MIN), INT32_MAX);
 }
 
-static void rotates(void **state)
+TEST(rotates)
 {
-    (void)state;
     double worst = 0;
     double worst_length = 0;
     uint64_t seed = 14;
@@ -167,9 +166,8 @@ static void rotates(void **state)
     assert_true(worst <= 1.1 && worst_length <= 1.3); /* the contract: 2 */
 }
 
-static void normalizes(void **state)
+TEST(normalizes)
 {
-    (void)state;
     double worst = 0;
     double worst_length = 0;
     uint64_t seed = 15;
@@ -201,9 +199,8 @@ static double inverse_error(q16 inverse, int64_t component, int128 square)
     return fabs((double)(inverse * square - exact) / (double)square);
 }
 
-static void algebra(void **state)
+TEST(algebra)
 {
-    (void)state;
     uint64_t seed = 16;
     double worst = 0;
     for (int i = 0; i < 100000; i++) {
@@ -259,9 +256,8 @@ static void algebra(void **state)
     assert_near(real(r.z), 1, 1 / 65536.);
 }
 
-static void from_angles(void **state)
+TEST(from_angles)
 {
-    (void)state;
     static const int axes[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
                                    {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     uint64_t seed = 19;
@@ -298,9 +294,8 @@ static void from_angles(void **state)
     assert_true(worst <= .51);
 }
 
-static void matrices(void **state)
+TEST(matrices)
 {
-    (void)state;
     uint64_t seed = 20;
     double worst_to = 0;
     double worst_from = 0;
@@ -388,9 +383,8 @@ static real_quat nlerp_exactly(real_quat a, real_quat b, long double t)
     return r;
 }
 
-static void interpolates(void **state)
+TEST(interpolates)
 {
-    (void)state;
     uint64_t seed = 21;
     double worst[2] = {0, 0};
     double worst_length = 0;
@@ -451,9 +445,8 @@ static void interpolates(void **state)
     assert_true(same.w == 0 && same.x == fixed(sqrt(.5)) && labs(same.y) == same.x);
 }
 
-static void integrates(void **state)
+TEST(integrates)
 {
-    (void)state;
     uint64_t seed = 22;
     double worst = 0;
     for (int i = 0; i < 200000; i++) {
@@ -487,9 +480,8 @@ static void integrates(void **state)
 }
 
 /* A minute of slow turning at a kilohertz: a Q16.16 quaternion would not move at all. */
-static void attitudes(void **state)
+TEST(attitudes)
 {
-    (void)state;
     qtri_vec3 rate = vec3_of(.05, -.02, .01);
     q16 dt = fixed(.001);
     qtri_attitude attitude = qtri_attitude_from_quat(qtri_quat_identity());
@@ -533,10 +525,5 @@ static void attitudes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rotates),     cmocka_unit_test(normalizes), cmocka_unit_test(algebra),
-        cmocka_unit_test(from_angles), cmocka_unit_test(matrices),   cmocka_unit_test(interpolates),
-        cmocka_unit_test(integrates),  cmocka_unit_test(attitudes),
-    };
-    return cmocka_run_group_tests_name("core quat", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

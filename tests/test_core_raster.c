@@ -82,9 +82,8 @@ static void check_grid_triangle(canvas *c, int i, int j, int k)
 
 /* All triangles with corners at multiples of 1/4 pixel on 4 x 4 pixels: a quarter of all centres
    and edges meet. Each in one order by default, in all six in the long run. */
-static void all_small_triangles(void **state)
+TEST(all_small_triangles)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_gray8, SIDE, SIDE);
     assert_int_equal(c.surface.pitch, SIDE);
     for (int i = 0; i < POINTS; i++) {
@@ -160,9 +159,8 @@ static point random_point(uint64_t *seed, int32_t reach)
 }
 
 /* Both widths of edge arithmetic, and the change between them at 2^15. */
-static void any_size(void **state)
+TEST(any_size)
 {
-    (void)state;
     static const int32_t reach[] = {300, 3000, 8000, 16384, 17000, 33000, 70000, 1 << 19, 1 << 22};
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 51;
@@ -238,9 +236,8 @@ static void hits_reset(hits *h)
     memset(h->count, 0, sizeof h->count);
 }
 
-static void jittered_grids(void **state)
+TEST(jittered_grids)
 {
-    (void)state;
     enum { CELLS = 9 };
     hits h = {canvas_new(&qtri_gray8, WIDTH, HEIGHT), {{0}}};
     uint64_t seed = 52;
@@ -279,9 +276,8 @@ static void jittered_grids(void **state)
     canvas_free(&h.c);
 }
 
-static void fans(void **state)
+TEST(fans)
 {
-    (void)state;
     enum { RIM = 12 };
     hits h = {canvas_new(&qtri_gray8, WIDTH, HEIGHT), {{0}}};
     uint64_t seed = 53;
@@ -305,9 +301,8 @@ static void fans(void **state)
 }
 
 /* A square over everything, its triangles split at points inside again and again: slivers. */
-static void split_triangles(void **state)
+TEST(split_triangles)
 {
-    (void)state;
     enum { MOST = 150 };
     hits h = {canvas_new(&qtri_gray8, WIDTH, HEIGHT), {{0}}};
     uint64_t seed = 54;
@@ -369,9 +364,8 @@ static bool draws(qtri_cull cull, bool clockwise)
     return drawn;
 }
 
-static void culling(void **state)
+TEST(culling)
 {
-    (void)state;
     assert_true(draws(QTRI_CULL_NONE, true) && draws(QTRI_CULL_NONE, false));
     assert_true(!draws(QTRI_CULL_BACK, true) && draws(QTRI_CULL_BACK, false));
     assert_true(draws(QTRI_CULL_FRONT, true) && !draws(QTRI_CULL_FRONT, false));
@@ -383,9 +377,8 @@ static point at(double x, double y)
     return p;
 }
 
-static void pictures(void **state)
+TEST(pictures)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_rgb565, 6, 4);
     const qtri_surface *s = &c.surface;
     /* All corners on centres: left and top edges are in, right and bottom are out. */
@@ -421,9 +414,8 @@ static void pictures(void **state)
 }
 
 /* COURSE scene 3 from its snapped vertices. */
-static void course_triangle(void **state)
+TEST(course_triangle)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_gray8, 256, 256);
     point p[3] = {{128 * 256, 13849}, {4390, 128 * 256}, {61146, 128 * 256}};
     static const int rows[3][3] = {{54, 127, 128}, {90, 73, 182}, {127, 18, 237}};
@@ -444,15 +436,5 @@ static void course_triangle(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_small_triangles),
-        cmocka_unit_test(any_size),
-        cmocka_unit_test(jittered_grids),
-        cmocka_unit_test(fans),
-        cmocka_unit_test(split_triangles),
-        cmocka_unit_test(culling),
-        cmocka_unit_test(pictures),
-        cmocka_unit_test(course_triangle),
-    };
-    return cmocka_run_group_tests_name("core raster", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -115,9 +115,8 @@ static void assert_near_pixels(const canvas *a, const canvas *b, int steps)
 
 /* Texels that are opaque, blended: as those without alpha, lit and not, with fog, through a door.
  */
-static void opaque_texels_are_texels(void **state)
+TEST(opaque_texels_are_texels)
 {
-    (void)state;
     qtri_fog fog;
     const qtri_fog_range range = {Q16(.5), Q16(40), false};
     qtri_fog_linear(&fog, (qtri_rgb){200, 190, 170}, range, Q16(.6), Q16(10));
@@ -150,9 +149,8 @@ static void opaque_texels_are_texels(void **state)
 }
 
 /* White with alpha is white, and least_alpha of what has no alpha is nothing. */
-static void white_texels_and_none(void **state)
+TEST(white_texels_and_none)
 {
-    (void)state;
     static uint32_t white[SIDE * SIDE];
     memset(white, 0xFF, sizeof white);
     for (int f = 0; f < 6; f++) {
@@ -197,9 +195,8 @@ static void draw_lines(const qtri_surface *s, const qtri_material *material)
 }
 
 /* A fog that was never made is none; a blend that replaces is none either. */
-static void effects_that_change_nothing(void **state)
+TEST(effects_that_change_nothing)
 {
-    (void)state;
     const qtri_fog none = {0};
     for (int f = 0; f < 6; f++) {
         for (int n = 0; n < 8; n++) {
@@ -226,9 +223,8 @@ static void effects_that_change_nothing(void **state)
 }
 
 /* At the far plane, where depth is a step from the farthest, fog is that of its distance. */
-static void fog_at_the_far_plane(void **state)
+TEST(fog_at_the_far_plane)
 {
-    (void)state;
     qtri_fog fog;
     const qtri_fog_range range = {Q16(.001), Q16(30000), false};
     const qtri_rgb gray = {128, 128, 128};
@@ -258,9 +254,8 @@ static void fog_at_the_far_plane(void **state)
 /* ---- Samples ---- */
 
 /* What samples have in common is a pixel: shapes, lines, text, triangles that cover all of it. */
-static void samples_that_are_alike(void **state)
+TEST(samples_that_are_alike)
 {
-    (void)state;
     static uint32_t memory[QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_XRGB8888_X4_BYTES) / 4];
     for (int f = 0; f < 5; f++) {
         for (int n = 0; n < 4; n++) {
@@ -319,9 +314,8 @@ static void samples_that_are_alike(void **state)
 }
 
 /* Read, samples that differ are what resolving makes of them. Depth compares as it is asked. */
-static void samples_that_differ(void **state)
+TEST(samples_that_differ)
 {
-    (void)state;
     static uint32_t memory[2][QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_XRGB8888_X4_BYTES) / 4];
     static const qtri_compare compares[2][4] = {
         {QTRI_LESS, QTRI_LESS_EQUAL, QTRI_EQUAL, QTRI_NOT_EQUAL},
@@ -412,9 +406,8 @@ static void assert_close(const qtri_surface *a, const qtri_surface *b, int most)
 
 /* Texels of one's own that are RGB565 in the end: read by a function, or made so by another. Their
    colours have 8 bits until they are stored. */
-static void own_texels_of_565(void **state)
+TEST(own_texels_of_565)
 {
-    (void)state;
     static uint16_t reversed[SIDE * SIDE];
     for (int i = 0; i < SIDE * SIDE; i++) {
         reversed[i] = rgb565[i] ^ 0xFFFF;
@@ -442,9 +435,8 @@ static void own_texels_of_565(void **state)
 }
 
 /* Sides of more than 1024 texels are taken as 1024; where two texels meet, either. */
-static void sides_above_1024(void **state)
+TEST(sides_above_1024)
 {
-    (void)state;
     static uint16_t tall[4 * 1024];
     static const uint8_t log2s[4] = {10, 11, 16, 255};
     for (int i = 0; i < 4 * 1024; i++) {
@@ -478,9 +470,8 @@ static void sides_above_1024(void **state)
  * Levels of one colour each, on a texture of 512 x 256: as of 256 x 256, across twice as often. The
  * larger one has more than 2^16 texels, and so the option large_texture.
  */
-static void levels_of_large_textures(void **state)
+TEST(levels_of_large_textures)
 {
-    (void)state;
     static uint16_t level0[2][512 * 256], texels[2][9][512 * 256 / 4];
     const void *levels[2][9];
     for (int i = 0; i < 2; i++) {
@@ -529,9 +520,8 @@ static void levels_of_large_textures(void **state)
 }
 
 /* Smooth wireframes on a surface without a format, and where nothing is to be drawn. */
-static void smooth_lines_of_nothing(void **state)
+TEST(smooth_lines_of_nothing)
 {
-    (void)state;
     canvas c = new_canvas(&qtri_rgb565), empty = new_canvas(&qtri_rgb565);
     qtri_material material = qtri_material_default();
     material.fill = &qtri_smooth_wireframe;
@@ -550,12 +540,5 @@ static void smooth_lines_of_nothing(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(opaque_texels_are_texels),    cmocka_unit_test(white_texels_and_none),
-        cmocka_unit_test(effects_that_change_nothing), cmocka_unit_test(fog_at_the_far_plane),
-        cmocka_unit_test(samples_that_are_alike),      cmocka_unit_test(samples_that_differ),
-        cmocka_unit_test(own_texels_of_565),           cmocka_unit_test(sides_above_1024),
-        cmocka_unit_test(levels_of_large_textures),    cmocka_unit_test(smooth_lines_of_nothing),
-    };
-    return cmocka_run_group_tests_name("core raster ends", tests, make_texels, NULL);
+    return run_all_tests(make_texels, NULL);
 }

@@ -56,9 +56,8 @@ static const struct {
 };
 
 /* Such triangles are the same in parts. */
-static void rows_and_slivers(void **state)
+TEST(rows_and_slivers)
 {
-    (void)state;
     for (size_t n = 0; n < LENGTH_OF(rare); n++) {
         const qtri_texture texture = {.format = &qtri_texel_rgb565,
                                       .texels = texels,
@@ -95,9 +94,8 @@ static void rows_and_slivers(void **state)
 }
 
 /* Where snapping made an area of a line, vertices stay where it put them; elsewhere they do not. */
-static void areas_that_snapping_made(void **state)
+TEST(areas_that_snapping_made)
 {
-    (void)state;
     for (int n = 0; n < 2; n++) {
         const int32_t side = n == 0 ? 1 : 4096;
         for (int32_t less = 8192; less < 65536; less += 8192) { /* in 2^-16 of the grid's unit */
@@ -120,9 +118,8 @@ static void areas_that_snapping_made(void **state)
 }
 
 /* More thin lines side by side than a row keeps apart, in two groups, and nothing between. */
-static void combs_with_a_gap(void **state)
+TEST(combs_with_a_gap)
 {
-    (void)state;
     enum { TEETH = 22, RIGHT = 13, GAP = 12, GAP_END = 14, HIGH = 20 };
     static const qtri_rgb sky = {24, 40, 88};
     for (int n = 0; n < 4; n++) {
@@ -158,10 +155,5 @@ static void combs_with_a_gap(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_and_slivers),
-        cmocka_unit_test(areas_that_snapping_made),
-        cmocka_unit_test(combs_with_a_gap),
-    };
-    return cmocka_run_group_tests_name("core raster guards", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -78,9 +78,8 @@ static void draw_strokes(const qtri_surface *s, qtri_compare compare, uint32_t d
 }
 
 /* Without depth as without a test; beyond the farthest depth as at it. */
-static void strokes_without_depth(void **state)
+TEST(strokes_without_depth)
 {
-    (void)state;
     canvas c[4] = {new_canvas(&qtri_rgb565), new_canvas(&qtri_rgb565), new_canvas(&qtri_rgb565),
                    new_canvas(&qtri_rgb565)};
     qtri_surface without = c[0].surface;
@@ -101,9 +100,8 @@ static void strokes_without_depth(void **state)
 }
 
 /* Thin smooth lines of a mesh, in rows that lie far apart or the other way up. */
-static void thin_lines_of_any_pitch(void **state)
+TEST(thin_lines_of_any_pitch)
 {
-    (void)state;
     enum { FAR = 140000 };
     static uint16_t pixels[FAR / 2 * HEIGHT], depths[FAR / 2 * HEIGHT];
     for (int n = 0; n < 5; n++) {
@@ -145,9 +143,8 @@ static void thin_lines_of_any_pitch(void **state)
 }
 
 /* From the whole guard band, of any 1/w, steep and flat: in parts as in one. */
-static void extremes_in_parts(void **state)
+TEST(extremes_in_parts)
 {
-    (void)state;
     uint64_t seed = 77;
     for (int n = 0; n < 3000; n++) {
         static const int32_t reaches[5] = {300, 9000, 70000, 1 << 20, QTRI_SCREEN_MAX_24P8};
@@ -203,9 +200,8 @@ static void extremes_in_parts(void **state)
 }
 
 /* At the end of the screen's numbers samples cannot be moved: such triangles are not seen. */
-static void samples_at_the_end(void **state)
+TEST(samples_at_the_end)
 {
-    (void)state;
     static uint32_t memory[QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_RGB565_X4_BYTES) / 4];
     static uint8_t before[sizeof memory];
     qtri_surface s;
@@ -231,9 +227,8 @@ static void samples_at_the_end(void **state)
 }
 
 /* Small triangles that are next to lines, of steep attributes and flat ones. */
-static void small_slivers_in_parts(void **state)
+TEST(small_slivers_in_parts)
 {
-    (void)state;
     uint64_t seed = 15;
     static const uint16_t triangle[1][3] = {{0, 1, 2}};
     int drawn = 0;
@@ -279,9 +274,8 @@ static void small_slivers_in_parts(void **state)
 }
 
 /* A comb of more lines in one strip than are told apart: none of them is lost. */
-static void more_lines_than_spans(void **state)
+TEST(more_lines_than_spans)
 {
-    (void)state;
     enum { TEETH = 16 };
     qtri_screen_vertex v[2 * TEETH];
     for (int i = 0; i < 2 * TEETH; i++) {
@@ -314,9 +308,8 @@ static void more_lines_than_spans(void **state)
 
 /* Diagonals of 257 pixels, of all lengths around the one whose slope is rounded up to 1: as seen
    from the other side of the diagonal. */
-static void diagonals(void **state)
+TEST(diagonals)
 {
-    (void)state;
     enum { PIXELS = 48 };
     static const uint16_t triangle[1][3] = {{0, 1, 2}};
     int drawn = 0;
@@ -352,9 +345,8 @@ static void diagonals(void **state)
 }
 
 /* Corners on one line in space: what snapping makes of them draws nothing wrong, or nothing. */
-static void triangles_that_are_lines(void **state)
+TEST(triangles_that_are_lines)
 {
-    (void)state;
     uint64_t seed = 9;
     static const uint16_t triangle[1][3] = {{0, 1, 2}};
     for (int n = 0; n < 1500; n++) {
@@ -379,9 +371,8 @@ static void triangles_that_are_lines(void **state)
 
 /* Areas of a few units: at the vertices the plane is what it goes through, to 2^-8 of a unit in 16
    bits of it, as steps are off by 2^-30 of their products. */
-static void planes_of_slivers(void **state)
+TEST(planes_of_slivers)
 {
-    (void)state;
     uint64_t seed = 21;
     int thin = 0;
     while (thin < 3000) {
@@ -426,9 +417,8 @@ static void planes_of_slivers(void **state)
 
 /* The smallest triangle there is has its first vertex in a pixel's centre: one pixel, by the way of
    points with w = 1 and by that of others. */
-static void half_a_unit_of_area(void **state)
+TEST(half_a_unit_of_area)
 {
-    (void)state;
     qtri_view view;
     qtri_transform pose;
     qtri_view_init(&view, WIDTH, HEIGHT);
@@ -458,9 +448,8 @@ static void half_a_unit_of_area(void **state)
 }
 
 /* Long ones in perspective, 16 pixels wide. Colour and 1/w are of one vertex, across or along. */
-static void long_ones_in_perspective(void **state)
+TEST(long_ones_in_perspective)
 {
-    (void)state;
     enum { LENGTH = 1024, BREADTH = 16 };
     qtri_material m = plain_material();
     m.shading = QTRI_SMOOTH;
@@ -503,18 +492,5 @@ static void long_ones_in_perspective(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(strokes_without_depth),
-        cmocka_unit_test(thin_lines_of_any_pitch),
-        cmocka_unit_test(extremes_in_parts),
-        cmocka_unit_test(samples_at_the_end),
-        cmocka_unit_test(small_slivers_in_parts),
-        cmocka_unit_test(more_lines_than_spans),
-        cmocka_unit_test(diagonals),
-        cmocka_unit_test(triangles_that_are_lines),
-        cmocka_unit_test(planes_of_slivers),
-        cmocka_unit_test(half_a_unit_of_area),
-        cmocka_unit_test(long_ones_in_perspective),
-    };
-    return cmocka_run_group_tests_name("core raster slivers", tests, make_texels, NULL);
+    return run_all_tests(make_texels, NULL);
 }

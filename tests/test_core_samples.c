@@ -76,9 +76,8 @@ static void draw_moved(const canvas *c, const canvas moved[4], const qtri_materi
 }
 
 /* Flat and without depth: each sample is a plain surface's, drawn with the triangle moved. */
-static void coverage(void **state)
+TEST(coverage)
 {
-    (void)state;
     uint64_t seed = 1;
     for (int n = 0; n < 200; n++) {
         canvas c = canvas_new(four[n % FORMATS], WIDTH, HEIGHT);
@@ -109,9 +108,8 @@ static void coverage(void **state)
 }
 
 /* Depth: nearly always the sample of the moved picture; where two are as near either may win. */
-static void depths(void **state)
+TEST(depths)
 {
-    (void)state;
     uint64_t seed = 7;
     long wrong = 0;
     long all = 0;
@@ -144,9 +142,8 @@ static void depths(void **state)
 }
 
 /* Colours stay between those of the vertices, at edges too, and with perspective. */
-static void range(void **state)
+TEST(range)
 {
-    (void)state;
     uint64_t seed = 3;
     for (int n = 0; n < 400; n++) {
         canvas c = canvas_new(&qtri_xrgb8888_x4, WIDTH, HEIGHT);
@@ -169,9 +166,8 @@ static void range(void **state)
 }
 
 /* Coordinates stay between those of the vertices: texels beside those of the triangle are red. */
-static void texels(void **state)
+TEST(texels)
 {
-    (void)state;
     enum { SIDE = 64, FIRST = 20, END = 44 };
     static uint32_t texel[SIDE * SIDE];
     uint64_t seed = 13;
@@ -264,9 +260,8 @@ static void random_curved_triangle(qtri_screen_vertex v[3], uint64_t *seed)
 
 /* A pixel takes its texel at its centre or, where that is not covered, at the first sample that
    is, along texture coordinates that are curved on the screen. */
-static void texels_are_those_of_the_place(void **state)
+TEST(texels_are_those_of_the_place)
 {
-    (void)state;
     enum { SIDE_LOG2 = 8, SIDE = 1 << SIDE_LOG2 };
     static uint32_t texel[SIDE * SIDE];
     uint64_t seed = 17;
@@ -332,9 +327,8 @@ static void texels_are_those_of_the_place(void **state)
 
 /* From the slopes of a curve at the centre, an eighth and three of their steps, rounded down once.
  */
-static void places_of_a_curve_are_rounded_once(void **state)
+TEST(places_of_a_curve_are_rounded_once)
 {
-    (void)state;
     uint64_t seed = 19;
     for (int n = 0; n < 1000; n++) {
         qtri_small_curve c = {0};
@@ -357,9 +351,8 @@ static void places_of_a_curve_are_rounded_once(void **state)
 }
 
 /* A square of two triangles of one colour: no sample is left out along their edge, none twice. */
-static void seams(void **state)
+TEST(seams)
 {
-    (void)state;
     uint64_t seed = 5;
     for (int n = 0; n < 100; n++) {
         canvas c = canvas_new(&qtri_rgb565_x4, WIDTH, HEIGHT);
@@ -392,9 +385,8 @@ static void seams(void **state)
 }
 
 /* The mean of four, in each format's steps; of other surfaces an error. */
-static void resolve(void **state)
+TEST(resolve)
 {
-    (void)state;
     uint64_t seed = 11;
     for (int f = 0; f < FORMATS; f++) {
         canvas c = canvas_new(four[f], WIDTH, HEIGHT);
@@ -494,9 +486,8 @@ static qtri_mesh random_mesh(uint64_t *seed)
     return mesh;
 }
 
-static void bands(void **state)
+TEST(bands)
 {
-    (void)state;
     uint64_t seed = 21;
     static uint16_t lists[QTRI_PREPARED_LISTS(98, HEIGHT, 5)];
     for (int n = 0; n < 24; n++) {
@@ -552,9 +543,8 @@ static void bands(void **state)
 }
 
 /* What came before drew small triangles and large ones. */
-static void both_ways(void **state)
+TEST(both_ways)
 {
-    (void)state;
     print_message("%d small and %d large triangles\n", kinds[TRIANGLE_SMALL],
                   kinds[TRIANGLE_LARGE]);
     assert_true(kinds[TRIANGLE_SMALL] > 4000 && kinds[TRIANGLE_LARGE] > 4000);
@@ -562,9 +552,8 @@ static void both_ways(void **state)
 
 /* Of a scissor's pixels and no others, in each format. */
 /* In the middle of a large surface nothing is cut: as in tiles, where all is. */
-static void far_from_the_bounds(void **state)
+TEST(far_from_the_bounds)
 {
-    (void)state;
     enum { SIDE = 200, TILE = 50 };
     uint64_t seed = 31;
     for (int n = 0; n < 20; n++) {
@@ -600,9 +589,8 @@ static void far_from_the_bounds(void **state)
 
 /* Needles to the end of the guard band, which samples' offsets cut off there: the same in rows, and
    nothing but what lies on them. */
-static void needles_to_the_last_place(void **state)
+TEST(needles_to_the_last_place)
 {
-    (void)state;
     static const int32_t apart[4] = {3, 20, 60, 200};
     for (int n = 0; n < 16; n++) {
         const int32_t most = QTRI_SCREEN_MAX_24P8, sign = n & 1 ? -1 : 1;
@@ -650,9 +638,8 @@ static void needles_to_the_last_place(void **state)
     }
 }
 
-static void clears_in_a_scissor(void **state)
+TEST(clears_in_a_scissor)
 {
-    (void)state;
     for (int n = 0; n < FORMATS; n++) {
         canvas c = canvas_new(four[n], WIDTH, HEIGHT);
         qtri_surface part = c.surface;
@@ -671,20 +658,5 @@ static void clears_in_a_scissor(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage),
-        cmocka_unit_test(clears_in_a_scissor),
-        cmocka_unit_test(depths),
-        cmocka_unit_test(range),
-        cmocka_unit_test(texels),
-        cmocka_unit_test(texels_are_those_of_the_place),
-        cmocka_unit_test(places_of_a_curve_are_rounded_once),
-        cmocka_unit_test(seams),
-        cmocka_unit_test(resolve),
-        cmocka_unit_test(bands),
-        cmocka_unit_test(both_ways),
-        cmocka_unit_test(far_from_the_bounds),
-        cmocka_unit_test(needles_to_the_last_place),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

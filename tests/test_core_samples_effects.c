@@ -227,9 +227,8 @@ static long small_from_large(const qtri_format *format, const scene *s, uint64_t
 }
 
 /* Of one colour and one depth all samples are the same to the bit. */
-static void small_as_large(void **state)
+TEST(small_as_large)
 {
-    (void)state;
     uint64_t seed = 1;
     long differ = 0;
     long varied = 0;
@@ -247,9 +246,8 @@ static void small_as_large(void **state)
 }
 
 /* Fog that changes much in a pixel is as deep as where the pixel takes its colour. */
-static void slopes(void **state)
+TEST(slopes)
 {
-    (void)state;
     uint64_t seed = 3;
     long differ = 0;
     long all = 0;
@@ -271,9 +269,8 @@ static void slopes(void **state)
 }
 
 /* A frame in bands, and with a scissor; of texels of any alpha, which are drawn in part. */
-static void pieces(void **state)
+TEST(pieces)
 {
-    (void)state;
     uint64_t seed = 5;
     for (int n = 0; n < 60; n++) {
         const qtri_format *format = four[n % FORMATS];
@@ -309,10 +306,5 @@ static void pieces(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(small_as_large),
-        cmocka_unit_test(slopes),
-        cmocka_unit_test(pieces),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

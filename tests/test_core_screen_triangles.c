@@ -87,9 +87,8 @@ static qtri_material drawn_material(void)
     return m;
 }
 
-static void coverage_and_depth(void **state)
+TEST(coverage_and_depth)
 {
-    (void)state;
     uint64_t seed = 1;
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     const canvas cleared = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
@@ -133,9 +132,8 @@ static void coverage_and_depth(void **state)
  * Depths that differ by less than 128 steps, by less than 256 within 32 pixels, keep all of their
  * 1/256 steps: a small triangle's are the nearest, but for what its reciprocal is off by.
  */
-static void depths_of_small_ranges_are_the_nearest(void **state)
+TEST(depths_of_small_ranges_are_the_nearest)
 {
-    (void)state;
     uint64_t seed = 41;
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     double worst[2] = {0, 0};
@@ -180,9 +178,8 @@ static void depths_of_small_ranges_are_the_nearest(void **state)
 
 /* Red of RGB565 whose step, to the right or down, lies on a half of what is kept of it: rounded to
    the other side these would be off by 0.84 and more of a step of red. */
-static void steps_of_red_are_rounded_to_the_nearest(void **state)
+TEST(steps_of_red_are_rounded_to_the_nearest)
 {
-    (void)state;
     static const int32_t corner[3][3][3] = {
         {{10240, 10240, 64}, {17568, 3057, 53}, {13244, 4972, 116}},
         {{10240, 10240, 61}, {18247, 4027, 30}, {18188, 5411, 214}},
@@ -233,9 +230,8 @@ static int32_t drawn_step(const qtri_format *format, uint32_t pixel, int channel
     return (int32_t)(pixel >> (16 - 8 * channel) & 255);
 }
 
-static void smooth_colors(void **state)
+TEST(smooth_colors)
 {
-    (void)state;
     uint64_t seed = 2;
     for (int f = 0; f < 3; f++) {
         const qtri_format *format = drawn_format(f);
@@ -293,9 +289,8 @@ static double texels_off(double exact, int32_t drawn, int32_t side, bool clamped
     return least;
 }
 
-static void texels(void **state)
+TEST(texels)
 {
-    (void)state;
     uint64_t seed = 3;
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     double worst = 0;
@@ -400,9 +395,8 @@ static void random_background(canvas *c, uint64_t *seed)
 }
 
 /* One triangle after the other, each with its material: whole, in a scissor, in a band. */
-static void cuts(void **state)
+TEST(cuts)
 {
-    (void)state;
     uint64_t seed = 4;
     for (int f = 0; f < 3; f++) {
         canvas whole = canvas_new(drawn_format(f), WIDTH, HEIGHT);
@@ -475,9 +469,8 @@ static bool passes(qtri_compare compare, uint32_t z, uint32_t stored)
 }
 
 /* Every comparison, by what the triangle is without one. */
-static void comparisons(void **state)
+TEST(comparisons)
 {
-    (void)state;
     uint64_t seed = 5;
     canvas drawn = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     canvas always = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
@@ -531,14 +524,5 @@ int main(void)
         colors[i] = (uint32_t)random64(&seed) & (i % 3 == 0 ? 0x0F0F0F : 0xFFFFFF);
         numbers[i] = (uint16_t)i;
     }
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage_and_depth),
-        cmocka_unit_test(depths_of_small_ranges_are_the_nearest),
-        cmocka_unit_test(steps_of_red_are_rounded_to_the_nearest),
-        cmocka_unit_test(smooth_colors),
-        cmocka_unit_test(texels),
-        cmocka_unit_test(cuts),
-        cmocka_unit_test(comparisons),
-    };
-    return cmocka_run_group_tests_name("core screen triangles", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -113,9 +113,8 @@ static void check_pixel(const canvas *c, const qtri_material *m, const qtri_scre
     w->pixels++;
 }
 
-static void interpolation(void **state)
+TEST(interpolation)
 {
-    (void)state;
     static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
     static const char *const names[3] = {"RGB565", "XRGB8888", "GRAY8"};
     uint64_t seed = 81;
@@ -166,9 +165,8 @@ static void interpolation(void **state)
 }
 
 /* One plane through the eye's neighbourhood and the horizon: 1/w over a ratio of 2^20. */
-static void steep_perspective(void **state)
+TEST(steep_perspective)
 {
-    (void)state;
     uint64_t seed = 82;
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     worst w = {0, 0, 0};
@@ -197,9 +195,8 @@ static void steep_perspective(void **state)
 }
 
 /* COURSE scene 3: the table of colours and depths. */
-static void course_triangle(void **state)
+TEST(course_triangle)
 {
-    (void)state;
     static const struct {
         int x, y, perspective[3], linear[3];
         double depth;
@@ -249,9 +246,8 @@ static bool passes(qtri_compare compare, int z, int stored)
     return table[compare];
 }
 
-static void depth_comparisons(void **state)
+TEST(depth_comparisons)
 {
-    (void)state;
     static const uint16_t depths[] = {0, 1, 100, 32767, 32768, 65534, 65535};
     canvas c = canvas_new(&qtri_gray8, 8, 8);
     for (int n = 0; n < 9 * 7 * 7 * 2 * 2; n++) {
@@ -294,9 +290,8 @@ static void depth_comparisons(void **state)
 }
 
 /* Two crossing triangles: each pixel shows the nearer one. */
-static void crossing(void **state)
+TEST(crossing)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_gray8, 64, 64);
     qtri_material m = plain_material();
     m.depth_compare = QTRI_LESS;
@@ -321,9 +316,8 @@ static void crossing(void **state)
 }
 
 /* All 8-bit levels as stored pixels: flat, cleared and read back. */
-static void formats_round(void **state)
+TEST(formats_round)
 {
-    (void)state;
     canvas c[3] = {canvas_new(&qtri_rgb565, 4, 4), canvas_new(&qtri_xrgb8888, 4, 4),
                    canvas_new(&qtri_gray8, 4, 4)};
     uint64_t seed = 83;
@@ -369,9 +363,8 @@ static void formats_round(void **state)
 }
 
 /* Three vertices of one colour, whose luma lies halfway between two steps: the upper one. */
-static void halves_of_luma_go_up(void **state)
+TEST(halves_of_luma_go_up)
 {
-    (void)state;
     static const qtri_rgb half[5] = {
         {2, 189, 140}, {6, 186, 145}, {11, 165, 240}, {15, 195, 75}, {24, 171, 175}};
     const qtri_material material = qtri_material_default();
@@ -393,14 +386,5 @@ static void halves_of_luma_go_up(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(interpolation),
-        cmocka_unit_test(steep_perspective),
-        cmocka_unit_test(course_triangle),
-        cmocka_unit_test(depth_comparisons),
-        cmocka_unit_test(crossing),
-        cmocka_unit_test(formats_round),
-        cmocka_unit_test(halves_of_luma_go_up),
-    };
-    return cmocka_run_group_tests_name("core shade", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

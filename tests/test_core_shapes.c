@@ -104,9 +104,8 @@ static void assert_outwards(const qtri_mesh *mesh)
     }
 }
 
-static void meshes(void **state)
+TEST(meshes)
 {
-    (void)state;
     static const int32_t counts[][2] = {{3, 3}, {4, 3}, {5, 7}, {12, 6}, {17, 9}};
     for (int n = 0; n < KINDS * 5; n++) {
         const int kind = n % KINDS;
@@ -141,9 +140,8 @@ static void meshes(void **state)
     }
 }
 
-static void errors(void **state)
+TEST(errors)
 {
-    (void)state;
     qtri_shape_memory m = memory;
     for (int kind = 0; kind < KINDS; kind++) {
         m.vertices = vertices_of(kind, 8, 5) - 1;
@@ -195,9 +193,8 @@ static double distance(const qtri_vec3 *a, const double b[3])
     return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
 }
 
-static void bounds(void **state)
+TEST(bounds)
 {
-    (void)state;
     uint64_t seed = 32;
     enum { COUNT = 40 };
     for (int n = 0; n < 4000; n++) {
@@ -255,9 +252,8 @@ static void bounds(void **state)
 }
 
 /* What is drawn is seen; what is far outside is not. */
-static void seeing(void **state)
+TEST(seeing)
 {
-    (void)state;
     uint64_t seed = 33;
     int unseen = 0;
     int drawn = 0;
@@ -296,11 +292,5 @@ static void seeing(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(meshes),
-        cmocka_unit_test(errors),
-        cmocka_unit_test(bounds),
-        cmocka_unit_test(seeing),
-    };
-    return cmocka_run_group_tests_name("core shapes", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

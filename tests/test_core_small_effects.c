@@ -108,9 +108,8 @@ static void set_view(qtri_view *view, int32_t width, int32_t height)
     qtri_transform_perspective(&view->projection, Q16(60), Q16(1.333), Q16(.5), Q16(20));
 }
 
-static void in_order(void **state)
+TEST(in_order)
 {
-    (void)state;
     static heap h;
     uint64_t seed = 11;
     const qtri_light light = {
@@ -154,9 +153,8 @@ static void in_order(void **state)
 
 /* In the middle of a frame that is large enough for that none is cut; and where scissors cut them.
  */
-static void cut_or_whole(void **state)
+TEST(cut_or_whole)
 {
-    (void)state;
     enum { WIDE = 160, HIGH = 120, TILE = 19 };
     static heap h;
     static qtri_vertex vertices[3 * COUNT];
@@ -195,6 +193,5 @@ static void cut_or_whole(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(in_order), cmocka_unit_test(cut_or_whole)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

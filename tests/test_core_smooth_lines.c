@@ -66,9 +66,8 @@ static void draw(const qtri_surface *surface, const qtri_material *material, con
 }
 
 /* White on black in gray: a pixel is its coverage. */
-static void coverage(void **state)
+TEST(coverage)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     qtri_material material = plain_material();
     uint64_t seed = 1;
@@ -110,9 +109,8 @@ static void coverage(void **state)
  * lines each pixel is its area to 1.5 steps of 255, and one is off by more where it is rounded to
  * the other side.
  */
-static void widths_are_rounded_to_the_nearest(void **state)
+TEST(widths_are_rounded_to_the_nearest)
 {
-    (void)state;
     static const int32_t radius[2] = {256, 187}, across[2] = {1954, 693};
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     const qtri_material material = plain_material();
@@ -143,9 +141,8 @@ static void widths_are_rounded_to_the_nearest(void **state)
  * Colours are shared by length on lines that are shorter than a pixel as well: at the middle of a
  * pixel that is covered. Of a line below 1/16 of a pixel the share grows as if it had that length.
  */
-static void short_lines_share_colors(void **state)
+TEST(short_lines_share_colors)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_xrgb8888, 8, 8);
     qtri_material material = plain_material();
     for (int32_t length = 4; length <= 300; length += length < 80 ? 1 : 20) {
@@ -199,9 +196,8 @@ static void set_effects(qtri_material *material, qtri_fog *fog, uint64_t *seed)
 
 /* Turned round, in bands and by scissors: the same pixels, in every format, with and without depth.
  */
-static void pieces(void **state)
+TEST(pieces)
 {
-    (void)state;
     uint64_t seed = 2;
     for (int n = 0; n < 300; n++) {
         line l[4];
@@ -255,9 +251,8 @@ static void pieces(void **state)
 }
 
 /* Rows may lie far apart in memory, in either direction, at the end of the largest frame. */
-static void rows_may_lie_far_apart(void **state)
+TEST(rows_may_lie_far_apart)
 {
-    (void)state;
     enum { ROWS = 8, TOP = QTRI_SURFACE_MAX - ROWS, PITCH = 1 << 18, LINES = 40 };
     uint8_t *pixels = calloc(ROWS, PITCH);
     uint16_t *depths = calloc(ROWS, sizeof *depths * PITCH);
@@ -309,9 +304,8 @@ static void rows_may_lie_far_apart(void **state)
 }
 
 /* Where the screen door turns a pixel away, its depth stays as well. */
-static void doors(void **state)
+TEST(doors)
 {
-    (void)state;
     uint64_t seed = 9;
     int turned_away = 0;
     for (int n = 0; n < 60; n++) {
@@ -341,9 +335,8 @@ static void doors(void **state)
 }
 
 /* Ends anywhere: nothing is written outside, and nothing overflows. */
-static void extremes(void **state)
+TEST(extremes)
 {
-    (void)state;
     uint64_t seed = 3;
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     qtri_material material = plain_material();
@@ -404,9 +397,8 @@ static void set_view(qtri_view *view, double distance)
 }
 
 /* Bands of a prepared mesh, bands of the mesh, and the whole, also where it is clipped. */
-static void wireframes(void **state)
+TEST(wireframes)
 {
-    (void)state;
     uint64_t seed = 4;
     static uint16_t lists[QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, 7)];
     const qtri_mesh mesh = torus();
@@ -450,9 +442,8 @@ static void wireframes(void **state)
 }
 
 /* Channels that a material keeps are as they were, and others whatever else is kept. */
-static void kept_channels(void **state)
+TEST(kept_channels)
 {
-    (void)state;
     static const uint32_t mask[3] = {0xF800, 0x07E0, 0x001F}; /* of RGB565 */
     static const uint8_t kept[3] = {QTRI_KEEP_RED, QTRI_KEEP_GREEN, QTRI_KEEP_BLUE};
     const qtri_mesh mesh = torus();
@@ -498,9 +489,8 @@ static void kept_channels(void **state)
 }
 
 /* An edge that two triangles share is blended once: as of thin strokes, and as of either alone. */
-static void shared_edges(void **state)
+TEST(shared_edges)
 {
-    (void)state;
     const qtri_vec3 square[4] = {vec3_of(-1, -1, 0), vec3_of(1, -.9, 0), vec3_of(.8, 1, 0),
                                  vec3_of(-1.1, .7, 0)};
     const uint16_t two[2][3] = {{0, 1, 2}, {0, 2, 3}};
@@ -546,17 +536,5 @@ static void shared_edges(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage),
-        cmocka_unit_test(widths_are_rounded_to_the_nearest),
-        cmocka_unit_test(short_lines_share_colors),
-        cmocka_unit_test(pieces),
-        cmocka_unit_test(doors),
-        cmocka_unit_test(extremes),
-        cmocka_unit_test(wireframes),
-        cmocka_unit_test(shared_edges),
-        cmocka_unit_test(rows_may_lie_far_apart),
-        cmocka_unit_test(kept_channels),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

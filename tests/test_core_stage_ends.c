@@ -89,9 +89,8 @@ static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int32_t rea
 /* ---- Depth ---- */
 
 /* Depths of one byte or five are of no format that can be stored. */
-static void formats_that_do_not_fit(void **state)
+TEST(formats_that_do_not_fit)
 {
-    (void)state;
     static uint8_t memory[QTRI_FRAME_BYTES_DEPTH(WIDTH, 8 + 2 * 2, QTRI_RGB565_BYTES, 4)];
     for (uint8_t bytes = 1; bytes <= 5; bytes++) {
         qtri_depth_format own = qtri_depth_linear32;
@@ -129,9 +128,8 @@ static void formats_that_do_not_fit(void **state)
 }
 
 /* A format of depth says nothing where no depth is stored. */
-static void formats_without_depth(void **state)
+TEST(formats_without_depth)
 {
-    (void)state;
     static board b[2];
     static uint32_t words[2][QTRI_EDGES_WORDS_WITHOUT_DEPTH(WIDTH, HEIGHT, QTRI_RGB565_BYTES)];
     for (int i = 0; i < 2; i++) {
@@ -158,9 +156,8 @@ static void formats_without_depth(void **state)
 }
 
 /* Comparisons that do not exist always pass, in all formats of depth and in samples. */
-static void comparisons_that_are_none(void **state)
+TEST(comparisons_that_are_none)
 {
-    (void)state;
     static board b[2];
     for (int n = 0; n < 3; n++) {
         for (int i = 0; i < 2; i++) {
@@ -182,9 +179,8 @@ static void comparisons_that_are_none(void **state)
 }
 
 /* Depths of 0 at pixels' centres, of steep triangles: rounding leaves none of them far away. */
-static void depths_of_nothing(void **state)
+TEST(depths_of_nothing)
 {
-    (void)state;
     uint64_t seed = 8;
     static board b;
     for (int n = 0; n < 300; n++) {
@@ -216,9 +212,8 @@ static void depths_of_nothing(void **state)
  * Slivers of any slope from the nearest depth to the farthest: there is no room to move them, and
  * they are drawn as without a bias.
  */
-static void slopes_without_bounds(void **state)
+TEST(slopes_without_bounds)
 {
-    (void)state;
     static board b[2];
     uint64_t seed = 10;
     int drawn = 0;
@@ -254,9 +249,8 @@ static void slopes_without_bounds(void **state)
 }
 
 /* A bias by slope that is 0 moves nothing, of a mesh of one colour in light either. */
-static void slopes_of_nothing(void **state)
+TEST(slopes_of_nothing)
 {
-    (void)state;
     static board b[2];
     qtri_material m = qtri_material_default();
     for (int i = 0; i < 2; i++) {
@@ -274,9 +268,8 @@ static void slopes_of_nothing(void **state)
 /* ---- Samples ---- */
 
 /* What only tests depth stores none; triangles without an area draw nothing. */
-static void samples_that_only_test(void **state)
+TEST(samples_that_only_test)
 {
-    (void)state;
     static board b[2];
     static const qtri_vec3 line[3] = {{-65536, 0, 0}, {0, 0, 0}, {65536, 0, 0}};
     static const uint16_t one[1][3] = {{0, 1, 2}};
@@ -309,9 +302,8 @@ static void samples_that_only_test(void **state)
 /* ---- Fog, alpha, texels ---- */
 
 /* Fog that no function made is none, of blended strokes too. */
-static void fog_of_nothing(void **state)
+TEST(fog_of_nothing)
 {
-    (void)state;
     static const qtri_fog nothing;
     static board b[2];
     for (int i = 0; i < 2; i++) {
@@ -338,9 +330,8 @@ static uint32_t decode_wide(uint32_t stored)
 }
 
 /* Alpha of vertices that are equally far away is linear on the screen. */
-static void alpha_at_one_distance(void **state)
+TEST(alpha_at_one_distance)
 {
-    (void)state;
     static board b[2];
     static const uint8_t alphas[3] = {20, 130, 250};
     const qtri_format wide = {&qtri_pixels_32, &qtri_colors_565, NULL, decode_wide, NULL, 0};
@@ -368,9 +359,8 @@ static void alpha_at_one_distance(void **state)
  * Alpha stays between that of the vertices, red over black, where they are up to 4096 times as far
  * away as each other; and anywhere in parts it is what it is as a whole.
  */
-static void alpha_of_far_vertices(void **state)
+TEST(alpha_of_far_vertices)
 {
-    (void)state;
     uint64_t seed = 12;
     static board b[2];
     for (int n = 0; n < 300; n++) {
@@ -413,9 +403,8 @@ static void alpha_of_far_vertices(void **state)
 }
 
 /* Texels with alpha that no blend asks for are lit as those without. */
-static void alpha_that_is_not_asked_for(void **state)
+TEST(alpha_that_is_not_asked_for)
 {
-    (void)state;
     static board b[2];
     static uint32_t texels[64];
     uint64_t seed = 3;
@@ -441,9 +430,8 @@ static void alpha_that_is_not_asked_for(void **state)
 }
 
 /* Texels that are opaque, blended: times colours of vertices what those without alpha are. */
-static void opaque_texels_times_colors(void **state)
+TEST(opaque_texels_times_colors)
 {
-    (void)state;
     static board b[2];
     static uint32_t texels[64];
     static qtri_rgb colors[LENGTH_OF(positions)];
@@ -472,9 +460,8 @@ static void opaque_texels_times_colors(void **state)
 }
 
 /* Small clamped triangles take sides of more than 1024 texels as 1024. */
-static void clamped_sides_above_1024(void **state)
+TEST(clamped_sides_above_1024)
 {
-    (void)state;
     static board b[2];
     static uint16_t texels[1024 * 4];
     for (int i = 0; i < 1024 * 4; i++) {
@@ -497,14 +484,5 @@ static void clamped_sides_above_1024(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(formats_that_do_not_fit),     cmocka_unit_test(formats_without_depth),
-        cmocka_unit_test(comparisons_that_are_none),   cmocka_unit_test(depths_of_nothing),
-        cmocka_unit_test(slopes_without_bounds),       cmocka_unit_test(slopes_of_nothing),
-        cmocka_unit_test(samples_that_only_test),      cmocka_unit_test(fog_of_nothing),
-        cmocka_unit_test(alpha_at_one_distance),       cmocka_unit_test(alpha_of_far_vertices),
-        cmocka_unit_test(alpha_that_is_not_asked_for), cmocka_unit_test(opaque_texels_times_colors),
-        cmocka_unit_test(clamped_sides_above_1024),
-    };
-    return cmocka_run_group_tests_name("core stage ends", tests, set_up, NULL);
+    return run_all_tests(set_up, NULL);
 }

@@ -100,9 +100,8 @@ static void coverage_of(uint64_t seed, int32_t most, int runs, double limit)
     canvas_free(&c);
 }
 
-static void coverage(void **state)
+TEST(coverage)
 {
-    (void)state;
     coverage_of(1, 1, 300, 1.0 / 32);
     coverage_of(2, 2, 1000, 1.0 / 32);
     coverage_of(3, 3, 700, 1.0 / 32);
@@ -110,9 +109,8 @@ static void coverage(void **state)
 }
 
 /* Points that take the short way, and the first that are too large for it. */
-static void points_of_all_sizes(void **state)
+TEST(points_of_all_sizes)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 31;
     double worst = 0.0;
@@ -155,9 +153,8 @@ static scene short_ended_scene(uint64_t *seed)
     return s;
 }
 
-static void short_ends(void **state)
+TEST(short_ends)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 29;
     double worst = 0.0;
@@ -175,9 +172,8 @@ static void short_ends(void **state)
 }
 
 /* (44, 22) was covered by .851: what lies between the end and the disc counted as well. */
-static void a_notch_beside_a_butt_end_is_not_filled(void **state)
+TEST(a_notch_beside_a_butt_end_is_not_filled)
 {
-    (void)state;
     scene s = {.count = 3, .stroke = qtri_stroke_default()};
     s.v[0] = screen_at(28, 2852);
     s.v[1] = screen_at(10870, 4406);
@@ -191,9 +187,8 @@ static void a_notch_beside_a_butt_end_is_not_filled(void **state)
 }
 
 /* Hard edges: by the pixel's centre. Sides that pass through a centre may go either way. */
-static void hard(void **state)
+TEST(hard)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 5;
     int different = 0;
@@ -299,9 +294,8 @@ static double affected(const qtri_material *m, int channel, double color, double
 }
 
 /* A pixel is that of fog and blend, as far as the stroke covers it; depth is written as ever. */
-static void effects(void **state)
+TEST(effects)
 {
-    (void)state;
     uint64_t seed = 17;
     for (int n = 0; n < random_cases(160); n++) {
         const qtri_format *format = n % 2 != 0 ? &qtri_xrgb8888 : &qtri_rgb565;
@@ -369,9 +363,8 @@ static void effects(void **state)
 }
 
 /* Rows of any band and columns of any scissor are those of the whole frame, in every format. */
-static void bands_and_scissors(void **state)
+TEST(bands_and_scissors)
 {
-    (void)state;
     uint64_t seed = 6;
     for (int n = 0; n < random_cases(160); n++) {
         const qtri_format *format = drawn_format(n);
@@ -406,9 +399,8 @@ static void bands_and_scissors(void **state)
 }
 
 /* What is blended is within what a step of the format and the area allow; outside nothing is. */
-static void blending(void **state)
+TEST(blending)
 {
-    (void)state;
     uint64_t seed = 7;
     for (int n = 0; n < random_cases(120); n++) {
         const qtri_format *format = drawn_format(n);
@@ -449,9 +441,8 @@ static void blending(void **state)
 }
 
 /* A half transparent line is nowhere darker than once over what was there. */
-static void joints_are_blended_once(void **state)
+TEST(joints_are_blended_once)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 8;
     for (int n = 0; n < random_cases(300); n++) {
@@ -475,9 +466,8 @@ static bool is_same(const qtri_screen_vertex *a, const qtri_screen_vertex *b)
 }
 
 /* The same points the other way round cover the same; a point amid a part changes nothing. */
-static void order(void **state)
+TEST(order)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     canvas d = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     uint64_t seed = 9;
@@ -505,9 +495,8 @@ static void order(void **state)
 }
 
 /* Any 32 bits anywhere: nothing outside of the surface is touched, and nothing takes for ever. */
-static void extremes(void **state)
+TEST(extremes)
 {
-    (void)state;
     int32_t value[STRESS_COUNT];
     const int count = stress_values(value);
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
@@ -535,9 +524,8 @@ static void extremes(void **state)
     canvas_free(&c);
 }
 
-static void nothing(void **state)
+TEST(nothing)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     scene s = {{screen_at(5000, 5000), screen_at(9000, 7000)}, 2, qtri_stroke_default()};
     const qtri_stroke whole = s.stroke;
@@ -574,9 +562,8 @@ static void nothing(void **state)
 }
 
 /* Nearer ones are kept, and depth is written where half a pixel is covered. */
-static void depth(void **state)
+TEST(depth)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     qtri_material material = plain_material();
     material.depth_compare = QTRI_LESS;
@@ -619,9 +606,8 @@ static qtri_corner corner_at(int32_t x_24p8, int32_t y_24p8)
 }
 
 /* Corners in space are the same line as vertices on the screen, however many are kept. */
-static void corners_in_space(void **state)
+TEST(corners_in_space)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     canvas d = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     qtri_view view = flat_view();
@@ -671,9 +657,8 @@ static void corners_in_space(void **state)
 }
 
 /* Parts on both sides of one that cannot be seen have their own colours, and depths. */
-static void parts_apart_have_their_own_looks(void **state)
+TEST(parts_apart_have_their_own_looks)
 {
-    (void)state;
     const qtri_view view = flat_view();
     const qtri_material material = qtri_material_default();
     qtri_stroke stroke = qtri_stroke_default();
@@ -711,9 +696,8 @@ static void parts_apart_have_their_own_looks(void **state)
 }
 
 /* On samples without depth a stroke is that which asks for none. */
-static void samples_without_depth(void **state)
+TEST(samples_without_depth)
 {
-    (void)state;
     uint64_t seed = 21;
     for (int n = 0; n < random_cases(40); n++) {
         scene s = random_scene(&seed, POINTS);
@@ -736,9 +720,8 @@ static void samples_without_depth(void **state)
 
 /* A pixel of four equal samples is as one: it becomes what a plain surface's does, and its first
    depth, too. Over depths that differ from column to column. */
-static void equal_samples_are_as_one_pixel(void **state)
+TEST(equal_samples_are_as_one_pixel)
 {
-    (void)state;
     uint64_t seed = 23;
     int passed = 0, failed = 0;
     for (int n = 0; n < random_cases(60); n++) {
@@ -779,9 +762,8 @@ static void equal_samples_are_as_one_pixel(void **state)
 }
 
 /* Samples of pixels that a stroke does not change stay as they are, each by itself. */
-static void samples_beside_a_stroke_stay(void **state)
+TEST(samples_beside_a_stroke_stay)
 {
-    (void)state;
     uint64_t seed = 25;
     for (int n = 0; n < random_cases(20); n++) {
         const scene s = colored_scene(&seed, POINTS);
@@ -811,9 +793,8 @@ static void samples_beside_a_stroke_stay(void **state)
  * More thin parts in a few columns than are kept apart: nothing is drawn outside of them, nor is
  * anything missed; what lies between two is covered at most.
  */
-static void many_parts_in_a_few_columns(void **state)
+TEST(many_parts_in_a_few_columns)
 {
-    (void)state;
     for (int n = 0; n < 6; n++) {
         enum { PARTS = 23, LEFT = 20 * 256 };
         canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
@@ -894,9 +875,8 @@ static void set_spiral(uint32_t count)
 }
 
 /* Of parts only the first few hundred are marked where they may touch the rows. */
-static void polylines_of_many_points(void **state)
+TEST(polylines_of_many_points)
 {
-    (void)state;
     canvas whole = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     canvas other = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
     qtri_view view = flat_view();
@@ -946,9 +926,8 @@ static void polylines_of_many_points(void **state)
 }
 
 /* Wireframes, with and without hidden lines: bands have the pixels of the whole frame. */
-static void wireframes(void **state)
+TEST(wireframes)
 {
-    (void)state;
     uint64_t seed = 12;
     for (int n = 0; n < 40; n++) {
         space s;
@@ -989,9 +968,8 @@ static void wireframes(void **state)
 }
 
 /* Faces hide the edges behind them: a cube without culling looks as one with its back culled. */
-static void hidden_lines(void **state)
+TEST(hidden_lines)
 {
-    (void)state;
     uint64_t seed = 13;
     int different = 0;
     int drawn = 0;
@@ -1024,9 +1002,8 @@ static void hidden_lines(void **state)
 }
 
 /* Lines through the near plane and any corner and size. */
-static void extreme_corners(void **state)
+TEST(extreme_corners)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     uint64_t seed = 14;
     for (int n = 0; n < random_cases(1500); n++) {
@@ -1056,30 +1033,5 @@ static void extreme_corners(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coverage),
-        cmocka_unit_test(points_of_all_sizes),
-        cmocka_unit_test(short_ends),
-        cmocka_unit_test(a_notch_beside_a_butt_end_is_not_filled),
-        cmocka_unit_test(hard),
-        cmocka_unit_test(bands_and_scissors),
-        cmocka_unit_test(blending),
-        cmocka_unit_test(effects),
-        cmocka_unit_test(joints_are_blended_once),
-        cmocka_unit_test(order),
-        cmocka_unit_test(extremes),
-        cmocka_unit_test(nothing),
-        cmocka_unit_test(depth),
-        cmocka_unit_test(parts_apart_have_their_own_looks),
-        cmocka_unit_test(samples_without_depth),
-        cmocka_unit_test(equal_samples_are_as_one_pixel),
-        cmocka_unit_test(samples_beside_a_stroke_stay),
-        cmocka_unit_test(many_parts_in_a_few_columns),
-        cmocka_unit_test(corners_in_space),
-        cmocka_unit_test(polylines_of_many_points),
-        cmocka_unit_test(wireframes),
-        cmocka_unit_test(hidden_lines),
-        cmocka_unit_test(extreme_corners),
-    };
-    return cmocka_run_group_tests_name("core_stroke", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -27,9 +27,8 @@ static uint32_t expected_pixel(const qtri_format *format)
 }
 
 /* A frame in the middle of memory whose every other byte must stay what it was. */
-static void clears_rectangles(void **state)
+TEST(clears_rectangles)
 {
-    (void)state;
     static uint32_t pixels[BYTES / 4];
     static uint16_t depths[BYTES / 2];
     static uint32_t pixels_before[BYTES / 4];
@@ -89,9 +88,8 @@ static void clears_rectangles(void **state)
     }
 }
 
-static void sizes_and_memory(void **state)
+TEST(sizes_and_memory)
 {
-    (void)state;
     static uint8_t memory[QTRI_BAND_BYTES(13, 5, QTRI_XRGB8888_BYTES) + 8];
     struct {
         int32_t width, height, first, rows;
@@ -143,9 +141,8 @@ static void sizes_and_memory(void **state)
 }
 
 /* Any bits: a rectangle inside the frame and the rows held, or an empty one. */
-static void bounds_of_any_surface(void **state)
+TEST(bounds_of_any_surface)
 {
-    (void)state;
     uint64_t seed = 65;
     for (int n = 0; n < 100000; n++) {
         qtri_surface s = {NULL, 0, NULL, 0, &qtri_gray8, 0, 0, 0, 0, {0, 0, 0, 0}, NULL};
@@ -171,10 +168,5 @@ static void bounds_of_any_surface(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(clears_rectangles),
-        cmocka_unit_test(sizes_and_memory),
-        cmocka_unit_test(bounds_of_any_surface),
-    };
-    return cmocka_run_group_tests_name("core surface", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -42,9 +42,8 @@ static void check_shortest(q16 x)
     assert_true(off <= fabs(strtod(nearest, NULL) - real(x)) + 1e-10);
 }
 
-static void round_trips(void **state)
+TEST(round_trips)
 {
-    (void)state;
     static int32_t value[STRESS_COUNT];
     int count = stress_values(value);
     for (int i = 0; i < count; i++) {
@@ -77,9 +76,8 @@ static void check_text(const char *text, int32_t length, q16 expected)
     }
 }
 
-static void reads(void **state)
+TEST(reads)
 {
-    (void)state;
     check_text("0", 1, 0);
     check_text("-0", 2, 0);
     check_text("+1.5", 4, Q16(1.5));
@@ -119,9 +117,8 @@ static void reads(void **state)
 }
 
 /* Random digits against exact arithmetic, halves away from zero. */
-static void reads_any_digits(void **state)
+TEST(reads_any_digits)
 {
-    (void)state;
     uint64_t seed = 31;
     for (int i = 0; i < 300000; i++) {
         char text[64];
@@ -155,9 +152,8 @@ static void reads_any_digits(void **state)
     }
 }
 
-static void writes(void **state)
+TEST(writes)
 {
-    (void)state;
     static const struct {
         q16 x;
         const char *text;
@@ -197,11 +193,5 @@ static void writes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(round_trips),
-        cmocka_unit_test(reads),
-        cmocka_unit_test(reads_any_digits),
-        cmocka_unit_test(writes),
-    };
-    return cmocka_run_group_tests_name("core text", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -111,9 +111,8 @@ static double worst_texel(sample s)
     return worst;
 }
 
-static void texels_that_repeat(void **state)
+TEST(texels_that_repeat)
 {
-    (void)state;
     const double usual = worst_texel((sample){91, 600, 6000, Q16(2), 0, 6, QTRI_REPEAT});
     const double sizes = worst_texel((sample){92, 600, 12000, Q16(4), 0, -1, QTRI_REPEAT});
     const double large = worst_texel((sample){93, 300, 1 << 19, Q16(20), 0, 8, QTRI_REPEAT});
@@ -130,9 +129,8 @@ static void texels_that_repeat(void **state)
     assert_true(far_out <= 1);
 }
 
-static void texels_that_are_clamped(void **state)
+TEST(texels_that_are_clamped)
 {
-    (void)state;
     const double usual = worst_texel((sample){701, 300, 12000, Q16(2), 0, -1, QTRI_CLAMP});
     const double large = worst_texel((sample){702, 300, 1 << 19, Q16(16), Q16(3), -1, QTRI_CLAMP});
     const double beyond = worst_texel((sample){703, 300, 12000, Q16(2), Q16(5), -1, QTRI_CLAMP});
@@ -150,9 +148,8 @@ static void texels_that_are_clamped(void **state)
 }
 
 /* A quad drawn one texel a pixel, anywhere in the repeats: texel boundaries on pixel edges. */
-static void pixel_for_texel(void **state)
+TEST(pixel_for_texel)
 {
-    (void)state;
     static const int32_t origins[] = {0, 1, -1, 100, -100, 29990, -30010, 32767 - 2, -32768};
     canvas c = canvas_new(&qtri_xrgb8888, 32, 32);
     for (size_t n = 0; n < LENGTH_OF(origins); n++) {
@@ -184,9 +181,8 @@ static void pixel_for_texel(void **state)
 }
 
 /* One texel a pixel, begun anywhere: each pixel shows its texel or the border's; either axis. */
-static void clamps_each_axis(void **state)
+TEST(clamps_each_axis)
 {
-    (void)state;
     static const int32_t origins[] = {0, -7, 7, -31, 31, -32, 32, -33, 1000, -1000, 32000, -32000};
     canvas c = canvas_new(&qtri_xrgb8888, 32, 32);
     qtri_texture texture = address_texture(4, 4);
@@ -220,9 +216,8 @@ static void clamps_each_axis(void **state)
 }
 
 /* Memory of exactly the texture's size: the sanitizer watches its ends. */
-static void stays_inside(void **state)
+TEST(stays_inside)
 {
-    (void)state;
     static const struct {
         const qtri_texel_format *format;
         uint8_t size;
@@ -263,9 +258,8 @@ static void stays_inside(void **state)
 }
 
 /* No texels, no format, sides too large: untextured or held to 1024. */
-static void textures_that_are_none(void **state)
+TEST(textures_that_are_none)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     static const qtri_texture zeroed;
     qtri_texture none = {.format = &qtri_texel_xrgb8888, .width_log2 = 3, .height_log2 = 3};
@@ -296,9 +290,8 @@ static void textures_that_are_none(void **state)
  * A level begins at 181/128 of its texels a pixel, which stand in for the square root of two: a
  * small triangle that steps by these is drawn with it, one that steps by a little less is not.
  */
-static void levels_begin_at_their_step(void **state)
+TEST(levels_begin_at_their_step)
 {
-    (void)state;
     enum { COLUMNS = 64, LOG2 = 7, LEVELS = 4 };
     static uint8_t texels8[LEVELS][1 << 2 * LOG2];
     static const void *const levels[LEVELS - 1] = {texels8[1], texels8[2], texels8[3]};
@@ -356,9 +349,8 @@ static void levels_begin_at_their_step(void **state)
  * of a texel than a filter's weights have. Between its edges it is filtered where it is to 1/8 of a
  * texel.
  */
-static void clamped_textures_of_wide_grounds_are_filtered(void **state)
+TEST(clamped_textures_of_wide_grounds_are_filtered)
 {
-    (void)state;
     enum { COLUMNS = 64, ROWS = 64, LOG2 = 10 };
     static uint8_t texels8[1 << LOG2];
     const int32_t reach = 16000;
@@ -444,9 +436,8 @@ static void draw_small(canvas *c, const qtri_texture *texture, const qtri_vec2 u
 
 /* A small triangle that lies beside a clamped texture, however far, has its first or its last
    column and row. */
-static void small_triangles_beside_their_texture(void **state)
+TEST(small_triangles_beside_their_texture)
 {
-    (void)state;
     static const uint32_t places[4] = {0x10000, 0x10001, 0x10002, 0x10003};
     static const double beyond[] = {1.01, 1.5, 2, 3.99, 4, 7.9, 8, 9, 100, 20000, 32766};
     const qtri_texture t = {.texels = places,
@@ -479,9 +470,8 @@ static void small_triangles_beside_their_texture(void **state)
  * where a coordinate is below 0 or above 1 its texel is the first or the last. Such a triangle is
  * drawn as a large one, whose coordinates lose 13 bits and more of 16000 repeats.
  */
-static void thousands_of_clamped_repeats(void **state)
+TEST(thousands_of_clamped_repeats)
 {
-    (void)state;
     enum { SIDE_LOG2_MAX = 6 };
     static uint32_t places[1 << (2 * SIDE_LOG2_MAX)];
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
@@ -587,9 +577,8 @@ static double ended_off(const ended *t, double x, double y, int index, int texel
  * Triangles of a clamped texture, most of whose vertices lie at its ends: no pixel shows the other
  * end, and but for needles each is near its texel. Small and large, level and steep.
  */
-static void pixels_at_an_end_show_it(void **state)
+TEST(pixels_at_an_end_show_it)
 {
-    (void)state;
     static uint8_t columns[3][128 * 128]; /* number + 1 */
     static const uint16_t triangle[1][3] = {{0, 1, 2}};
     canvas c = canvas_new(&qtri_gray8, ENDED_PIXELS, ENDED_PIXELS);
@@ -640,18 +629,5 @@ static void pixels_at_an_end_show_it(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(clamped_textures_of_wide_grounds_are_filtered),
-        cmocka_unit_test(levels_begin_at_their_step),
-        cmocka_unit_test(thousands_of_clamped_repeats),
-        cmocka_unit_test(small_triangles_beside_their_texture),
-        cmocka_unit_test(texels_that_repeat),
-        cmocka_unit_test(texels_that_are_clamped),
-        cmocka_unit_test(pixel_for_texel),
-        cmocka_unit_test(clamps_each_axis),
-        cmocka_unit_test(pixels_at_an_end_show_it),
-        cmocka_unit_test(stays_inside),
-        cmocka_unit_test(textures_that_are_none),
-    };
-    return cmocka_run_group_tests_name("core texture", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -129,9 +129,8 @@ static double worst_of(const qtri_texel_format *format, const qtri_filter *filte
     return worst;
 }
 
-static void filters_alpha(void **state)
+TEST(filters_alpha)
 {
-    (void)state;
     for (int f = 0; f < 4; f++) {
         for (int blended = 0; blended < 2; blended++) {
             int wrong = 0;
@@ -148,9 +147,8 @@ static void filters_alpha(void **state)
 }
 
 /* As a level of a texture: the whole quad shows fewer texels than there are pixels. */
-static void filters_alpha_of_levels(void **state)
+TEST(filters_alpha_of_levels)
 {
-    (void)state;
     int wrong = 0;
     const double worst = worst_of(&qtri_texel_argb8888, &qtri_mipmapped_bilinear, true, 1, &wrong);
     assert_true(worst < 1.6);
@@ -158,9 +156,8 @@ static void filters_alpha_of_levels(void **state)
 }
 
 /* Where nothing asks for alpha it is not looked at. */
-static void is_opaque_without(void **state)
+TEST(is_opaque_without)
 {
-    (void)state;
     uint64_t seed = 5002;
     canvas a = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     canvas b = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
@@ -183,10 +180,5 @@ static void is_opaque_without(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(filters_alpha),
-        cmocka_unit_test(filters_alpha_of_levels),
-        cmocka_unit_test(is_opaque_without),
-    };
-    return cmocka_run_group_tests_name("core texture alpha", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -47,9 +47,8 @@ static qtri_texture noise_texture(const void *texels, const qtri_texel_format *f
 
 /* ---- Colours ---- */
 
-static void modulates(void **state)
+TEST(modulates)
 {
-    (void)state;
     double worst = 0;
     uint64_t seed = 96;
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
@@ -93,9 +92,8 @@ static void modulates(void **state)
     canvas_free(&c);
 }
 
-static void checkers(void **state)
+TEST(checkers)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     static const int fields[] = {0, 1, 2, 8, 3, 64, 65535};
     for (size_t n = 0; n < LENGTH_OF(fields); n++) {
@@ -205,9 +203,8 @@ static double worst_bilinear(uint64_t seed, int count, int32_t uv_reach)
  * neighbours 255 apart, a weight's step, 255/2048, and what the coordinate may be off: of that the
  * share is printed.
  */
-static void bilinear_filter(void **state)
+TEST(bilinear_filter)
 {
-    (void)state;
     double small = worst_bilinear(710, 400, Q16(0.5));
     double usual = worst_bilinear(711, 400, Q16(2));
     double many = worst_bilinear(712, 400, Q16(20));
@@ -220,9 +217,8 @@ static void bilinear_filter(void **state)
 }
 
 /* 16 pixels a texel: weights are odd 32nds, which 8 bits hold; only the colour is rounded. */
-static void bilinear_weights_are_exact(void **state)
+TEST(bilinear_weights_are_exact)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_xrgb8888, 16 * NOISE, 16 * NOISE);
     static const bool repeat[2] = {false, false};
     qtri_texture texture = noise_texture(colors8888, &qtri_texel_xrgb8888);
@@ -250,9 +246,8 @@ static void bilinear_weights_are_exact(void **state)
 }
 
 /* RGB565 texels on RGB565, where each tap has a weight of few bits: any colours, each channel. */
-static void bilinear_of_565(void **state)
+TEST(bilinear_of_565)
 {
-    (void)state;
     static uint16_t texels[NOISE * NOISE];
     static uint32_t channel[3][NOISE * NOISE];
     static const bool clamp[2] = {false, false};
@@ -291,9 +286,8 @@ static void bilinear_of_565(void **state)
 }
 
 /* At texel centres, and where all texels are alike, the filter changes nothing. */
-static void bilinear_at_centres(void **state)
+TEST(bilinear_at_centres)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_xrgb8888, NOISE, NOISE);
     canvas d = canvas_new(&qtri_xrgb8888, NOISE, NOISE);
     qtri_texture texture = noise_texture(colors8888, &qtri_texel_xrgb8888);
@@ -327,9 +321,8 @@ static void draw_full(canvas *c, const qtri_texture *texture, qtri_texture_mode 
 }
 
 /* Texels that mean the same colour draw the same pixels, whatever their format. */
-static void formats_agree(void **state)
+TEST(formats_agree)
 {
-    (void)state;
     static const qtri_format *const surfaces[] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
     static uint32_t from_palette[NOISE * NOISE];
     for (size_t i = 0; i < LENGTH_OF(from_palette); i++) {
@@ -417,9 +410,8 @@ static uint32_t color_of(const qtri_texture *texture, uint32_t i)
 }
 
 /* Each format's texels are drawn as the colours that they stand for. */
-static void texels_are_drawn_as_their_format_says(void **state)
+TEST(texels_are_drawn_as_their_format_says)
 {
-    (void)state;
     static const struct {
         const qtri_texel_format *format;
         const void *texels;
@@ -453,9 +445,8 @@ static void texels_are_drawn_as_their_format_says(void **state)
 /* ---- Colour key ---- */
 
 /* Where the key lies, neither colour nor depth changes; elsewhere both do. Any filter. */
-static void keys_leave_holes(void **state)
+TEST(keys_leave_holes)
 {
-    (void)state;
     static uint8_t from_levels[NOISE * NOISE]; /* numbers whose palette repeats colours */
     static const qtri_rgb grays[256] = {{0, 0, 0}, {85, 85, 85}, {170, 170, 170}, {85, 85, 85}};
     for (size_t i = 0; i < LENGTH_OF(levels); i++) {
@@ -504,9 +495,8 @@ static void keys_leave_holes(void **state)
 }
 
 /* A key that no texel can equal, and a key that is off, change nothing. */
-static void keys_that_match_nothing(void **state)
+TEST(keys_that_match_nothing)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     canvas d = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     qtri_texture plain = noise_texture(levels, &qtri_texel_gray8);
@@ -525,9 +515,8 @@ static void keys_that_match_nothing(void **state)
 }
 
 /* The key's colour is seen nowhere, not even at the borders that the filter blends. */
-static void keys_do_not_bleed(void **state)
+TEST(keys_do_not_bleed)
 {
-    (void)state;
     static uint32_t texels[NOISE * NOISE];
     uint64_t seed = 720;
     for (size_t i = 0; i < LENGTH_OF(texels); i++) {
@@ -556,9 +545,8 @@ static void keys_do_not_bleed(void **state)
 }
 
 /* One of CHECKER's two colours. */
-static void checker_with_a_key(void **state)
+TEST(checker_with_a_key)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_xrgb8888, 8, 4);
     qtri_texture texture = {.format = &qtri_texel_checker,
                             .width_log2 = 2,
@@ -578,9 +566,8 @@ static void checker_with_a_key(void **state)
 }
 
 /* Nothing to read from: untextured. Words that are none: the zero ones. */
-static void textures_without_texels(void **state)
+TEST(textures_without_texels)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     canvas d = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     qtri_texture none[] = {noise_texture(numbers, &qtri_texel_palette8),
@@ -604,9 +591,8 @@ static void textures_without_texels(void **state)
 }
 
 /* Sums that lie on the half that is rounded up, and the last below it: nothing is added to them. */
-static void bilinear_rounds_at_the_half(void **state)
+TEST(bilinear_rounds_at_the_half)
 {
-    (void)state;
     static const struct {
         uint8_t texel[4];
         int32_t along, across; /* of 2048 */
@@ -644,21 +630,5 @@ static void bilinear_rounds_at_the_half(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(modulates),
-        cmocka_unit_test(checkers),
-        cmocka_unit_test(bilinear_filter),
-        cmocka_unit_test(bilinear_weights_are_exact),
-        cmocka_unit_test(bilinear_of_565),
-        cmocka_unit_test(bilinear_at_centres),
-        cmocka_unit_test(bilinear_rounds_at_the_half),
-        cmocka_unit_test(formats_agree),
-        cmocka_unit_test(texels_are_drawn_as_their_format_says),
-        cmocka_unit_test(keys_leave_holes),
-        cmocka_unit_test(keys_that_match_nothing),
-        cmocka_unit_test(keys_do_not_bleed),
-        cmocka_unit_test(checker_with_a_key),
-        cmocka_unit_test(textures_without_texels),
-    };
-    return cmocka_run_group_tests_name("core texture colors", tests, fill_textures, NULL);
+    return run_all_tests(fill_textures, NULL);
 }

@@ -4,9 +4,8 @@
  */
 #include "support/transform.h"
 
-static void simple_builders(void **state)
+TEST(simple_builders)
 {
-    (void)state;
     double worst = 0;
     uint64_t seed = 21;
     for (int n = 0; n < 3000; n++) {
@@ -36,9 +35,8 @@ static void simple_builders(void **state)
     assert_true(worst <= 3);
 }
 
-static void axis_builders(void **state)
+TEST(axis_builders)
 {
-    (void)state;
     double worst_axis = 0;
     double worst_about = 0;
     double worst_quat = 0;
@@ -81,9 +79,8 @@ static void axis_builders(void **state)
     assert_true(worst_quat <= 2);
 }
 
-static void nothing_to_turn_about(void **state)
+TEST(nothing_to_turn_about)
 {
-    (void)state;
     qtri_vec3 zero = {0, 0, 0};
     qtri_vec3 point = vec3_of(1, 2, 3);
     qtri_vec3 line[3] = {vec3_of(1, 1, 1), vec3_of(2, 2, 2), vec3_of(-5, -5, -5)};
@@ -115,9 +112,8 @@ static void nothing_to_turn_about(void **state)
     assert_int_equal(failures, 0);
 }
 
-static void chains(void **state)
+TEST(chains)
 {
-    (void)state;
     double worst = 0;
     uint64_t seed = 28;
     for (int n = 0; n < 3000; n++) {
@@ -160,9 +156,8 @@ static void chains(void **state)
     assert_true(worst <= 3);
 }
 
-static void round_trips(void **state)
+TEST(round_trips)
 {
-    (void)state;
     uint64_t seed = 29;
     for (int n = 0; n < 20000; n++) {
         qtri_mat4 m;
@@ -204,9 +199,8 @@ static void round_trips(void **state)
 }
 
 /* COURSE scene 4, and any other triangle: plane and centroid stay, corners keep their distances. */
-static void turned_triangle(void **state)
+TEST(turned_triangle)
 {
-    (void)state;
     double worst = 0;
     uint64_t seed = 30;
     for (int n = 0; n < 3000; n++) {
@@ -255,9 +249,8 @@ static void turned_triangle(void **state)
 }
 
 /* Any bits in any argument: defined, and in the promised form. */
-static void anything(void **state)
+TEST(anything)
 {
-    (void)state;
     uint64_t seed = 31;
     for (int n = 0; n < 20000; n++) {
         qtri_transform t;
@@ -298,9 +291,8 @@ static void anything(void **state)
 
 /* Whichever row has an exponent that no builder makes: what is 2^-INT32_MAX of the others adds
    nothing to a product with them. */
-static void exponents_of_any_row(void **state)
+TEST(exponents_of_any_row)
 {
-    (void)state;
     qtri_transform sum;
     qtri_transform_identity(&sum);
     for (int i = 0; i < 9; i++) {
@@ -324,15 +316,5 @@ static void exponents_of_any_row(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(simple_builders),
-        cmocka_unit_test(axis_builders),
-        cmocka_unit_test(nothing_to_turn_about),
-        cmocka_unit_test(chains),
-        cmocka_unit_test(round_trips),
-        cmocka_unit_test(turned_triangle),
-        cmocka_unit_test(anything),
-        cmocka_unit_test(exponents_of_any_row),
-    };
-    return cmocka_run_group_tests_name("core transform", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

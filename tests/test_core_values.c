@@ -621,9 +621,8 @@ static uint32_t grays(uint32_t hash)
     return hash;
 }
 
-static void functions(void **state)
+TEST(functions)
 {
-    (void)state;
     record("scalars", ROUNDS, scalars);
     record("ends of scalars", ROUNDS / 50, ends);
     record("vectors", ROUNDS, vectors);
@@ -635,9 +634,8 @@ static void functions(void **state)
     record("morphs", ROUNDS, morphs);
 }
 
-static void pictures(void **state)
+TEST(pictures)
 {
-    (void)state;
     record("filters", 300, filters);
     record("paints", 800, paints);
     record("grays", 200, grays);
@@ -647,9 +645,5 @@ static void pictures(void **state)
 int main(void)
 {
     stress_count = stress_values(stress);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(functions),
-        cmocka_unit_test(pictures),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -74,9 +74,8 @@ static void check_vectors(qtri_vec3 a, qtri_vec3 b, q16 t)
     assert_int_equal(qtri_vec2_scale(a2, t).x, scaled.x);
 }
 
-static void vectors(void **state)
+TEST(vectors)
 {
-    (void)state;
     static int32_t value[STRESS_COUNT];
     int count = stress_values(value);
     uint64_t seed = 11;
@@ -133,9 +132,8 @@ static void check_units(int32_t x, int32_t y, int32_t z, int32_t w)
     check_unit(&unit4.x, &a4.x, 4);
 }
 
-static void normalize(void **state)
+TEST(normalize)
 {
-    (void)state;
     uint64_t seed = 12;
     for (int i = 0; i < 13 * 13 * 13 * 13; i++) { /* a few ULP long */
         check_units(i % 13 - 6, i / 13 % 13 - 6, i / 169 % 13 - 6, i / 2197 - 6);
@@ -186,9 +184,8 @@ static void check_along(const q16 *result, const q16 *a, const q16 *b, int count
     }
 }
 
-static void along(void **state)
+TEST(along)
 {
-    (void)state;
     uint64_t seed = 17;
     worst_component = 0;
     for (int i = 0; i < 300000; i++) {
@@ -246,9 +243,8 @@ static long double angle_between(const q16 *a, const q16 *b, int count)
     return 2 * atan2l(sqrtl(apart), sqrtl(along_both)) * (180 / 3.14159265358979323846264338L);
 }
 
-static void angles(void **state)
+TEST(angles)
 {
-    (void)state;
     uint64_t seed = 18;
     long double worst = 0;
     for (int i = 0; i < 200000; i++) {
@@ -289,11 +285,5 @@ static void angles(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(vectors),
-        cmocka_unit_test(normalize),
-        cmocka_unit_test(along),
-        cmocka_unit_test(angles),
-    };
-    return cmocka_run_group_tests_name("core vec", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -72,9 +72,8 @@ static unsigned is_inside(const qtri_vertex *v)
     return (v->depth_16p8 & QTRI_VERTEX_OUTSIDE) == 0;
 }
 
-static void wide_positions(void **state)
+TEST(wide_positions)
 {
-    (void)state;
     uint64_t seed = 51;
     unsigned seen = 0;
     for (int n = 0; n < repeats(40000); n++) {
@@ -116,9 +115,8 @@ static void wide_positions(void **state)
 }
 
 /* Corners at w = 1 are points as a mesh has them, whatever is with them in a triangle. */
-static void corners_are_points(void **state)
+TEST(corners_are_points)
 {
-    (void)state;
     uint64_t seed = 55;
     for (int n = 0; n < repeats(200000); n++) {
         qtri_transform t;
@@ -160,9 +158,8 @@ static qtri_position16 random_position16(uint64_t *seed, int n)
     return p;
 }
 
-static void compact_positions(void **state)
+TEST(compact_positions)
 {
-    (void)state;
     uint64_t seed = 52;
     unsigned seen = 0;
     for (int n = 0; n < repeats(40000); n++) {
@@ -213,9 +210,8 @@ static unsigned max_of(unsigned a, unsigned b)
 }
 
 /* 16-bit positions that are Q16.16 numbers: the same vertices but for a rounding in 2^28. */
-static void compact_is_exact_enough(void **state)
+TEST(compact_is_exact_enough)
 {
-    (void)state;
     uint64_t seed = 53;
     unsigned seen = 0;
     unsigned moved = 0;
@@ -280,9 +276,8 @@ static double intensity(const qtri_light *light, const double n[3])
 }
 
 /* Faces of all sizes, thin ones and none at all; what the error of a colour is, of 255. */
-static void lights(void **state)
+TEST(lights)
 {
-    (void)state;
     uint64_t seed = 54;
     double face_worst = 0;
     double vertex_worst = 0;
@@ -330,9 +325,8 @@ static void lights(void **state)
 }
 
 /* Just beyond 2^15 the products of edges would fill 32 bits. */
-static void edges_beyond_the_short(void **state)
+TEST(edges_beyond_the_short)
 {
-    (void)state;
     qtri_transform identity;
     qtri_transform_identity(&identity);
     for (int i = 0; i < 6; i++) {
@@ -357,9 +351,8 @@ static void edges_beyond_the_short(void **state)
 }
 
 /* The last bit of light on faces and vertices that are short: others judge it by what is seen. */
-static void last_bits_of_light(void **state)
+TEST(last_bits_of_light)
 {
-    (void)state;
     uint64_t seed = 55;
     uint32_t hash = 2166136261u;
     qtri_transform identity;
@@ -385,14 +378,5 @@ static void last_bits_of_light(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(wide_positions),
-        cmocka_unit_test(compact_positions),
-        cmocka_unit_test(compact_is_exact_enough),
-        cmocka_unit_test(corners_are_points),
-        cmocka_unit_test(last_bits_of_light),
-        cmocka_unit_test(edges_beyond_the_short),
-        cmocka_unit_test(lights),
-    };
-    return cmocka_run_group_tests_name("core vertex", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -197,9 +197,8 @@ static void assert_same(const scene *s, const canvas *whole, const canvas *part)
     }
 }
 
-static void whole_mesh(void **state)
+TEST(whole_mesh)
 {
-    (void)state;
     uint64_t seed = 91;
     for (int n = 0; n < random_cases(1500); n++) {
         static scene s;
@@ -217,9 +216,8 @@ static void whole_mesh(void **state)
     }
 }
 
-static void prepared_mesh(void **state)
+TEST(prepared_mesh)
 {
-    (void)state;
     enum { LISTS = QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, 1) };
     static uint16_t lists[LISTS];
     static qtri_vertex vertices[VERTICES];
@@ -248,9 +246,8 @@ static void prepared_mesh(void **state)
 }
 
 /* A closed mesh has three edges for two triangles; what the notes forget is less than a fifth. */
-static void edges_once(void **state)
+TEST(edges_once)
 {
-    (void)state;
     static qtri_vertex vertices[VERTICES];
     static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, HEIGHT, QTRI_XRGB8888_BYTES)];
     uint64_t seed = 93;
@@ -284,10 +281,5 @@ static void edges_once(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(whole_mesh),
-        cmocka_unit_test(prepared_mesh),
-        cmocka_unit_test(edges_once),
-    };
-    return cmocka_run_group_tests_name("core wireframe", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -24,9 +24,8 @@ static bool parse(const char *text)
     return ok;
 }
 
-static void reads(void **state)
+TEST(reads)
 {
-    (void)state;
     assert_true(parse(HEAD "DEFAULT_CHAR 66\n" GLYPH("66", "9 2 -1 -2", "FFFF\n80ab\n")
                           GLYPH("-1", "8 1 0 0", "FF\n") GLYPH("65", "3 1 1 4", "FF\n")
                               GLYPH("32", "0 0 0 0", "") TAIL "ENCODING nonsense behind the end"));
@@ -47,9 +46,8 @@ static void reads(void **state)
     bdf_free(&font);
 }
 
-static void refuses(void **state)
+TEST(refuses)
 {
-    (void)state;
     static const struct {
         const char *text, *message;
     } cases[] = {
@@ -85,9 +83,8 @@ static void refuses(void **state)
 }
 
 /* Every prefix, and every byte exchanged for some others: read or refused, never more. */
-static void damaged(void **state)
+TEST(damaged)
 {
-    (void)state;
     static const char text[] = HEAD "DEFAULT_CHAR 66\n" GLYPH("66", "9 2 -1 -2", "FFFF\n80ab\n")
         GLYPH("65", "3 1 1 4", "FF\n") TAIL;
     for (size_t length = 0; length < sizeof text; length++) {
@@ -112,10 +109,5 @@ static void damaged(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reads),
-        cmocka_unit_test(refuses),
-        cmocka_unit_test(damaged),
-    };
-    return cmocka_run_group_tests_name("io bdf", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

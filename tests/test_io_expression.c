@@ -16,9 +16,8 @@ static struct token token_of(const char *text)
     return token;
 }
 
-static void values(void **state)
+TEST(values)
 {
-    (void)state;
     static const struct {
         const char *text;
         double value; /* at t = .25 */
@@ -53,9 +52,8 @@ static void values(void **state)
     }
 }
 
-static void errors(void **state)
+TEST(errors)
 {
-    (void)state;
     static const struct {
         const char *text;
         size_t column;
@@ -87,9 +85,8 @@ static void errors(void **state)
 }
 
 /* As many parentheses and signs as a line may hold end with a message. */
-static void nests_only_so_deep(void **state)
+TEST(nests_only_so_deep)
 {
-    (void)state;
     char text[100001];
     const char *const opening = "(-";
     for (int kind = 0; kind < 2; kind++) {
@@ -103,9 +100,8 @@ static void nests_only_so_deep(void **state)
     }
 }
 
-static void scenes_at_a_time(void **state)
+TEST(scenes_at_a_time)
 {
-    (void)state;
     const char *path = io_write_text("s", "viewport 4*8 33-1\nrotate 360*$t 0 1 0\n"
                                           "clear lerp(0,1,$t) 1-$t .5\n");
     for (int i = 0; i <= 4; i++) {
@@ -122,9 +118,8 @@ static void scenes_at_a_time(void **state)
     }
 }
 
-static void scene_errors(void **state)
+TEST(scene_errors)
 {
-    (void)state;
     static const char *const cases[][2] = {
         {"rotate  5*$x 0 1 0", ":1: rotate: '5*$x' is not understood here (column 11)"},
         {"clear 2*$t+1.5 0 0", ":1: clear: '2*$t+1.5' does not lie in 0..1"},
@@ -144,12 +139,5 @@ static void scene_errors(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values),
-        cmocka_unit_test(errors),
-        cmocka_unit_test(nests_only_so_deep),
-        cmocka_unit_test(scenes_at_a_time),
-        cmocka_unit_test(scene_errors),
-    };
-    return cmocka_run_group_tests(tests, io_setup, io_teardown);
+    return run_all_tests(io_setup, io_teardown);
 }

@@ -37,9 +37,8 @@ static void assert_refused(const char *text, enum number_result expected)
     }
 }
 
-static void plain_decimals(void **state)
+TEST(plain_decimals)
 {
-    (void)state;
     assert_q16("0", 0);
     assert_q16("-0", 0);
     assert_q16("-0.0", 0);
@@ -56,9 +55,8 @@ static void plain_decimals(void **state)
     assert_q16("3.14159265358979323846", 205887);
 }
 
-static void exponents(void **state)
+TEST(exponents)
 {
-    (void)state;
     assert_q16("1e-3", 66); /* 65.536 */
     assert_q16("2.5E+4", 25000 * ONE);
     assert_q16("2.5e4", 25000 * ONE);
@@ -74,9 +72,8 @@ static void exponents(void **state)
 }
 
 /* 2^-17 is half a unit: 7.62939453125e-6 exactly. */
-static void ties_go_away_from_zero(void **state)
+TEST(ties_go_away_from_zero)
 {
-    (void)state;
     assert_q16("0.00000762939453125", 1);
     assert_q16("-0.00000762939453125", -1);
     assert_q16("0.00000762939453124", 0);
@@ -92,9 +89,8 @@ static void ties_go_away_from_zero(void **state)
     assert_q16("1.00000762939453124", ONE);
 }
 
-static void ends_of_the_range(void **state)
+TEST(ends_of_the_range)
 {
-    (void)state;
     assert_q16("32767.9999847412109375", INT32_MAX);
     assert_q16("32767.9999923706054687499999", INT32_MAX);
     assert_refused("32767.99999237060546875", NUMBER_OUT_OF_RANGE); /* the tie */
@@ -109,9 +105,8 @@ static void ends_of_the_range(void **state)
     assert_refused("-281474976710656", NUMBER_OUT_OF_RANGE);
 }
 
-static void malformed_numbers(void **state)
+TEST(malformed_numbers)
 {
-    (void)state;
     const char *const texts[] = {"",     "+",     "-",    ".",     "-.",  "e5",   ".e5",  "1e",
                                  "1e+",  "1e1.5", "1.2.", "1..2",  "--1", "+-1",  "1-",   "nan",
                                  "inf",  "-inf",  "0x10", "0x1p4", "1f",  "1,5",  "1 ",   " 1",
@@ -125,9 +120,8 @@ static void malformed_numbers(void **state)
 }
 
 /* Every Q16.16 multiple of a step, printed exactly, comes back; and half a unit beside it too. */
-static void exact_decimals_come_back(void **state)
+TEST(exact_decimals_come_back)
 {
-    (void)state;
     for (int64_t q = INT32_MIN; q <= INT32_MAX; q += 65521 * 3) {
         char text[64];
         uint64_t magnitude = (uint64_t)(q < 0 ? -q : q);
@@ -146,9 +140,8 @@ static void exact_decimals_come_back(void **state)
     }
 }
 
-static void million_digits(void **state)
+TEST(million_digits)
 {
-    (void)state;
     const size_t length = 1000000;
     char *text = malloc(length);
     int32_t value;
@@ -165,9 +158,8 @@ static void million_digits(void **state)
     free(text);
 }
 
-static void integers(void **state)
+TEST(integers)
 {
-    (void)state;
     int64_t value = 0;
     assert_int_equal(number_parse_integer("42", 2, 1, 42, &value), NUMBER_OK);
     assert_int_equal(value, 42);
@@ -222,9 +214,8 @@ static void assert_lines(const char *text, size_t length, bool continuations, co
 
 #define LITERAL(text) text, sizeof(text) - 1
 
-static void lines_and_tokens(void **state)
+TEST(lines_and_tokens)
 {
-    (void)state;
     assert_lines(LITERAL(""), false, "");
     assert_lines(LITERAL("\n"), false, "1:;");
     assert_lines(LITERAL("a b\nc"), false, "1:a|b|;2:c|;");
@@ -238,9 +229,8 @@ static void lines_and_tokens(void **state)
     assert_lines(LITERAL("\x1B[2J\xC3\xA4"), false, "1:?[2J??|;");
 }
 
-static void continued_lines(void **state)
+TEST(continued_lines)
 {
-    (void)state;
     assert_lines(LITERAL("a \\\nb\nc"), true, "1:a|b|;3:c|;");
     assert_lines(LITERAL("a \\\r\n b\\\r\nc\r\nd"), true, "1:a|b|c|;4:d|;");
     assert_lines(LITERAL("a \\\nb\n"), false, "1:a|\\|;2:b|;");
@@ -250,9 +240,8 @@ static void continued_lines(void **state)
     assert_lines(LITERAL("\\\r\\\n\n"), true, "1:\\|;");
 }
 
-static void long_tokens_are_cut_in_quotes(void **state)
+TEST(long_tokens_are_cut_in_quotes)
 {
-    (void)state;
     char text[100];
     char quoted[TOKEN_QUOTE_SIZE];
     memset(text, 'x', sizeof text);
@@ -264,18 +253,5 @@ static void long_tokens_are_cut_in_quotes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(plain_decimals),
-        cmocka_unit_test(exponents),
-        cmocka_unit_test(ties_go_away_from_zero),
-        cmocka_unit_test(ends_of_the_range),
-        cmocka_unit_test(malformed_numbers),
-        cmocka_unit_test(exact_decimals_come_back),
-        cmocka_unit_test(million_digits),
-        cmocka_unit_test(integers),
-        cmocka_unit_test(lines_and_tokens),
-        cmocka_unit_test(continued_lines),
-        cmocka_unit_test(long_tokens_are_cut_in_quotes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

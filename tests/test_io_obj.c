@@ -68,9 +68,8 @@ static void assert_triangle(const struct obj_mesh *mesh, size_t i, uint32_t a, u
 
 /* ---- Faces ---- */
 
-static void one_triangle(void **state)
+TEST(one_triangle)
 {
-    (void)state;
     struct obj_mesh mesh = parse("v -1.5 0 0.25\nv 1 0 0\nv 0 1e0 0\nf 1 2 3");
     assert_string_equal(mesh.path, "x.obj");
     assert_int_equal(mesh.vertex_count, 3);
@@ -83,9 +82,8 @@ static void one_triangle(void **state)
     assert_null(mesh.positions);
 }
 
-static void convex_polygons_are_fans(void **state)
+TEST(convex_polygons_are_fans)
 {
-    (void)state;
     struct obj_mesh mesh = parse(SQUARE "v 0.5 2 0\nf 1 2 3 5 4\nf 5 4 3\n");
     assert_int_equal(mesh.vertex_count, 5);
     assert_int_equal(mesh.triangle_count, 4);
@@ -97,9 +95,8 @@ static void convex_polygons_are_fans(void **state)
 }
 
 /* An arrow head, whose fan about its first corner would leave it; its corners follow. */
-static void concave_polygons_stay_inside(void **state)
+TEST(concave_polygons_stay_inside)
 {
-    (void)state;
     struct obj_mesh mesh = parse("f 1 2 3 4\nv 1 3 0\nv 0 0 0\nv -1 3 0\nv 0 2 0\n");
     assert_int_equal(mesh.triangle_count, 2);
     assert_triangle(&mesh, 0, 3, 0, 1);
@@ -107,9 +104,8 @@ static void concave_polygons_stay_inside(void **state)
     obj_free(&mesh);
 }
 
-static void negative_indices_count_back(void **state)
+TEST(negative_indices_count_back)
 {
-    (void)state;
     struct obj_mesh mesh =
         parse("v 9 9 9\nv 1 0 0\nv 2 0 0\nv 3 1 0\nf -3 -2 -1\nv 4 0 0\nf -1 2 3");
     assert_int_equal(mesh.vertex_count, 4);
@@ -120,9 +116,8 @@ static void negative_indices_count_back(void **state)
     obj_free(&mesh);
 }
 
-static void faces_may_come_first(void **state)
+TEST(faces_may_come_first)
 {
-    (void)state;
     struct obj_mesh mesh = parse("f 3 2 1\n" SQUARE);
     assert_int_equal(mesh.vertex_count, 3);
     assert_vec3(mesh.positions[0], ONE, ONE, 0);
@@ -130,9 +125,8 @@ static void faces_may_come_first(void **state)
 }
 
 /* Distinct (v, vt, vn) triples, in the order they appear; every form in one face. */
-static void triples_become_vertices(void **state)
+TEST(triples_become_vertices)
 {
-    (void)state;
     struct obj_mesh mesh = parse(SQUARE "vt 0 0\nvt 1 .25\nvn 0 0 2\nvn 0 3 4\n"
                                         "f 1/1/1 2/2/1 3//1 4\n"
                                         "f 1/1/1 2/2/2 3/2\n"
@@ -156,9 +150,8 @@ static void triples_become_vertices(void **state)
 }
 
 /* More corners than the table's first sizes: every triple found again, none mixed up. */
-static void many_triples(void **state)
+TEST(many_triples)
 {
-    (void)state;
     enum { SIDE = 40, LINE = 64 };
     char *text = malloc(SIDE * SIDE * 3 * LINE);
     size_t used = 0;
@@ -191,9 +184,8 @@ static void many_triples(void **state)
 
 /* Faces of area 1/2 (towards +z) and 1 (towards +x) share an edge; the uv seam between them does
    not split the normal: (1, 0, .5) / |.| at both. */
-static void normals_are_weighted_by_area_per_position(void **state)
+TEST(normals_are_weighted_by_area_per_position)
 {
-    (void)state;
     struct obj_mesh mesh = parse("v 0 0 0\nv 0 1 0\nv -1 0 0\nv 0 0 -2\nvt 0 0\nvt 1 1\n"
                                  "f 1/1 2/1 3/1\nf 1/2 4/2 2/2\n");
     assert_int_equal(mesh.vertex_count, 6);
@@ -208,9 +200,8 @@ static void normals_are_weighted_by_area_per_position(void **state)
 }
 
 /* The same two faces, in a file that repeats the positions of their edge, one of them as -0. */
-static void normals_are_smooth_across_equal_positions(void **state)
+TEST(normals_are_smooth_across_equal_positions)
 {
-    (void)state;
     struct obj_mesh mesh = parse("v 0 0 0\nv 0 1 0\nv -1 0 0\nv 0 0 -2\nv -0 0 0\nv 0 1 0\n"
                                  "f 1 2 3\nf 5 4 6\n");
     assert_int_equal(mesh.vertex_count, 6);
@@ -223,9 +214,8 @@ static void normals_are_smooth_across_equal_positions(void **state)
     obj_free(&mesh);
 }
 
-static void normals_without_a_direction(void **state)
+TEST(normals_without_a_direction)
 {
-    (void)state;
     /* No area at all, and two faces that cancel: (0, 0, 1). */
     struct obj_mesh mesh = parse("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
     assert_vec3(mesh.normals[0], 0, 0, ONE);
@@ -239,9 +229,8 @@ static void normals_without_a_direction(void **state)
     obj_free(&mesh);
 }
 
-static void huge_coordinates(void **state)
+TEST(huge_coordinates)
 {
-    (void)state;
     struct obj_mesh mesh =
         parse("v -32768 -32768 -32768\nv 32767.99998 -32768 0\nv 0 32767.99998 -32768\n"
               "vn 32767 32767 32767\nf 1 2 3\nf 1//1 2//1 3//1");
@@ -252,9 +241,8 @@ static void huge_coordinates(void **state)
 
 /* ---- Text ---- */
 
-static void other_statements_are_passed_over(void **state)
+TEST(other_statements_are_passed_over)
 {
-    (void)state;
     struct obj_mesh mesh = parse("# comment\nmtllib a b.mtl\no \xC3\xA4\ng x y\ns off\nusemtl q\n"
                                  "vp 1 2\nl 1 2\np 1\ncstype bezier\ncurv 0 1 1 2\nend\n" SQUARE
                                  "f 1 2 3 # trailing\nlod 3\n");
@@ -262,9 +250,8 @@ static void other_statements_are_passed_over(void **state)
     obj_free(&mesh);
 }
 
-static void extra_components(void **state)
+TEST(extra_components)
 {
-    (void)state;
     struct obj_mesh mesh = parse("v 1 2 3 1.0\nv 1 2 4 .5 .5 .5\nv 2 2 5 1 .5 .5 99999\n"
                                  "vt .5\nvt .5 .25 .125\nf 1/1 2/2 3\n");
     assert_vec3(mesh.positions[2], 2 * ONE, 2 * ONE, 5 * ONE);
@@ -274,9 +261,8 @@ static void extra_components(void **state)
     obj_free(&mesh);
 }
 
-static void line_ends(void **state)
+TEST(line_ends)
 {
-    (void)state;
     struct obj_mesh mesh =
         parse("v 0 0 0\r\nv 1 0 \\\r\n0\r\nv 1 1 0\r\n\r\nf 1 \\\r\n2 \\\r\n3\r\n");
     assert_int_equal(mesh.triangle_count, 1);
@@ -286,9 +272,8 @@ static void line_ends(void **state)
                  "x.obj:4: 'x' is not a corner (v, v/vt, v//vn or v/vt/vn)");
 }
 
-static void very_long_lines(void **state)
+TEST(very_long_lines)
 {
-    (void)state;
     const size_t corners = 500000;
     char *text = malloc(sizeof SQUARE + 2 * corners + 1);
     assert_non_null(text);
@@ -311,9 +296,8 @@ static void very_long_lines(void **state)
 
 /* ---- Errors ---- */
 
-static void bad_indices(void **state)
+TEST(bad_indices)
 {
-    (void)state;
     assert_error(SQUARE "f 1 2 0\n", "x.obj:5: '0' has the index 0; they count from 1");
     assert_error(SQUARE "f 1 2 -0\n", "x.obj:5: '-0' has the index 0; they count from 1");
     assert_error(SQUARE "f 1 2 -5\n", "x.obj:5: '-5' has an index out of range");
@@ -330,9 +314,8 @@ static void bad_indices(void **state)
 }
 
 /* Programs leave the slashes of what they leave out. */
-static void corners_that_end_in_slashes(void **state)
+TEST(corners_that_end_in_slashes)
 {
-    (void)state;
     struct obj_mesh mesh = parse(SQUARE "vt 0 0\nf 1/ 2/ 3/\nf 1// 2// 3//\nf 1/1/ 2 3\n");
     assert_int_equal(mesh.vertex_count, 4);
     assert_triangle(&mesh, 0, 0, 1, 2);
@@ -341,9 +324,8 @@ static void corners_that_end_in_slashes(void **state)
     obj_free(&mesh);
 }
 
-static void edges_are_passed_over(void **state)
+TEST(edges_are_passed_over)
 {
-    (void)state;
     struct obj_mesh mesh = parse(SQUARE "f 4 3\nf 1 2 3\nf 4\n");
     assert_int_equal(mesh.vertex_count, 3);
     assert_int_equal(mesh.triangle_count, 1);
@@ -351,9 +333,8 @@ static void edges_are_passed_over(void **state)
     assert_error(SQUARE "f 1 2\n", "x.obj: has no faces");
 }
 
-static void bad_corners(void **state)
+TEST(bad_corners)
 {
-    (void)state;
     const char *const corners[] = {"x", "/1", "1/1/1/1", "1.5", "1e0", "//", "/", "1///1", "1///"};
     for (size_t i = 0; i < ARRAY_LENGTH(corners); i++) {
         char text[200], expected[200];
@@ -366,9 +347,8 @@ static void bad_corners(void **state)
     assert_error(SQUARE "f\n", "x.obj:5: a face needs 3 corners or more");
 }
 
-static void bad_numbers(void **state)
+TEST(bad_numbers)
 {
-    (void)state;
     assert_error("\nv 0 0 x\n", "x.obj:2: 'x' is not a number");
     assert_error("v 0 0 40000\n", "x.obj:1: '40000' does not fit Q16.16");
     assert_error("v 0 0\n", "x.obj:1: too few numbers");
@@ -384,9 +364,8 @@ static void bad_numbers(void **state)
     obj_free(&mesh);
 }
 
-static void files_that_are_no_meshes(void **state)
+TEST(files_that_are_no_meshes)
 {
-    (void)state;
     assert_error("", "x.obj: has no faces");
     assert_error("# nothing\n" SQUARE, "x.obj: has no faces");
     assert_error(SQUARE "F 1 2 3\n", "x.obj:5: 'F' is not an OBJ statement");
@@ -398,9 +377,8 @@ static void files_that_are_no_meshes(void **state)
     assert_error_bytes(LITERAL("v 1 2 3\0\n"), "x.obj:1: '3?' is not a number");
 }
 
-static void reading_files(void **state)
+TEST_WITH(reading_files, NULL, io_remove_files)
 {
-    (void)state;
     struct obj_mesh mesh;
     struct text_error error;
     assert_false(obj_read(io_path("none.obj"), &mesh, &error));
@@ -491,9 +469,8 @@ static void assert_same_positions(const struct obj_mesh *a, const struct obj_mes
 }
 
 /* The same shape whatever the file's unit is, where Q16.16 alone would lose it. */
-static void scales_keep_small_models(void **state)
+TEST(scales_keep_small_models)
 {
-    (void)state;
     struct obj_mesh one = sphere(1.0, 1.0, 0.0);
     const double radius[] = {1e-12, 1e-4, .01, 7.0, 1e6};
     for (size_t i = 0; i < ARRAY_LENGTH(radius); i++) {
@@ -518,9 +495,8 @@ static void scales_keep_small_models(void **state)
     free(text);
 }
 
-static void scales_that_do_not_fit(void **state)
+TEST(scales_that_do_not_fit)
 {
-    (void)state;
     static const char text[] = "v 0 0 0\nv 0 0 40000\nv 1 0 0\nf 1 2 3\n";
     static const char point[] = "v 3 3 3\nf 1 1 1\n";
     const struct obj_scale as_it_is = {1.0, 0.0};
@@ -570,54 +546,22 @@ static void assert_model(const char *name, size_t vertices, size_t triangles, bo
     obj_free(&mesh);
 }
 
-static void model_spot(void **state)
+TEST(model_spot)
 {
-    (void)state;
     assert_model("spot.obj", 3225, 5856, true);
 }
 
-static void model_teapot(void **state)
+TEST(model_teapot)
 {
-    (void)state;
     assert_model("teapot.obj", 3644, 6320, false);
 }
 
-static void model_suzanne(void **state)
+TEST(model_suzanne)
 {
-    (void)state;
     assert_model("suzanne.obj", 507, 968, false);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_triangle),
-        cmocka_unit_test(convex_polygons_are_fans),
-        cmocka_unit_test(concave_polygons_stay_inside),
-        cmocka_unit_test(negative_indices_count_back),
-        cmocka_unit_test(faces_may_come_first),
-        cmocka_unit_test(triples_become_vertices),
-        cmocka_unit_test(many_triples),
-        cmocka_unit_test(normals_are_weighted_by_area_per_position),
-        cmocka_unit_test(normals_are_smooth_across_equal_positions),
-        cmocka_unit_test(normals_without_a_direction),
-        cmocka_unit_test(huge_coordinates),
-        cmocka_unit_test(other_statements_are_passed_over),
-        cmocka_unit_test(extra_components),
-        cmocka_unit_test(line_ends),
-        cmocka_unit_test(very_long_lines),
-        cmocka_unit_test(bad_indices),
-        cmocka_unit_test(corners_that_end_in_slashes),
-        cmocka_unit_test(edges_are_passed_over),
-        cmocka_unit_test(bad_corners),
-        cmocka_unit_test(bad_numbers),
-        cmocka_unit_test(files_that_are_no_meshes),
-        cmocka_unit_test_teardown(reading_files, io_remove_files),
-        cmocka_unit_test(scales_keep_small_models),
-        cmocka_unit_test(scales_that_do_not_fit),
-        cmocka_unit_test(model_spot),
-        cmocka_unit_test(model_teapot),
-        cmocka_unit_test(model_suzanne),
-    };
-    return cmocka_run_group_tests(tests, io_setup, io_teardown);
+    return run_all_tests(io_setup, io_teardown);
 }

@@ -31,9 +31,8 @@ static struct picture gradient(int width, int height, bool with_dump)
     return picture;
 }
 
-static void create_zeroes_or_refuses(void **state)
+TEST(create_zeroes_or_refuses)
 {
-    (void)state;
     struct picture picture;
     assert_true(picture_create(&picture, 3, 2, true));
     for (int i = 0; i < 6; i++) {
@@ -53,9 +52,8 @@ static void create_zeroes_or_refuses(void **state)
     assert_null(picture.rgb);
 }
 
-static void ppm_bytes(void **state)
+TEST_WITH(ppm_bytes, NULL, io_remove_files)
 {
-    (void)state;
     struct picture picture = gradient(2, 1, false);
     struct text_error error;
     assert_true(picture_write_ppm(io_path("a.ppm"), &picture, &error));
@@ -66,9 +64,8 @@ static void ppm_bytes(void **state)
     picture_free(&picture);
 }
 
-static void ppm_round_trip(void **state)
+TEST_WITH(ppm_round_trip, NULL, io_remove_files)
 {
-    (void)state;
     struct picture written = gradient(31, 17, false);
     struct picture read;
     struct text_error error;
@@ -83,9 +80,8 @@ static void ppm_round_trip(void **state)
     picture_free(&written);
 }
 
-static void ppm_headers(void **state)
+TEST_WITH(ppm_headers, NULL, io_remove_files)
 {
-    (void)state;
     struct picture picture;
     struct text_error error;
     const char *path =
@@ -118,9 +114,8 @@ static void assert_bad_ppm(const char *bytes, size_t length, const char *problem
     assert_null(picture.rgb);
 }
 
-static void bad_ppms(void **state)
+TEST_WITH(bad_ppms, NULL, io_remove_files)
 {
-    (void)state;
     assert_bad_ppm(LITERAL(""), "not a binary PPM (P6)");
     assert_bad_ppm(LITERAL("P6"), "not a binary PPM (P6)");
     assert_bad_ppm(LITERAL("P3\n1 1\n255\n0 0 0"), "not a binary PPM (P6)");
@@ -155,9 +150,8 @@ static void limit_file_size(rlim_t bytes, struct rlimit *before)
     assert_int_equal(setrlimit(RLIMIT_FSIZE, &limit), 0);
 }
 
-static void failed_write_leaves_the_target_alone(void **state)
+TEST_WITH(failed_write_leaves_the_target_alone, NULL, io_remove_files)
 {
-    (void)state;
     struct picture small = gradient(2, 1, false);
     struct picture large = gradient(200, 100, true);
     struct text_error error;
@@ -185,9 +179,8 @@ static void failed_write_leaves_the_target_alone(void **state)
     picture_free(&large);
 }
 
-static void places_that_cannot_be_written(void **state)
+TEST_WITH(places_that_cannot_be_written, NULL, io_remove_files)
 {
-    (void)state;
     struct picture picture = gradient(2, 1, false);
     struct text_error error;
     assert_false(picture_write_ppm(io_path("no/such/folder.ppm"), &picture, &error));
@@ -199,9 +192,8 @@ static void places_that_cannot_be_written(void **state)
     picture_free(&picture);
 }
 
-static void permissions_follow_the_umask(void **state)
+TEST_WITH(permissions_follow_the_umask, NULL, io_remove_files)
 {
-    (void)state;
     struct picture picture = gradient(1, 1, false);
     struct text_error error;
     struct stat status;
@@ -215,9 +207,8 @@ static void permissions_follow_the_umask(void **state)
 
 /* ---- Dumps ---- */
 
-static void dump_bytes(void **state)
+TEST_WITH(dump_bytes, NULL, io_remove_files)
 {
-    (void)state;
     struct picture picture;
     struct text_error error;
     assert_true(picture_create(&picture, 2, 1, true));
@@ -234,9 +225,8 @@ static void dump_bytes(void **state)
     picture_free(&picture);
 }
 
-static void dump_round_trip(void **state)
+TEST_WITH(dump_round_trip, NULL, io_remove_files)
 {
-    (void)state;
     struct picture written, read = {.width = 13, .height = 7};
     struct text_error error;
     assert_true(picture_create(&written, 13, 7, true));
@@ -272,9 +262,8 @@ static void dump_round_trip(void **state)
     picture_free(&written);
 }
 
-static void dump_of_what_there_is(void **state)
+TEST_WITH(dump_of_what_there_is, NULL, io_remove_files)
 {
-    (void)state;
     struct picture picture = gradient(2, 2, true);
     struct text_error error;
     free(picture.depth);
@@ -287,9 +276,8 @@ static void dump_of_what_there_is(void **state)
 
 /* ---- Messages ---- */
 
-static void messages_are_cut_and_printable(void **state)
+TEST(messages_are_cut_and_printable)
 {
-    (void)state;
     struct text_error error;
     char name[2000];
     memset(name, 'n', sizeof name - 1);
@@ -305,19 +293,5 @@ static void messages_are_cut_and_printable(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(create_zeroes_or_refuses),
-        cmocka_unit_test_teardown(ppm_bytes, io_remove_files),
-        cmocka_unit_test_teardown(ppm_round_trip, io_remove_files),
-        cmocka_unit_test_teardown(ppm_headers, io_remove_files),
-        cmocka_unit_test_teardown(bad_ppms, io_remove_files),
-        cmocka_unit_test_teardown(failed_write_leaves_the_target_alone, io_remove_files),
-        cmocka_unit_test_teardown(places_that_cannot_be_written, io_remove_files),
-        cmocka_unit_test_teardown(permissions_follow_the_umask, io_remove_files),
-        cmocka_unit_test_teardown(dump_bytes, io_remove_files),
-        cmocka_unit_test_teardown(dump_round_trip, io_remove_files),
-        cmocka_unit_test_teardown(dump_of_what_there_is, io_remove_files),
-        cmocka_unit_test(messages_are_cut_and_printable),
-    };
-    return cmocka_run_group_tests(tests, io_setup, io_teardown);
+    return run_all_tests(io_setup, io_teardown);
 }

@@ -136,9 +136,8 @@ static void add_round(int x, int y, int count, int radius, int spread)
     }
 }
 
-static void convex_polygons_are_fans(void **state)
+TEST(convex_polygons_are_fans)
 {
-    (void)state;
     static const int collinear[][2] = {{0, 0}, {5, 0}, {9, 0}, {9, 9}, {4, 9}, {0, 9}, {0, 3}};
     for (int count = 4; count < 60; count++) {
         outline.count = 0;
@@ -162,9 +161,8 @@ static void convex_polygons_are_fans(void **state)
     assert_fan();
 }
 
-static void concave_polygons_are_covered_once(void **state)
+TEST(concave_polygons_are_covered_once)
 {
-    (void)state;
     static const int l[][2] = {{0, 0}, {8, 0}, {8, 3}, {3, 3}, {3, 9}, {0, 9}};
     static const int u[][2] = {{0, 0}, {9, 0}, {9, 9}, {6, 9}, {6, 3}, {3, 3}, {3, 9}, {0, 9}};
     static const int e[][2] = {{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 4},  {5, 4},
@@ -204,9 +202,8 @@ static void concave_polygons_are_covered_once(void **state)
     assert_covered("spiral");
 }
 
-static void random_polygons_are_covered_once(void **state)
+TEST(random_polygons_are_covered_once)
 {
-    (void)state;
     for (int i = 0; i < 3000; i++) {
         outline.count = 0;
         add_round(0, 0, 3 + draw(60), 20000, 19000);
@@ -245,9 +242,8 @@ static void add_outline_of_cells(int x, int y)
     } while (x != start[0] || y != start[1] || way != 0);
 }
 
-static void outlines_that_touch_themselves_are_covered_once(void **state)
+TEST(outlines_that_touch_themselves_are_covered_once)
 {
-    (void)state;
     for (int i = 0; i < 3000; i++) {
         memset(cells, 0, sizeof cells);
         int x = BOARD / 2, y = BOARD / 2;
@@ -296,9 +292,8 @@ static void add_holes(int holes)
 }
 
 /* Holes are reached by an edge that is gone there and back, as programs write letters. */
-static void holes_are_left_out(void **state)
+TEST(holes_are_left_out)
 {
-    (void)state;
     for (int i = 0; i < 3000; i++) {
         outline.count = 0;
         add_round(0, 0, 12 + draw(30), 20000, 2000);
@@ -309,9 +304,8 @@ static void holes_are_left_out(void **state)
 }
 
 /* Whatever it is, as many triangles come out, and what they cover with its sign is the polygon. */
-static void others_end(void **state)
+TEST(others_end)
 {
-    (void)state;
     static const double same[5][3] = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
     static const double endless[5][3] = {
         {0, 2, 3}, {1, 5, 3}, {1e308, 2, 3}, {-1e308, 2, -1e308}, {0, 1e308, 0}};
@@ -339,13 +333,5 @@ static void others_end(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(convex_polygons_are_fans),
-        cmocka_unit_test(concave_polygons_are_covered_once),
-        cmocka_unit_test(random_polygons_are_covered_once),
-        cmocka_unit_test(outlines_that_touch_themselves_are_covered_once),
-        cmocka_unit_test(holes_are_left_out),
-        cmocka_unit_test(others_end),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

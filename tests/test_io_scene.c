@@ -123,9 +123,8 @@ static void assert_defaults(const struct scene *scene)
     assert_int_equal(scene->triangle_count, 0);
 }
 
-static void empty_scenes_have_defaults(void **state)
+TEST(empty_scenes_have_defaults)
 {
-    (void)state;
     const char *const texts[] = {"", "\n\n", "# viewport 1 1", "  \t\r\n#\r\n", "\xEF\xBB\xBF"};
     for (size_t i = 0; i < ARRAY_LENGTH(texts); i++) {
         struct scene scene = parse(texts[i]);
@@ -134,9 +133,8 @@ static void empty_scenes_have_defaults(void **state)
     }
 }
 
-static void state_statements(void **state)
+TEST(state_statements)
 {
-    (void)state;
     struct scene scene =
         parse("# first\n\nviewport 320 240\nclear .25 0.5 1 # sky\ncleardepth 0\n"
               "depth gequal\ndepthformat float16\ndepthmask off\ncull front\nshade flat first\n"
@@ -168,9 +166,8 @@ static void state_statements(void **state)
     scene_free(&scene);
 }
 
-static void masks_and_biases(void **state)
+TEST(masks_and_biases)
 {
-    (void)state;
     struct scene scene = parse("colormask on off on\nblend replace\npoint 0 0 0 1 1 1 1\n"
                                "depthbias -.25\npoint 0 0 0 1 1 1 1\ndepthbias 0\n"
                                "point 0 0 0 1 1 1 1\n");
@@ -184,9 +181,8 @@ static void masks_and_biases(void **state)
     scene_free(&scene);
 }
 
-static void vertex_statements(void **state)
+TEST(vertex_statements)
 {
-    (void)state;
     struct scene scene = parse("vertexalpha 1 .5 0\ndepthslope -1.5\npoint 0 0 0 1 1 1 1\n"
                                "vertexalpha off\ndepthslope 0\npoint 0 0 0 1 1 1 1\n");
     assert_int_equal(scene.op_count, 2);
@@ -199,9 +195,8 @@ static void vertex_statements(void **state)
     scene_free(&scene);
 }
 
-static void light_statements(void **state)
+TEST(light_statements)
 {
-    (void)state;
     struct scene scene = parse("ambient .25 .5 2\nlight directional 0 0 2 1 .5 0\n"
                                "light point 1 2 3 1 1 16\nlight point 1 2 3 1 1 1 .5 .25 2\n"
                                "light spot 1 2 3 0 -1 0 10 20 1 1 1\n"
@@ -244,9 +239,8 @@ static void light_statements(void **state)
     assert_error(many, "x.scene:8: light: more lights than can be drawn with");
 }
 
-static void the_last_statement_wins(void **state)
+TEST(the_last_statement_wins)
 {
-    (void)state;
     struct scene scene =
         parse("viewport 1 4096\nclear 1 1 1\ncleardepth 0\ndepth never\n"
               "depthmask off\ncull back\nshade flat first\ntexture 2 2 1 1 2 3 4 5 6\n"
@@ -264,9 +258,8 @@ static void the_last_statement_wins(void **state)
     scene_free(&scene);
 }
 
-static void depth_comparisons(void **state)
+TEST(depth_comparisons)
 {
-    (void)state;
     static const struct {
         const char *word;
         enum scene_compare compare;
@@ -286,9 +279,8 @@ static void depth_comparisons(void **state)
     }
 }
 
-static void provoking_vertex(void **state)
+TEST(provoking_vertex)
 {
-    (void)state;
     static const struct {
         const char *text;
         bool flat;
@@ -325,9 +317,8 @@ static void assert_numbers(const struct scene_op *op, int count, int first)
     assert_int_equal(op->id, 0);
 }
 
-static void matrix_statements(void **state)
+TEST(matrix_statements)
 {
-    (void)state;
     static const struct {
         enum scene_op_kind kind;
         int count, first;
@@ -361,9 +352,8 @@ static void matrix_statements(void **state)
     scene_free(&scene);
 }
 
-static void numbers_are_rounded(void **state)
+TEST(numbers_are_rounded)
 {
-    (void)state;
     struct scene scene = parse("translate 0.1 -0.00000762939453125 1e-9\n");
     assert_int_equal(scene.ops[0].u.number[0], 6554);
     assert_int_equal(scene.ops[0].u.number[1], -1);
@@ -371,9 +361,8 @@ static void numbers_are_rounded(void **state)
     scene_free(&scene);
 }
 
-static void triangles(void **state)
+TEST(triangles)
 {
-    (void)state;
     struct scene scene =
         parse("tri 1 2 3 4 .5 0 1  5 6 7 8 0 1 0  9 10 11 12 0 0 1\nidentity\n"
               "trit 1 2 3 4 .5 0 1 -3 7  5 6 7 8 0 1 0 1 2  9 10 11 12 0 0 1 .5 .25\n");
@@ -401,9 +390,8 @@ static void triangles(void **state)
     scene_free(&scene);
 }
 
-static void passes_have_bounds(void **state)
+TEST(passes_have_bounds)
 {
-    (void)state;
     static const char large[] = "texture 1024 1024 4 1 1 1 2 2 2\npass\n", plain[] = "pass\n";
     char text[1024 * sizeof plain];
     size_t length = 0;
@@ -421,9 +409,8 @@ static void passes_have_bounds(void **state)
     assert_error("push\npass\npop\n", "x.scene:3: pop: without a push on the same stack");
 }
 
-static void stacks(void **state)
+TEST(stacks)
 {
-    (void)state;
     char text[40 * 10] = "";
     for (int i = 0; i < SCENE_STACK_DEPTH; i++) {
         strcat(text, "push\n");
@@ -447,9 +434,8 @@ static void stacks(void **state)
 
 /* ---- Textures ---- */
 
-static void checkerboard(void **state)
+TEST(checkerboard)
 {
-    (void)state;
     /* 3 fields over 8 x 4 texels: columns begin at texels 0, 3, 6, rows at 0, 2, 3. */
     static const char *const expected[4] = {"00011100", "00011100", "11100011", "00011100"};
     struct scene scene = parse("texture 1 1 1 9 9 9 9 9 9\ntexture 8 4 3 1 2 3 255 0 254\n");
@@ -464,9 +450,8 @@ static void checkerboard(void **state)
     scene_free(&scene);
 }
 
-static void checkerboard_sizes(void **state)
+TEST(checkerboard_sizes)
 {
-    (void)state;
     struct scene scene = parse("texture 1024 1 1 1 2 3 4 5 6\n");
     assert_memory_equal(&scene.texture.rgb[3 * 1023], "\1\2\3", 3);
     scene_free(&scene);
@@ -488,9 +473,8 @@ static void checkerboard_sizes(void **state)
                  "x.scene:1: texture: '.5' is not a whole number in 0..255");
 }
 
-static void texture_from_a_file(void **state)
+TEST_WITH(texture_from_a_file, in_folder, out_of_folder)
 {
-    (void)state;
     (void)io_write("t.ppm", LITERAL("P6 2 1 255\nabcdef"));
     (void)io_write("odd.ppm", LITERAL("P6 1 3 255\nabcdefghi"));
     (void)io_write("cut.ppm", LITERAL("P6 2 1 255\nabcde"));
@@ -519,9 +503,8 @@ static void texture_from_a_file(void **state)
     assert_error_in_folder("texture t\x01.ppm\n", "1: texture: 't?.ppm' is not a file name");
 }
 
-static void texture_state(void **state)
+TEST(texture_state)
 {
-    (void)state;
     static const char *const formats[] = {
         [SCENE_TEXEL_XRGB8888] = "xrgb8888",     [SCENE_TEXEL_RGB565] = "rgb565",
         [SCENE_TEXEL_PALETTE] = "palette",       [SCENE_TEXEL_GRAY8] = "gray8",
@@ -565,9 +548,8 @@ static void write_colors(const char *name, int count)
 }
 
 /* 256 colours fit a palette; the message for more names the statement that asked for one. */
-static void palettes(void **state)
+TEST_WITH(palettes, in_folder, out_of_folder)
 {
-    (void)state;
     write_colors("fits.ppm", 256);
     write_colors("more.ppm", 257);
     struct scene scene = parse("texformat palette\ntexture fits.ppm\n" TRIT);
@@ -593,9 +575,8 @@ static void palettes(void **state)
 
 /* ---- Meshes ---- */
 
-static void meshes_are_read_once(void **state)
+TEST_WITH(meshes_are_read_once, in_folder, out_of_folder)
 {
-    (void)state;
     (void)io_write_text("one.obj", ONE_FACE);
     (void)io_write_text("two.obj", TWO_FACES);
     struct scene scene = parse("mesh two.obj\n" TRI "mesh one.obj color .5 1 0\n"
@@ -628,9 +609,8 @@ static void meshes_are_read_once(void **state)
 }
 
 /* A file in another scale is another mesh. */
-static void meshes_are_scaled(void **state)
+TEST_WITH(meshes_are_scaled, in_folder, out_of_folder)
 {
-    (void)state;
     (void)io_write_text("small.obj", "v 0 0 0\nv .00001 0 0\nv 0 .000005 0\nf 1 2 3\n");
     struct scene scene = parse("mesh small.obj\nmesh small.obj fit 2\n"
                                "mesh small.obj scale 1e5 color 0 1 0\n"
@@ -652,9 +632,8 @@ static void meshes_are_scaled(void **state)
     scene_free(&scene);
 }
 
-static void mesh_errors(void **state)
+TEST_WITH(mesh_errors, in_folder, out_of_folder)
 {
-    (void)state;
     (void)io_write_text("bad.obj", ONE_FACE "f 1 2 9\n");
     (void)io_write_text("one.obj", ONE_FACE);
     assert_error_in_folder("mesh one.obj\nmesh bad.obj\n",
@@ -682,9 +661,8 @@ static void mesh_errors(void **state)
         "1: wrong number of values (0) for mesh FILE.obj [fit SIZE | scale FACTOR] [color r g b]");
 }
 
-static void scene_files(void **state)
+TEST_WITH(scene_files, NULL, io_remove_files)
 {
-    (void)state;
     struct scene scene;
     struct text_error error;
     (void)io_write_text("two.obj", TWO_FACES);
@@ -702,9 +680,8 @@ static void scene_files(void **state)
     assert_non_null(strstr(error.message, "/s:2: wrong number of values (1) for viewport W H"));
 }
 
-static void model_in_a_scene(void **state)
+TEST(model_in_a_scene)
 {
-    (void)state;
     const char *path = model_path("spot.obj");
     if (path == NULL) {
         skip();
@@ -720,9 +697,8 @@ static void model_in_a_scene(void **state)
 
 /* ---- Errors ---- */
 
-static void viewport_errors(void **state)
+TEST(viewport_errors)
 {
-    (void)state;
     assert_error("clear 0 0 0\nviewport 8 8\n", "x.scene:2: viewport: must be the first statement");
     assert_error("viewport 8 8\nviewport 8 8\n",
                  "x.scene:2: viewport: must be the first statement");
@@ -735,9 +711,8 @@ static void viewport_errors(void **state)
     assert_error("viewport 8 8 8\n", "x.scene:1: wrong number of values (3) for viewport W H");
 }
 
-static void value_errors(void **state)
+TEST(value_errors)
 {
-    (void)state;
     static const char *const cases[][2] = {
         {"clear 0 0 1.1", "clear: '1.1' does not lie in 0..1"},
         {"clear -.1 0 1", "clear: '-.1' does not lie in 0..1"},
@@ -798,9 +773,8 @@ static void value_errors(void **state)
     }
 }
 
-static void camera_errors(void **state)
+TEST(camera_errors)
 {
-    (void)state;
     static const char *const cases[][2] = {
         {"lookat 1 2 3 1 2 3 0 1 0", "lookat: the eye and the center must differ"},
         {"lookat 1 2 3 0 0 0 0 0 0", "lookat: the up vector must not be zero"},
@@ -844,9 +818,8 @@ static void camera_errors(void **state)
 }
 
 /* One value too many and one too few, for every statement that has a fixed number. */
-static void wrong_number_of_values(void **state)
+TEST(wrong_number_of_values)
 {
-    (void)state;
     static const struct {
         const char *name;
         int count;
@@ -884,9 +857,8 @@ static void wrong_number_of_values(void **state)
                                   "off, texture FILE.ppm or texture W H CELLS r g b r g b");
 }
 
-static void what_is_no_scene(void **state)
+TEST(what_is_no_scene)
 {
-    (void)state;
     assert_error(TRI "sphere 1\n", "x.scene:2: 'sphere' is not a statement");
     assert_error("Tri\n", "x.scene:1: 'Tri' is not a statement");
     assert_error("identity junk\n", "x.scene:1: wrong number of values (1) for identity");
@@ -898,9 +870,8 @@ static void what_is_no_scene(void **state)
     assert_error_bytes(LITERAL("push\\\npop"), "x.scene:1: 'push\\' is not a statement");
 }
 
-static void very_long_lines(void **state)
+TEST(very_long_lines)
 {
-    (void)state;
     const size_t length = 1000000;
     char *text = malloc(length);
     assert_non_null(text);
@@ -928,9 +899,8 @@ static void very_long_lines(void **state)
 }
 
 /* Costs its length only: a thousand large textures, of which one is made. */
-static void many_statements(void **state)
+TEST(many_statements)
 {
-    (void)state;
     static const char line[] = "texture 1024 1024 8 255 255 255 0 0 0\n" TRI;
     const size_t length = sizeof line - 1, count = 5000;
     char *text = malloc(length * count);
@@ -948,37 +918,5 @@ static void many_statements(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(empty_scenes_have_defaults),
-        cmocka_unit_test(state_statements),
-        cmocka_unit_test(masks_and_biases),
-        cmocka_unit_test(vertex_statements),
-        cmocka_unit_test(light_statements),
-        cmocka_unit_test(the_last_statement_wins),
-        cmocka_unit_test(depth_comparisons),
-        cmocka_unit_test(provoking_vertex),
-        cmocka_unit_test(matrix_statements),
-        cmocka_unit_test(numbers_are_rounded),
-        cmocka_unit_test(triangles),
-        cmocka_unit_test(stacks),
-        cmocka_unit_test(checkerboard),
-        cmocka_unit_test(checkerboard_sizes),
-        cmocka_unit_test_setup_teardown(texture_from_a_file, in_folder, out_of_folder),
-        cmocka_unit_test(texture_state),
-        cmocka_unit_test_setup_teardown(palettes, in_folder, out_of_folder),
-        cmocka_unit_test_setup_teardown(meshes_are_read_once, in_folder, out_of_folder),
-        cmocka_unit_test_setup_teardown(meshes_are_scaled, in_folder, out_of_folder),
-        cmocka_unit_test_setup_teardown(mesh_errors, in_folder, out_of_folder),
-        cmocka_unit_test_teardown(scene_files, io_remove_files),
-        cmocka_unit_test(model_in_a_scene),
-        cmocka_unit_test(viewport_errors),
-        cmocka_unit_test(value_errors),
-        cmocka_unit_test(camera_errors),
-        cmocka_unit_test(wrong_number_of_values),
-        cmocka_unit_test(what_is_no_scene),
-        cmocka_unit_test(passes_have_bounds),
-        cmocka_unit_test(very_long_lines),
-        cmocka_unit_test(many_statements),
-    };
-    return cmocka_run_group_tests(tests, io_setup, io_teardown);
+    return run_all_tests(io_setup, io_teardown);
 }

@@ -50,9 +50,8 @@ static void assert_error(const char *text, const char *expected)
     assert_null(scene.texture.alpha);
 }
 
-static void keys(void **state)
+TEST(keys)
 {
-    (void)state;
     struct scene scene = parse(KEY(0) KEY(1) "keys .5\nkeys 7\n" KEY(0) "keys 0\n");
     assert_int_equal(scene.key_count, 3);
     assert_int_equal(scene.op_count, 3);
@@ -80,9 +79,8 @@ static void keys(void **state)
                                 "sx sy sz");
 }
 
-static void joints_and_billboards(void **state)
+TEST(joints_and_billboards)
 {
-    (void)state;
     struct scene scene = parse("joint none\njoint 0\njoint 0\natjoint 2\ncamera\nbillboard\n"
                                "billboard upright\n");
     static const struct {
@@ -111,9 +109,8 @@ static void joints_and_billboards(void **state)
     assert_error(text, "65: joint: more joints than a scene can have");
 }
 
-static void windows(void **state)
+TEST(windows)
 {
-    (void)state;
     struct scene scene = parse("window -5 6 70 80\nwindow 1 2 3 4 bottom\n");
     static const int32_t expected[2][5] = {{-5, 6, 70, 80, 0}, {1, 2, 3, 4, 1}};
     for (size_t i = 0; i < 2; i++) {
@@ -126,9 +123,8 @@ static void windows(void **state)
     assert_error("window 0 0 4 4 top\n", "1: 'top' is unknown here: window X Y W H [bottom]");
 }
 
-static void matrices(void **state)
+TEST(matrices)
 {
-    (void)state;
     static const struct {
         const char *text;
         enum scene_op_kind kind;
@@ -159,9 +155,8 @@ static void matrices(void **state)
     assert_error("orthod3d -1 1 -1 1 2 2\n", "1: orthod3d: near and far must differ");
 }
 
-static void shapes(void **state)
+TEST(shapes)
 {
-    (void)state;
     static const struct {
         const char *text;
         uint32_t vertices, triangles;
@@ -204,9 +199,8 @@ static void shapes(void **state)
     assert_error("shape knot 1 2 3\n", message);
 }
 
-static void mixed_meshes(void **state)
+TEST_WITH(mixed_meshes, NULL, io_remove_files)
 {
-    (void)state;
     (void)io_write_text("a.obj", ONE_FACE);
     (void)io_write_text("b.obj", OTHER_FACE);
     (void)io_write_text("two.obj", TWO_FACES);
@@ -236,9 +230,8 @@ static void mixed_meshes(void **state)
     assert_error("targets a.obj b.obj 1\n", "1: targets: 'b.obj' is not a number");
 }
 
-static void alpha(void **state)
+TEST_WITH(alpha, NULL, io_remove_files)
 {
-    (void)state;
 #define CHECKER "texture 4 2 2 255 0 0 0 0 255\n"
     (void)io_write("t.ppm", "P6 2 1 255\nabcdef", 17);
     (void)io_write("a.ppm", "P6 2 1 255\n\xff\xff\xff\0\0\0", 17);
@@ -281,9 +274,8 @@ static void alpha(void **state)
     assert_error("texture t.ppm\ntexformat alpha8\ntexalpha wide.ppm\n", message);
 }
 
-static void hidden_lines(void **state)
+TEST(hidden_lines)
 {
-    (void)state;
     struct scene scene = parse("polygon hidden\n");
     assert_true(scene.wireframe && scene.hidden_lines);
     assert_int_equal(scene.hidden_bias, 131);
@@ -301,15 +293,5 @@ static void hidden_lines(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(keys),
-        cmocka_unit_test(joints_and_billboards),
-        cmocka_unit_test(windows),
-        cmocka_unit_test(matrices),
-        cmocka_unit_test(shapes),
-        cmocka_unit_test_teardown(mixed_meshes, io_remove_files),
-        cmocka_unit_test_teardown(alpha, io_remove_files),
-        cmocka_unit_test(hidden_lines),
-    };
-    return cmocka_run_group_tests(tests, io_setup, io_teardown);
+    return run_all_tests(io_setup, io_teardown);
 }

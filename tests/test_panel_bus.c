@@ -47,9 +47,8 @@ static void send_white(setup *s, qtri_rect rect, int32_t first, int32_t rows)
     canvas_free(&band);
 }
 
-static void ssd1306_sequence(void **state)
+TEST(ssd1306_sequence)
 {
-    (void)state;
     static setup s;
     setup_init(&s, 0);
     assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
@@ -68,9 +67,8 @@ static void ssd1306_sequence(void **state)
 }
 
 /* Control byte 0x00 before commands, 0x40 before data; at most 32 bytes at a time. */
-static void i2c_sequence(void **state)
+TEST(i2c_sequence)
 {
-    (void)state;
     static setup s;
     setup_init(&s, 2);
     assert_int_equal(setup_start(&s, QTRI_ROTATE_180, true), QTRI_OK);
@@ -87,9 +85,8 @@ static void i2c_sequence(void **state)
 }
 
 /* Parameters with D/C low, as command bytes. */
-static void ssd0323_sequence(void **state)
+TEST(ssd0323_sequence)
 {
-    (void)state;
     static setup s;
     setup_init(&s, 4);
     assert_int_equal(setup_start(&s, QTRI_ROTATE_0, false), QTRI_OK);
@@ -112,9 +109,8 @@ static void ssd0323_sequence(void **state)
 }
 
 /* Parameters with D/C high, windows in the frame's directions, line buffers in turn. */
-static void lcd_sequence(void **state)
+TEST(lcd_sequence)
 {
-    (void)state;
     static setup s;
     setup_init(&s, 8);
     assert_int_equal(setup_start(&s, QTRI_ROTATE_90, true), QTRI_OK);
@@ -167,9 +163,8 @@ static void lcd_sequence(void **state)
 }
 
 /* A frame of the bus is one of the display's: the line's number, its pixels, the last clocks. */
-static void memory_lcd_sequence(void **state)
+TEST(memory_lcd_sequence)
 {
-    (void)state;
     static setup s;
     setup_init(&s, 35);
     assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
@@ -190,9 +185,8 @@ static void memory_lcd_sequence(void **state)
     setup_end(&s);
 }
 
-static void paper_sequence(void **state)
+TEST(paper_sequence)
 {
-    (void)state;
     static setup s;
     setup_init(&s, 6);
     assert_int_equal(setup_start(&s, QTRI_ROTATE_0, false), QTRI_OK);
@@ -220,9 +214,8 @@ static void paper_sequence(void **state)
 }
 
 /* Whichever call fails, the panel says so and makes no other. */
-static void failures(void **state)
+TEST(failures)
 {
-    (void)state;
     static setup s;
     for (int n = 0; n < SETUPS; n++) {
         bool reached = true;
@@ -251,9 +244,8 @@ static void failures(void **state)
 
 /* A transfer that did not start has no end to wait for; the next one starts as if it had not been.
  */
-static void failed_starts_have_no_finish(void **state)
+TEST(failed_starts_have_no_finish)
 {
-    (void)state;
     static setup s;
     int failed_starts = 0;
     int failed_finishes = 0;
@@ -298,9 +290,8 @@ static void failed_starts_have_no_finish(void **state)
 }
 
 /* Sizes and memory that do not fit are refused; surfaces of another frame too. */
-static void errors(void **state)
+TEST(errors)
 {
-    (void)state;
     static setup s;
     for (int n = 0; n < SETUPS; n++) {
         setup_init(&s, n);
@@ -364,9 +355,8 @@ static void errors(void **state)
 }
 
 /* Rectangles of any bits, surfaces that hold any rows: only what exists is read and sent. */
-static void any_rectangle(void **state)
+TEST(any_rectangle)
 {
-    (void)state;
     static setup s;
     uint64_t random = 5;
     for (int n = 0; n < SETUPS; n++) {
@@ -405,17 +395,5 @@ static void any_rectangle(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ssd1306_sequence),
-        cmocka_unit_test(i2c_sequence),
-        cmocka_unit_test(ssd0323_sequence),
-        cmocka_unit_test(lcd_sequence),
-        cmocka_unit_test(memory_lcd_sequence),
-        cmocka_unit_test(paper_sequence),
-        cmocka_unit_test(failures),
-        cmocka_unit_test(failed_starts_have_no_finish),
-        cmocka_unit_test(errors),
-        cmocka_unit_test(any_rectangle),
-    };
-    return cmocka_run_group_tests_name("panel bus", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -91,9 +91,8 @@ static enum qtri_error use(setup *s)
 }
 
 /* Whichever call fails, it is the last one, with DMA and memory for little or for all. */
-static void failures_in_the_middle(void **state)
+TEST(failures_in_the_middle)
 {
-    (void)state;
     static const struct {
         int number;
         wiring how;
@@ -120,9 +119,8 @@ static void failures_in_the_middle(void **state)
 
 /* RGB565 in its display's order, in rows that do not touch: each is a transfer that may fail, and
    so is each pixel of RGB666 where the memory has room for two. */
-static void failures_between_rows(void **state)
+TEST(failures_between_rows)
 {
-    (void)state;
     enum { ILI9488 = 26 };
     static setup s;
     for (int n = 0; n < 3; n++) {
@@ -146,9 +144,8 @@ static void failures_between_rows(void **state)
 }
 
 /* A display that lost its bus' end of a transfer does not wait for its line. */
-static void tearing_after_a_failure(void **state)
+TEST(tearing_after_a_failure)
 {
-    (void)state;
     static setup s;
     setup_init(&s, 8);
     assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
@@ -170,9 +167,8 @@ static bool rises(void *context)
 }
 
 /* Bytes that are not there are too few, of every kind of display. */
-static void no_panel_without_memory(void **state)
+TEST(no_panel_without_memory)
 {
-    (void)state;
     static recorder r;
     const qtri_bus bus = recording(&r);
     const qtri_panel_description mapped =
@@ -192,9 +188,8 @@ static void no_panel_without_memory(void **state)
 }
 
 /* Memory-mapped: nothing is sent, whatever bus there is; all that shows is shown. */
-static void framebuffers_need_no_bus(void **state)
+TEST(framebuffers_need_no_bus)
 {
-    (void)state;
     enum { W = 70, H = 9 };
     static recorder r;
     static uint8_t memory[4 * W * H];
@@ -229,9 +224,8 @@ static void framebuffers_need_no_bus(void **state)
 }
 
 /* Without a sequence to begin with the glass is blank and nothing else is sent. */
-static void descriptions_without_a_sequence(void **state)
+TEST(descriptions_without_a_sequence)
 {
-    (void)state;
     static recorder r;
     static uint8_t memory[200];
     static const qtri_panel_step steps[] = {QTRI_STEP_ALONE(0x29, 0)};
@@ -249,9 +243,8 @@ static void descriptions_without_a_sequence(void **state)
 }
 
 /* What cannot write is no panel. */
-static void descriptions_that_do_not_write(void **state)
+TEST(descriptions_that_do_not_write)
 {
-    (void)state;
     static recorder r;
     static uint8_t memory[200];
     const qtri_bus bus = recording(&r);
@@ -264,9 +257,8 @@ static void descriptions_that_do_not_write(void **state)
 
 /* Memory for a pixel, for rows, and for more pixels than are converted at a time: the same bytes.
  */
-static void any_memory_sends_the_same(void **state)
+TEST(any_memory_sends_the_same)
 {
-    (void)state;
     enum { W = 10, H = 6, MOST = 6 * 9000 };
     static recorder r[3];
     static uint8_t memory[MOST];
@@ -288,9 +280,8 @@ static void any_memory_sends_the_same(void **state)
 }
 
 /* The order of the machine, and of low bytes first, of surfaces that are converted. */
-static void orders_of_converted_pixels(void **state)
+TEST(orders_of_converted_pixels)
 {
-    (void)state;
     enum { W = 50, H = 7 };
     static const qtri_byte_order orders[3] = {QTRI_ORDER_BIG, QTRI_ORDER_LITTLE, QTRI_ORDER_NATIVE};
     static recorder r[3];
@@ -319,9 +310,8 @@ static void orders_of_converted_pixels(void **state)
 }
 
 /* Colours of 565 in pixels of four bytes: no row of theirs is one of the display's. */
-static void formats_of_other_sizes(void **state)
+TEST(formats_of_other_sizes)
 {
-    (void)state;
     enum { W = 40, H = 8 };
     static const qtri_format *const of[2] = {&qtri_rgb565, &qtri_rgb565_swapped};
     static recorder r[2];
@@ -359,9 +349,8 @@ static void formats_of_other_sizes(void **state)
 
 /* Formats that are none are no panel's, with any memory; orders that are none send high bytes
    first, of surfaces that are converted or not. */
-static void numbers_that_are_no_format_or_order(void **state)
+TEST(numbers_that_are_no_format_or_order)
 {
-    (void)state;
     enum { W = 12, H = 8 };
     static const uint32_t numbers[4] = {6, 66, 255, 0x80000001u};
     static const qtri_panel_step steps[] = {QTRI_STEP_ALONE(0x29, 0)};
@@ -407,9 +396,8 @@ static void numbers_that_are_no_format_or_order(void **state)
 
 /* A controller of gray that mirrors itself: the same bytes for a mirrored module, with an image
    and without. */
-static void gray_that_mirrors_itself(void **state)
+TEST(gray_that_mirrors_itself)
 {
-    (void)state;
     enum { W = 32, H = 16, ROW = W / 2 };
     static recorder r;
     static uint8_t memory[ROW * H], want[ROW * H];
@@ -446,9 +434,8 @@ static void count_done(void *context)
 }
 
 /* Pins go through what tells when all was sent: an e-paper is reset and waited for. */
-static void completion_passes_pins(void **state)
+TEST(completion_passes_pins)
 {
-    (void)state;
     static setup s;
     for (int n = 0; n < 2; n++) {
         qtri_completion completion;
@@ -478,9 +465,8 @@ static void completion_passes_pins(void **state)
 }
 
 /* I2C modules without a reset pin. */
-static void i2c_without_reset(void **state)
+TEST(i2c_without_reset)
 {
-    (void)state;
     static setup s;
     setup_init(&s, 2);
     s.wire.i2c.reset = NULL;
@@ -497,9 +483,8 @@ static void i2c_without_reset(void **state)
  * Glass of other sizes behind the same controller. Its memory is exactly the image, so the address
  * sanitizer sees a byte too many that is read; every row is told, or the controller complains.
  */
-static void changes_alone_of_any_size(void **state)
+TEST(changes_alone_of_any_size)
 {
-    (void)state;
     static const struct {
         uint16_t width, height, column, row;
     } glass[] = {{104, 212, 0, 0}, {128, 296, 0, 0},  {176, 296, 0, 0}, {80, 128, 8, 40},
@@ -553,22 +538,5 @@ static void changes_alone_of_any_size(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(failures_in_the_middle),
-        cmocka_unit_test(failures_between_rows),
-        cmocka_unit_test(tearing_after_a_failure),
-        cmocka_unit_test(framebuffers_need_no_bus),
-        cmocka_unit_test(no_panel_without_memory),
-        cmocka_unit_test(descriptions_without_a_sequence),
-        cmocka_unit_test(descriptions_that_do_not_write),
-        cmocka_unit_test(any_memory_sends_the_same),
-        cmocka_unit_test(orders_of_converted_pixels),
-        cmocka_unit_test(formats_of_other_sizes),
-        cmocka_unit_test(numbers_that_are_no_format_or_order),
-        cmocka_unit_test(gray_that_mirrors_itself),
-        cmocka_unit_test(completion_passes_pins),
-        cmocka_unit_test(i2c_without_reset),
-        cmocka_unit_test(changes_alone_of_any_size),
-    };
-    return cmocka_run_group_tests_name("panel ends", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -39,9 +39,8 @@ static void assert_shows(setup *s, int32_t rows)
 }
 
 /* Glass that does not begin with the memory, at a place that the description or the module says. */
-static void offsets(void **state)
+TEST(offsets)
 {
-    (void)state;
     static setup s;
     for (int n = 0; n < 4 * 3 * 2; n++) {
         qtri_module module = {false, false, false, false, 0, 0};
@@ -72,9 +71,8 @@ static void offsets(void **state)
 }
 
 /* Outside the memory, or inside of a byte: refused, and nothing is sent. */
-static void bad_offsets(void **state)
+TEST(bad_offsets)
 {
-    (void)state;
     static const struct {
         int setup;
         int16_t column, row;
@@ -92,9 +90,8 @@ static void bad_offsets(void **state)
 }
 
 /* A module that is mirrored, wired blue first or normally white shows the picture all the same. */
-static void mounted_otherwise(void **state)
+TEST(mounted_otherwise)
 {
-    (void)state;
     static setup s;
     for (int n = 0; n < SETUPS * 4; n++) {
         for (int how = 0; how < 4; how++) {
@@ -141,9 +138,8 @@ static void mounted_otherwise(void **state)
 
 /* Rectangles of a mirrored panel whose memory holds a row only: from_glass is to_glass's inverse.
  */
-static void mirrored_rows(void **state)
+TEST(mirrored_rows)
 {
-    (void)state;
     static setup s;
     static const int numbers[3] = {0, 4, 18};
     for (int n = 0; n < 3 * 16; n++) {
@@ -177,9 +173,8 @@ static void mirrored_rows(void **state)
 }
 
 /* What a display cannot do for a module is said, not left out. */
-static void cannot(void **state)
+TEST(cannot)
 {
-    (void)state;
     static setup s;
     qtri_module red = {true, false, false, false, 0, 0};
     qtri_module white = {false, true, false, false, 0, 0};
@@ -196,9 +191,8 @@ static void cannot(void **state)
 }
 
 /* More parameters than a step holds: an error, and not a command that lacks some. */
-static void too_many_parameters(void **state)
+TEST(too_many_parameters)
 {
-    (void)state;
     static setup s;
     static const qtri_panel_step counted[] = {
         QTRI_STEP_ALONE(0x11, 5), QTRI_STEP(0x3A, 7, 0x55), QTRI_STEP(0x2A, 0, 0, 0, 0, 239),
@@ -220,9 +214,8 @@ static void too_many_parameters(void **state)
 }
 
 /* A bus that takes so many bytes at once: the same pixels, in pieces. */
-static void split_transfers(void **state)
+TEST(split_transfers)
 {
-    (void)state;
     static setup s;
     for (int n = 0; n < SETUPS; n++) {
         setup_init(&s, n);
@@ -281,9 +274,8 @@ static void clocked_wait(void *context, uint32_t ms)
  * it, at least 95 % of the transfers are hidden. Bands in native order are copied into line
  * buffers.
  */
-static void hidden(void **state)
+TEST(hidden)
 {
-    (void)state;
     enum { W = 320, H = 240, ROWS = 16 };
     static uint8_t memory[QTRI_FRAME_BYTES_DOUBLE(W, ROWS, QTRI_RGB565_BYTES)];
     static uint8_t line[QTRI_PANEL_LINE_BYTES(W)];
@@ -321,9 +313,8 @@ static void hidden(void **state)
  * the time, and the first refresh of all is one of everything, whatever was asked for. The
  * simulated controller compares what it is told with what it shows.
  */
-static void changes_alone(void **state)
+TEST(changes_alone)
 {
-    (void)state;
     static setup s;
     for (int rotation = 0; rotation < 4; rotation++) {
         setup_init(&s, 6);
@@ -445,9 +436,8 @@ static bool refuse(void *context, const uint8_t *bytes, size_t count)
 }
 
 /* One call for each request, when the last of all transfers is over; none without a request. */
-static void completion(void **state)
+TEST(completion)
 {
-    (void)state;
     enum { W = 24, ROWS = 8 };
     static uint8_t line[QTRI_PANEL_LINE_BYTES(240)];
     for (int n = 0; n < 8; n++) {
@@ -509,9 +499,8 @@ static bool te_is_high(void *context)
     return te.levels[te.reads++] == '1';
 }
 
-static void tearing(void **state)
+TEST(tearing)
 {
-    (void)state;
     static const struct {
         const char *levels;
         uint32_t most, reads;
@@ -545,18 +534,5 @@ static void tearing(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(offsets),
-        cmocka_unit_test(bad_offsets),
-        cmocka_unit_test(mounted_otherwise),
-        cmocka_unit_test(mirrored_rows),
-        cmocka_unit_test(cannot),
-        cmocka_unit_test(too_many_parameters),
-        cmocka_unit_test(split_transfers),
-        cmocka_unit_test(hidden),
-        cmocka_unit_test(changes_alone),
-        cmocka_unit_test(completion),
-        cmocka_unit_test(tearing),
-    };
-    return cmocka_run_group_tests_name("panel module", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -58,9 +58,8 @@ static void assert_streams(int n, const stream *streams, size_t count)
     }
 }
 
-static void ssd1306_streams(void **state)
+TEST(ssd1306_streams)
 {
-    (void)state;
     static const stream streams[] = {
         {"r cAE c2000 c210001 c220000 dA55A", NULL},
         {"r c20 c00 c21 c00 c01 c22 c00 c00 dA55A", NULL},
@@ -88,9 +87,8 @@ static void ssd1306_streams(void **state)
     assert_streams(2, streams, LENGTH_OF(streams));
 }
 
-static void ssd0323_streams(void **state)
+TEST(ssd0323_streams)
 {
-    (void)state;
     static const stream streams[] = {
         {"r c150001 c750000 dA55A", NULL},
         {"r cA056 c150001 c750001 dA55AA55A", NULL},
@@ -111,9 +109,8 @@ static void ssd0323_streams(void **state)
     assert_streams(4, streams, LENGTH_OF(streams));
 }
 
-static void lcd_streams(void **state)
+TEST(lcd_streams)
 {
-    (void)state;
     static const stream streams[] = {
         {"r c3A d55 c2A d00000001 c2B d00050005 c2C d12345678", NULL},
         {"r c3A d55 c2A d00000001 c2B d00050005 c2C d12 d3456 d78", NULL},
@@ -143,9 +140,8 @@ static void lcd_streams(void **state)
     assert_streams(9, gamma, LENGTH_OF(gamma));
 }
 
-static void paper_streams(void **state)
+TEST(paper_streams)
 {
-    (void)state;
     static const stream streams[] = {
         {"r c11 d03 c44 d0001 c45 d00000000 c4E d00 c4F d0000 c24 dA55A", NULL},
         {"r c11 d01 c44 d0001 c45 d01000000 c4E d00 c4F d0100 c24 dA55AA55A", NULL},
@@ -171,9 +167,8 @@ static void paper_streams(void **state)
     assert_streams(6, streams, LENGTH_OF(streams));
 }
 
-static void memory_lcd_streams(void **state)
+TEST(memory_lcd_streams)
 {
-    (void)state;
     static const stream streams[] = {
         {"r c00 d2000 c00 d8080 d112233445566778899AABBCC d0000 c00", NULL},
         {"r c00 d8080 d112233445566778899AABBCC d8040 d112233445566778899AABBCC d0000 c00", NULL},
@@ -188,9 +183,8 @@ static void memory_lcd_streams(void **state)
     assert_streams(35, streams, LENGTH_OF(streams));
 }
 
-static void uc8151_streams(void **state)
+TEST(uc8151_streams)
 {
-    (void)state;
     static const stream streams[] = {
         {"r w10 c91 c90 d08170000000001 c13 d1234", NULL},
         {"r w10 c91 c90 d080E0000000001 c13", "window 8..14, 0..0"},
@@ -229,9 +223,8 @@ static bool shows(setup *s)
     return same;
 }
 
-static void broken_sequences(void **state)
+TEST(broken_sequences)
 {
-    (void)state;
     static const fault faults[] = {
         {0, 2, {0xA8, 1, {31}, 0}, NULL}, /* half the rows */
         {0,
@@ -314,9 +307,8 @@ static void broken_sequences(void **state)
     }
 }
 
-static void broken_fields(void **state)
+TEST(broken_fields)
 {
-    (void)state;
     static setup s;
     for (int n = 0; n < 9; n++) {
         static const int setups[9] = {7, 7, 7, 7, 0, 4, 11, 6, 9};
@@ -371,11 +363,5 @@ static void broken_fields(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ssd1306_streams),    cmocka_unit_test(ssd0323_streams),
-        cmocka_unit_test(lcd_streams),        cmocka_unit_test(paper_streams),
-        cmocka_unit_test(memory_lcd_streams), cmocka_unit_test(uc8151_streams),
-        cmocka_unit_test(broken_sequences),   cmocka_unit_test(broken_fields),
-    };
-    return cmocka_run_group_tests_name("panel reject", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -31,9 +31,8 @@ static void assert_shows(setup *s, const qtri_screen *screen, const qtri_format 
     free(expected);
 }
 
-static void every_display_shows_what_is_drawn(void **state)
+TEST(every_display_shows_what_is_drawn)
 {
-    (void)state;
     static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_rgb565_swapped,
                                                   &qtri_xrgb8888};
     uint64_t seed = 1;
@@ -71,9 +70,8 @@ static void every_display_shows_what_is_drawn(void **state)
 
 /* Rows that overlap are not sent, whether they are drawn again or kept; nor is what did not change.
  */
-static void only_what_is_shown_is_sent(void **state)
+TEST(only_what_is_shown_is_sent)
 {
-    (void)state;
     enum { ILI9341_DMA = 8, ROWS = 16, WIDTH = 240 };
     static uint8_t kept[QTRI_FRAME_KEPT_BYTES(WIDTH, 2, QTRI_RGB565_BYTES)];
     for (int keeps = 0; keeps < 2; keeps++) {
@@ -148,9 +146,8 @@ static enum qtri_error any_window(const qtri_panel *panel, const qtri_rect *wind
 
 /* Bands of any number of pixels, from any column of a word on, in the order of bytes that the
    display has, with one buffer and with two; and a display that is memory. */
-static void pixels_have_the_order_of_the_display(void **state)
+TEST(pixels_have_the_order_of_the_display)
 {
-    (void)state;
     enum { W = 9, H = 7 };
     static const qtri_byte_order orders[3] = {QTRI_ORDER_BIG, QTRI_ORDER_LITTLE, QTRI_ORDER_NATIVE};
     static uint8_t shown_memory[2 * W * H + QTRI_PANEL_LINE_BYTES(W)];
@@ -212,9 +209,8 @@ static void pixels_have_the_order_of_the_display(void **state)
 }
 
 /* Bands are black where nothing is drawn, or of the colour that the user sets. */
-static void bands_are_cleared(void **state)
+TEST(bands_are_cleared)
 {
-    (void)state;
     static setup s;
     qtri_screen screen;
     qtri_surface band;
@@ -233,9 +229,8 @@ static void bands_are_cleared(void **state)
     setup_end(&s);
 }
 
-static void errors_end_the_frame(void **state)
+TEST(errors_end_the_frame)
 {
-    (void)state;
     static setup s;
     qtri_screen screen;
     qtri_surface band;
@@ -284,12 +279,5 @@ static void errors_end_the_frame(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_display_shows_what_is_drawn),
-        cmocka_unit_test(only_what_is_shown_is_sent),
-        cmocka_unit_test(pixels_have_the_order_of_the_display),
-        cmocka_unit_test(bands_are_cleared),
-        cmocka_unit_test(errors_end_the_frame),
-    };
-    return cmocka_run_group_tests_name("panel screen", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

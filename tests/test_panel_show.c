@@ -25,9 +25,8 @@ static void send_bands(setup *s, const qtri_format *format, int32_t rows, uint64
 }
 
 /* On and dark after init, turned any way, with any memory; e-paper keeps what it showed. */
-static void dark(void **state)
+TEST(dark)
 {
-    (void)state;
     static setup s;
     for (int n = 0; n < SETUPS * 8; n++) {
         setup_init(&s, n / 8);
@@ -53,9 +52,8 @@ static void dark(void **state)
 }
 
 /* Bands of any height come out as the whole frame, whatever the rotation and the format. */
-static void bands(void **state)
+TEST(bands)
 {
-    (void)state;
     static setup s;
     for (int n = 0; n < SETUPS; n++) {
         for (int rotation = 0; rotation < 4; rotation++) {
@@ -83,9 +81,8 @@ static void bands(void **state)
 }
 
 /* With the least memory: any band unrotated where bytes lie along rows; whole bytes elsewhere. */
-static void least_memory(void **state)
+TEST(least_memory)
 {
-    (void)state;
     static setup s;
     for (int n = 0; n < SETUPS; n++) {
         for (int rotation = 0; rotation < 4; rotation++) {
@@ -124,9 +121,8 @@ static void least_memory(void **state)
 }
 
 /* A rectangle changes, the rest stays. Whole frames and bands hold it. */
-static void rectangles(void **state)
+TEST(rectangles)
 {
-    (void)state;
     static setup s;
     uint64_t random = 99;
     for (int n = 0; n < SETUPS; n++) {
@@ -170,9 +166,8 @@ static void rectangles(void **state)
 }
 
 /* Error diffusion over bands is that of the whole frame. */
-static void diffusion(void **state)
+TEST(diffusion)
 {
-    (void)state;
     static setup s;
     const int setups[] = {0, 4, 6};
     for (size_t n = 0; n < LENGTH_OF(setups); n++) {
@@ -213,9 +208,8 @@ static void diffusion(void **state)
 
 /* Framebuffers: every rotation, format and byte order, with gaps between rows, and nothing outside.
  */
-static void framebuffers(void **state)
+TEST(framebuffers)
 {
-    (void)state;
     enum { W = 21, H = 13, GAP = 10 };
     static const qtri_byte_order orders[] = {QTRI_ORDER_BIG, QTRI_ORDER_LITTLE, QTRI_ORDER_NATIVE};
     for (int n = 0; n < 4 * 3 * 2 * 6 * 2; n++) {
@@ -292,9 +286,8 @@ static void framebuffers(void **state)
 }
 
 /* Surfaces of more bits, dithered: bands of any height and rectangles are the whole frame. */
-static void dithered_colors(void **state)
+TEST(dithered_colors)
 {
-    (void)state;
     static setup s;
     static const qtri_format *const wide[2] = {&qtri_xrgb8888, &qtri_rgb888};
     for (int rotation = 0; rotation < 4; rotation++) {
@@ -332,9 +325,8 @@ static void dithered_colors(void **state)
 }
 
 /* Native order sends RGB565 from the surface itself: a bus of 16-bit words. */
-static void native_order(void **state)
+TEST(native_order)
 {
-    (void)state;
     static setup s;
     setup_init(&s, 8);
     const uint16_t one = 1;
@@ -371,9 +363,8 @@ static void native_order(void **state)
 }
 
 /* What lies as the display wants it is sent from the surface itself: bytes exchanged. */
-static void swapped(void **state)
+TEST(swapped)
 {
-    (void)state;
     static setup s;
     setup_init(&s, 8);
     const uint16_t one = 1;
@@ -405,16 +396,5 @@ static void swapped(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(dark),
-        cmocka_unit_test(bands),
-        cmocka_unit_test(least_memory),
-        cmocka_unit_test(rectangles),
-        cmocka_unit_test(diffusion),
-        cmocka_unit_test(framebuffers),
-        cmocka_unit_test(native_order),
-        cmocka_unit_test(swapped),
-        cmocka_unit_test(dithered_colors),
-    };
-    return cmocka_run_group_tests_name("panel show", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

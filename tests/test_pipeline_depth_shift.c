@@ -18,9 +18,8 @@ static double shift_of(const qtri_screen_vertex v[3], q16 depth_slope)
     return fmin(by, 65535 - fmax(z0, fmax(z1, z2)));
 }
 
-static void every_pixel_is_moved_by_the_slope(void **state)
+TEST(every_pixel_is_moved_by_the_slope)
 {
-    (void)state;
     uint64_t seed = 41;
     double most = 0;
     int pixels = 0;
@@ -68,9 +67,8 @@ static void every_pixel_is_moved_by_the_slope(void **state)
 
 /* The steepest triangles, of an area of half a unit and sides of up to 8192 pixels, whose shift is
    held to the greatest depth; the first vertex is the one pixel's centre. */
-static void the_steepest_are_held_to_the_range(void **state)
+TEST(the_steepest_are_held_to_the_range)
 {
-    (void)state;
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     for (int log2 = 0; log2 < 22; log2++) {
         const int32_t x = 3 * 256 + 128, y = 5 * 256 + 128;
@@ -93,9 +91,5 @@ static void the_steepest_are_held_to_the_range(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_pixel_is_moved_by_the_slope),
-        cmocka_unit_test(the_steepest_are_held_to_the_range),
-    };
-    return cmocka_run_group_tests_name("pipeline depth shift", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -181,9 +181,8 @@ static const qtri_format *format_of(const qtri_options *o)
     return o->format == QTRI_RGB565 ? &qtri_rgb565 : &qtri_xrgb8888;
 }
 
-static void instances_have_the_bits_of_the_generic_one_and_of_tiles(void **state)
+TEST(instances_have_the_bits_of_the_generic_one_and_of_tiles)
 {
-    (void)state;
     make_textures();
     for (int n = 0; n < INSTANCES * SHAPES * 12; n++) {
         const qtri_pipeline *pipeline = instances[n % INSTANCES];
@@ -265,9 +264,8 @@ static bool passes(int compare, uint32_t z, uint32_t stored)
 /* Four flat pixels may be drawn at once (quads.h): each is tested by itself, on either side of
  * equal.
  */
-static void flat_pixels_are_tested_one_by_one(void **state)
+TEST(flat_pixels_are_tested_one_by_one)
 {
-    (void)state;
     static const qtri_pipeline *const flat[] = {&large_flat,         &large_flat_equal_too,
                                                 &large_flat_greater, &large_flat_not_less,
                                                 &large_flat_equal,   &large_flat_over};
@@ -306,9 +304,8 @@ static void flat_pixels_are_tested_one_by_one(void **state)
 }
 
 /* However it is stored: of float16 an octave's depths are counted from where it begins. */
-static void fragments_are_given_the_same_depth(void **state)
+TEST(fragments_are_given_the_same_depth)
 {
-    (void)state;
     int many = 0;
     for (int n = 0; n < random_cases(200); n++) {
         qtri_surface linear, stored_as_float;
@@ -416,7 +413,7 @@ static void judge(errors *e, const qtri_pipeline *pipeline, const triangle *t)
     }
 }
 
-static void pixels_are_those_of_double_precision(void **state)
+TEST(pixels_are_those_of_double_precision)
 {
     static const struct {
         const qtri_pipeline *pipeline;
@@ -428,7 +425,6 @@ static void pixels_are_those_of_double_precision(void **state)
                  {&large_texture, 0, 300},
                  {&large_texture_linear, 0, 10},
                  {&large_texture_clamped, 0, 100}};
-    (void)state;
     make_textures();
     for (size_t i = 0; i < sizeof bound / sizeof bound[0]; i++) {
         for (int shape = 0; shape < SHAPES; shape++) {
@@ -452,11 +448,5 @@ static void pixels_are_those_of_double_precision(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(instances_have_the_bits_of_the_generic_one_and_of_tiles),
-        cmocka_unit_test(flat_pixels_are_tested_one_by_one),
-        cmocka_unit_test(fragments_are_given_the_same_depth),
-        cmocka_unit_test(pixels_are_those_of_double_precision),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

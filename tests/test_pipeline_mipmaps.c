@@ -257,9 +257,8 @@ static void print_worst(const char *name, const worst *w)
     print_message("\n");
 }
 
-static void chooses_by_footprint(void **state)
+TEST(chooses_by_footprint)
 {
-    (void)state;
     const worst small = draw_many(901, 400, 4000, 7);
     const worst large = draw_many(902, 300, 40000, 7);
     const worst sides = draw_many(903, 40, 20000, 10);
@@ -277,9 +276,8 @@ static void chooses_by_footprint(void **state)
 
 /* Without perspective a level is left behind at the root of two of its texels a pixel, to 2^-13 of
    it: along either axis, of either coordinate. */
-static void levels_begin_at_the_root_of_two(void **state)
+TEST(levels_begin_at_the_root_of_two)
 {
-    (void)state;
     enum { LEG = 256, ACROSS = 40, DOWN = 30 };
     const qtri_texture t = chain(7, 7, false);
     canvas c = canvas_new(&qtri_xrgb8888, ACROSS, DOWN);
@@ -322,9 +320,8 @@ static qtri_screen_vertex divided(double x, double y, double q, double u, double
  * end of a row, and a little below 0 at the other, where it is slight: of both ends, not of one,
  * the shorter step has to be so to be left out.
  */
-static void turns_at_one_end(void **state)
+TEST(turns_at_one_end)
 {
-    (void)state;
     enum { ACROSS = 4 * WIDTH, DOWN = HEIGHT };
     worst w = {0};
     canvas c = canvas_new(&qtri_xrgb8888, ACROSS, DOWN);
@@ -372,9 +369,8 @@ static void turns_at_one_end(void **state)
  * pieces: in tiles, from any column of a row on, these are what they are in the whole. Textures
  * with levels and without.
  */
-static void rows_of_hardly_any_perspective(void **state)
+TEST(rows_of_hardly_any_perspective)
 {
-    (void)state;
     enum { ACROSS = 4 * WIDTH, DOWN = HEIGHT, TILE = 37 };
     worst w = {0};
     canvas c[2] = {canvas_new(&qtri_xrgb8888, ACROSS, DOWN),
@@ -413,9 +409,8 @@ static void rows_of_hardly_any_perspective(void **state)
  * a coordinate's step changes by from pixel to pixel is half a repeat or more. All are of the last
  * level; every eighth is of a texture of more than 2^16 texels.
  */
-static void steps_that_change_by_half_a_repeat(void **state)
+TEST(steps_that_change_by_half_a_repeat)
 {
-    (void)state;
     worst w = {0};
     canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
     uint64_t seed = 905;
@@ -442,9 +437,8 @@ static void steps_that_change_by_half_a_repeat(void **state)
  * rows are drawn as if it did not where it is large, and in pieces where that counts. Texels a
  * pixel go down grow to the right, so that runs of one row are of other levels. In tiles, too.
  */
-static void floors_that_hardly_lean(void **state)
+TEST(floors_that_hardly_lean)
 {
-    (void)state;
     enum { ACROSS = 4 * WIDTH, DOWN = HEIGHT, TILE = 37 };
     worst w = {0};
     canvas c[2] = {canvas_new(&qtri_xrgb8888, ACROSS, DOWN),
@@ -480,9 +474,8 @@ static void floors_that_hardly_lean(void **state)
 
 /* Colours along a row that has one level are stepped no further than they are exact: a white
    texture of levels leaves them as they are. */
-static void colors_of_long_rows_are_exact(void **state)
+TEST(colors_of_long_rows_are_exact)
 {
-    (void)state;
     enum { ACROSS = 4 * WIDTH, DOWN = HEIGHT };
     static uint32_t white[1 << 12];
     static const void *const levels[5] = {white, white, white, white, white};
@@ -562,9 +555,8 @@ static double bilinear(const qtri_texture *t, int level, double u, double v)
 }
 
 /* Smooth noise, the same in all levels but for a shift: so that a level's place counts. */
-static void filters_in_levels(void **state)
+TEST(filters_in_levels)
 {
-    (void)state;
     static uint8_t gray[2 * 64 * 64];
     static const void *gray_table[LEVELS];
     uint64_t seed = 910;
@@ -630,9 +622,8 @@ static void filters_in_levels(void **state)
 /* ---- Many triangles in one draw call ---- */
 
 /* Fragments of small triangles wait for each other, whatever levels they are of. */
-static void draws_batches(void **state)
+TEST(draws_batches)
 {
-    (void)state;
     enum { TRIANGLES = 40 };
     uint64_t seed = 920;
     canvas together = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
@@ -683,9 +674,8 @@ static void draws_batches(void **state)
 
 /* Without levels, and with a null pointer among them, it is the filter without levels, but at edges
    of texels: that one's spans are longer. */
-static void does_without(void **state)
+TEST(does_without)
 {
-    (void)state;
     uint64_t seed = 930;
     int others = 0, drawn = 0;
     canvas with = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
@@ -730,9 +720,8 @@ static void does_without(void **state)
  * drawn with: opaque, and in full light, they have the same texels, whatever was drawn before in
  * the call.
  */
-static void drawn_with_copies(void **state)
+TEST(drawn_with_copies)
 {
-    (void)state;
     enum { COLUMNS = 96, ROWS = 72, CORNERS = 12 };
     const double turn = 2 * acos(-1);
     const qtri_texture texture = chain(6, 5, false);
@@ -799,18 +788,5 @@ static void drawn_with_copies(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(chooses_by_footprint),
-        cmocka_unit_test(turns_at_one_end),
-        cmocka_unit_test(rows_of_hardly_any_perspective),
-        cmocka_unit_test(floors_that_hardly_lean),
-        cmocka_unit_test(steps_that_change_by_half_a_repeat),
-        cmocka_unit_test(filters_in_levels),
-        cmocka_unit_test(draws_batches),
-        cmocka_unit_test(does_without),
-        cmocka_unit_test(levels_begin_at_the_root_of_two),
-        cmocka_unit_test(colors_of_long_rows_are_exact),
-        cmocka_unit_test(drawn_with_copies),
-    };
-    return cmocka_run_group_tests_name("core mipmaps", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -408,9 +408,8 @@ static bool may_show(const qtri_options *o)
             (o->depth != QTRI_NO_DEPTH && !o->read_only));
 }
 
-static void specialised_is_generic_is_tiles_is_bands(void **state)
+TEST(specialised_is_generic_is_tiles_is_bands)
 {
-    (void)state;
     int drawn = 0, pictures = 0, bad = 0;
     for (size_t i = 0; i < LENGTH_OF(w.texels); i++) {
         w.texels[i] = (uint32_t)random_bits32(&seed);
@@ -460,9 +459,8 @@ static void specialised_is_generic_is_tiles_is_bands(void **state)
 }
 
 /* Each draws what it was made for: nothing is left to another way. */
-static void every_pipeline_fits_what_it_was_made_for(void **state)
+TEST(every_pipeline_fits_what_it_was_made_for)
 {
-    (void)state;
     for (int n = 0; random_pipelines[n] != NULL; n++) {
         const qtri_pipeline *const list[] = {random_pipelines[n], NULL};
         qtri_draw_state found;
@@ -486,9 +484,8 @@ static void every_pipeline_fits_what_it_was_made_for(void **state)
 
 /* What one's own formats, or functions, are not those of is drawn by another pipeline; nor is one
    taken for samples where there are none. */
-static void pipelines_of_other_formats_do_not_fit(void **state)
+TEST(pipelines_of_other_formats_do_not_fit)
 {
-    (void)state;
     static qtri_format other_format;
     static qtri_texel_format other_texels;
     int apart = 0;
@@ -544,10 +541,5 @@ static void pipelines_of_other_formats_do_not_fit(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_pipeline_fits_what_it_was_made_for),
-        cmocka_unit_test(pipelines_of_other_formats_do_not_fit),
-        cmocka_unit_test(specialised_is_generic_is_tiles_is_bands),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

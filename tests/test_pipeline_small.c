@@ -269,10 +269,9 @@ static void compare(const uint8_t *a, const uint8_t *b, const bool *large, const
     }
 }
 
-static void instances_draw_the_same_bits(void **unused)
+TEST(instances_draw_the_same_bits)
 {
     static uint8_t whole[BYTES], other[BYTES];
-    (void)unused;
     uint64_t seed = 5;
     int drawn = 0;
     for (int n = 0; n < random_cases(400); n++) {
@@ -345,11 +344,10 @@ static bool covers(const qtri_vertex *const v[3], int32_t x, int32_t y)
 
 SMALL_PIPELINE(blank, .format = QTRI_GRAY8)
 
-static void coverage_is_exact(void **unused)
+TEST(coverage_is_exact)
 {
     static uint8_t memory[BYTES];
     static const int32_t reaches[] = {100, 256, 600, 1500, 4000, 8000, 15359, 30719};
-    (void)unused;
     uint64_t seed = 7;
     qtri_surface surface;
     qtri_draw_state state;
@@ -417,11 +415,10 @@ static bool is_small(const qtri_surface *surface, int32_t x1, int32_t y1, int32_
 }
 
 /* 120 pixels and their fractions, below which all rows fit a small triangle's spans. */
-static void small_ones_are_less_than_120_pixels_high_and_to_both_sides(void **unused)
+TEST(small_ones_are_less_than_120_pixels_high_and_to_both_sides)
 {
     static uint8_t memory[BYTES];
     const int32_t most = 120 * 256 - 1;
-    (void)unused;
     qtri_surface surface;
     scene.mesh.colors = NULL;
     scene.material = qtri_material_default();
@@ -440,11 +437,10 @@ static void small_ones_are_less_than_120_pixels_high_and_to_both_sides(void **un
 }
 
 /* What light is between its vertices is asked in a few places. */
-static void light_by_pixel_is_linear_within_60_pixels(void **unused)
+TEST(light_by_pixel_is_linear_within_60_pixels)
 {
     static uint8_t memory[BYTES];
     const int32_t most = 60 * 256 - 1;
-    (void)unused;
     qtri_surface surface;
     new_surface(&surface, &by_pixel.options, memory, WIDTH * HEIGHT * 3 + 8, 0, HEIGHT);
     assert_true(is_small_of(&by_pixel, &surface, most, 700, -most - 1, 500, 0));
@@ -535,9 +531,8 @@ static void draw_measured(int i, int32_t reach, int32_t slope, int32_t most, uin
     now.small += measured_small(&t);
 }
 
-static void values_are_near_those_in_double_precision(void **unused)
+TEST(values_are_near_those_in_double_precision)
 {
-    (void)unused;
     uint64_t seed = 11;
     memset(&now, 0, sizeof now);
     for (int n = 0; n < random_cases(4000); n++) {
@@ -556,9 +551,8 @@ static void values_are_near_those_in_double_precision(void **unused)
 }
 
 /* A fifth of those that are small bend by more than a curve over the whole triangle may. */
-static void textures_are_divided_in_steep_perspective(void **unused)
+TEST(textures_are_divided_in_steep_perspective)
 {
-    (void)unused;
     uint64_t seed = 12;
     memset(&now, 0, sizeof now);
     for (int n = 0; n < random_cases(3000); n++) {
@@ -677,7 +671,7 @@ static double worst_color(const qtri_pipeline *pipeline, uint64_t *seed, int cas
     return worst;
 }
 
-static void colors_are_near_those_in_double_precision(void **unused)
+TEST(colors_are_near_those_in_double_precision)
 {
     static const struct {
         const qtri_pipeline *pipeline;
@@ -688,7 +682,6 @@ static void colors_are_near_those_in_double_precision(void **unused)
                  {&weights, 1.5},
                  {&xrgb_weights, 1.5}};
     static uint32_t full[64];
-    (void)unused;
     uint64_t seed = 17;
     scene.mesh.colors = scene.colors;
     scene.mesh.uvs = scene.uvs;
@@ -707,9 +700,8 @@ static void colors_are_near_those_in_double_precision(void **unused)
 }
 
 /* Steps that are rounded add up over 31 pixels each way. */
-static void channels_of_565_stay_in_their_fields(void **unused)
+TEST(channels_of_565_stay_in_their_fields)
 {
-    (void)unused;
     uint64_t seed = 5;
     int small = 0;
     scene.mesh.colors = scene.colors;
@@ -720,10 +712,9 @@ static void channels_of_565_stay_in_their_fields(void **unused)
 }
 
 /* Of those that bend by more than a curve over the whole triangle may most are small as well. */
-static void colors_are_divided_in_steep_perspective(void **unused)
+TEST(colors_are_divided_in_steep_perspective)
 {
     static const qtri_pipeline *const pipelines[] = {&colored, &xrgb_colors, &gray_colors};
-    (void)unused;
     uint64_t seed = 23;
     scene.mesh.colors = scene.colors;
     scene.material = qtri_material_default();
@@ -750,16 +741,5 @@ int main(void)
         scene.palette[i].g = (uint8_t)i;
     }
     qtri_fog_linear(&scene.fog, haze, range, Q16(2), Q16(60));
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(instances_draw_the_same_bits),
-        cmocka_unit_test(coverage_is_exact),
-        cmocka_unit_test(small_ones_are_less_than_120_pixels_high_and_to_both_sides),
-        cmocka_unit_test(light_by_pixel_is_linear_within_60_pixels),
-        cmocka_unit_test(values_are_near_those_in_double_precision),
-        cmocka_unit_test(textures_are_divided_in_steep_perspective),
-        cmocka_unit_test(colors_are_near_those_in_double_precision),
-        cmocka_unit_test(channels_of_565_stay_in_their_fields),
-        cmocka_unit_test(colors_are_divided_in_steep_perspective),
-    };
-    return cmocka_run_group_tests_name("pipeline small", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -55,16 +55,14 @@ static void draw_gear(const qtri_surface *surface, q16 angle)
     qtri_draw_mesh(surface, &view, &pose, readme_gear(), &material);
 }
 
-static void the_gear_is_what_the_readme_says(void **state)
+TEST(the_gear_is_what_the_readme_says)
 {
-    (void)state;
     assert_int_equal(readme_gear()->vertex_count, 500);
     assert_int_equal(readme_gear()->triangle_count, 996);
 }
 
-static void the_sample_shows_the_gear(void **state)
+TEST(the_sample_shows_the_gear)
 {
-    (void)state;
     static setup s;
     static canvas whole;
     setup_init(&s, ILI9341);
@@ -164,9 +162,8 @@ static uint32_t drawn_pixels(const qtri_surface *surface)
     return count;
 }
 
-static void only_changes_are_sent(void **state)
+TEST(only_changes_are_sent)
 {
-    (void)state;
     how_begin();
     draw_changes(&how.frame, &how.prepared, &how.view, &how.pose, readme_gear(), &how.material,
                  see);
@@ -177,9 +174,8 @@ static void only_changes_are_sent(void **state)
     assert_true(how.rows > 100 && how.rows < 240);
 }
 
-static void outlines_in_bands_are_those_of_the_frame(void **state)
+TEST(outlines_in_bands_are_those_of_the_frame)
 {
-    (void)state;
     static uint32_t words[QTRI_OUTLINE_WORDS(996) + QTRI_OUTLINE_SUMS(500)];
     static uint32_t edge_words[QTRI_EDGES_WORDS(320, 240, QTRI_RGB565_BYTES)];
     const qtri_rgb sky = {0, 0, 64};
@@ -210,9 +206,8 @@ static void outlines_in_bands_are_those_of_the_frame(void **state)
     canvas_free(&whole);
 }
 
-static void the_other_samples_draw(void **state)
+TEST(the_other_samples_draw)
 {
-    (void)state;
     qtri_clip_vertex corners[QTRI_CLIP_MAX] = {
         {100, 20, 0, 1, 0, 0}, {100, 200, 0, 1, 0, 0}, {100000, 200, 0, 1, 0, 0}};
     qtri_frame far_frame;
@@ -240,12 +235,5 @@ static void the_other_samples_draw(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_gear_is_what_the_readme_says),
-        cmocka_unit_test(the_sample_shows_the_gear),
-        cmocka_unit_test(only_changes_are_sent),
-        cmocka_unit_test(outlines_in_bands_are_those_of_the_frame),
-        cmocka_unit_test(the_other_samples_draw),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

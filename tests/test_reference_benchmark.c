@@ -23,9 +23,8 @@ static void assert_counts(const char *text, int covered, int fragments)
     reference_free(&image);
 }
 
-static void full_screen_quad(void **state)
+TEST(full_screen_quad)
 {
-    (void)state;
     assert_counts(CAMERA "tri -2.3070917 -1.7303188 0 1 1 0 0  2.3070917 -1.7303188 0 1 0 1 0  "
                          "2.3070917 1.7303188 0 1 0 0 1\n"
                          "tri -2.3070917 -1.7303188 0 1 1 0 0  2.3070917 1.7303188 0 1 0 0 1  "
@@ -33,9 +32,8 @@ static void full_screen_quad(void **state)
                   76800, 76800);
 }
 
-static void floor_in_perspective(void **state)
+TEST(floor_in_perspective)
 {
-    (void)state;
     assert_counts(CAMERA "tri -3 -1.2 2.078461 1 1 1 1  3 -1.2 2.078461 1 1 1 1  "
                          "3 1.2 -2.078461 1 1 1 1\n"
                          "tri -3 -1.2 2.078461 1 1 1 1  3 1.2 -2.078461 1 1 1 1  "
@@ -65,18 +63,16 @@ static void assert_model_counts(const char *file, const char *statements, int co
 }
 
 /* The translations centre the models on their bounding boxes. */
-static void spot(void **state)
+TEST(spot)
 {
-    (void)state;
     assert_model_counts("spot.obj",
                         "rotate 150 0 1 0\nscale 1.28748383 1.28748383 1.28748383\n"
                         "translate 0 -.108431 -.190045\n",
                         12414, 13009);
 }
 
-static void teapot(void **state)
+TEST(teapot)
 {
-    (void)state;
     assert_model_counts("teapot.obj",
                         "shade flat\nrotate 30 0 1 0\nscale .48920438 .48920438 .48920438\n"
                         "translate -0.217000 -1.575000 -0.000000\n",
@@ -85,11 +81,5 @@ static void teapot(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(full_screen_quad),
-        cmocka_unit_test(floor_in_perspective),
-        cmocka_unit_test(spot),
-        cmocka_unit_test(teapot),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

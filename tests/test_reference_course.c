@@ -31,9 +31,8 @@ static struct projected project(const struct ref_matrix *projection, const struc
     return r;
 }
 
-static void course_point_turned_and_moved(void **state)
+TEST(course_point_turned_and_moved)
 {
-    (void)state;
     const double z_axis[3] = {0, 0, 7};
     const double by[2][3] = {{1, 2, 0}, {2, 1, 0}};
     const double expected[2][2] = {{1.70710678, 4.12132034}, {2.70710678, 3.12132034}};
@@ -49,9 +48,8 @@ static void course_point_turned_and_moved(void **state)
     }
 }
 
-static void course_line_triangle_coordinates(void **state)
+TEST(course_line_triangle_coordinates)
 {
-    (void)state;
     const double eye[3] = {0, 0, 5}, center[3] = {0, 0, 4}, up[3] = {0, 1, 0};
     const double vertex[3][3] = {{2, 0, -2}, {0, 2, -2}, {-2, 0, -2}};
     const double expected[3][2] = {{591.421356, 350}, {350, 108.578644}, {108.578644, 350}};
@@ -67,9 +65,8 @@ static void course_line_triangle_coordinates(void **state)
     }
 }
 
-static void course_color_triangle_coordinates(void **state)
+TEST(course_color_triangle_coordinates)
 {
-    (void)state;
     const double eye[3] = {0, 0, 3}, center[3] = {0, 0, 0}, up[3] = {0, 1, 0};
     const double vertex[3][3] = {{0, 1, 0}, {-1, 0, 1}, {1, 0, 1}};
     const struct projected expected[3] = {
@@ -90,9 +87,8 @@ static void course_color_triangle_coordinates(void **state)
 }
 
 /* frustum and ortho map the corners of their box to the corners of clip space. */
-static void frustum_and_ortho_map_their_box(void **state)
+TEST(frustum_and_ortho_map_their_box)
 {
-    (void)state;
     const double bounds[6] = {-1, 3, -2, 0.5, 2, 9};
     struct ref_matrix frustum = ref_matrix_frustum(bounds);
     struct ref_matrix ortho = ref_matrix_ortho(bounds);
@@ -115,9 +111,8 @@ static void frustum_and_ortho_map_their_box(void **state)
     }
 }
 
-static void rotations_are_exact_at_right_angles(void **state)
+TEST(rotations_are_exact_at_right_angles)
 {
-    (void)state;
     const double axis[3] = {0, 0, 0.25};
 
     for (int quarter = -9; quarter <= 9; quarter++) {
@@ -133,9 +128,8 @@ static void rotations_are_exact_at_right_angles(void **state)
 
 /* Rodrigues about (-1,1,0), the course's second axis: keeps the axis, keeps lengths, and turns a
    perpendicular vector by the angle, counter-clockwise seen from the tip of the axis. */
-static void rotation_about_a_slanted_axis(void **state)
+TEST(rotation_about_a_slanted_axis)
 {
-    (void)state;
     const double axis[3] = {-1, 1, 0};
     const double unit[3] = {-sqrt(0.5), sqrt(0.5), 0};
     const double across[3] = {sqrt(0.5), sqrt(0.5), 0};
@@ -156,9 +150,8 @@ static void rotation_about_a_slanted_axis(void **state)
     }
 }
 
-static void camera_survives_useless_arguments(void **state)
+TEST(camera_survives_useless_arguments)
 {
-    (void)state;
     const double origin[3] = {0, 0, 0}, ahead[3] = {0, 0, -3}, above[3] = {0, 2, 0};
     const double y[3] = {0, 1, 0};
     struct ref_matrix m;
@@ -226,9 +219,8 @@ static void assert_color_triangle(const char *extra, int bits)
     reference_free(&image);
 }
 
-static void course_color_triangle(void **state)
+TEST(course_color_triangle)
 {
-    (void)state;
     for (size_t b = 0; b < ARRAY_LENGTH(all_bits); b++) {
         assert_color_triangle("", all_bits[b]);
         assert_color_triangle("interpolate linear\n", all_bits[b]);
@@ -236,9 +228,8 @@ static void course_color_triangle(void **state)
 }
 
 /* The same triangle with the exact near plane, past the scene's Q16.16: all nine digits. */
-static void course_color_triangle_depths(void **state)
+TEST(course_color_triangle_depths)
 {
-    (void)state;
     const double eye[3] = {0, 0, 3}, center[3] = {0, 0, 0}, up[3] = {0, 1, 0};
     const double position[3][4] = {{0, 1, 0, 1}, {-1, 0, 1, 1}, {1, 0, 1, 1}};
     struct scene scene;
@@ -270,9 +261,8 @@ static void course_color_triangle_depths(void **state)
 
 /* The animation of a triangle in the plane z = 0: at t = 1 it is seen edge-on. Whatever the order
    of the turns, y by 90 makes the other two turns about one and the same axis. */
-static void course_animation(void **state)
+TEST(course_animation)
 {
-    (void)state;
     static const char *const turns[] = {"rotate %g 0 0 1\nrotate %g 0 1 0\nrotate %g 1 0 0\n",
                                         "rotate %g 1 0 0\nrotate %g 0 1 0\nrotate %g 0 0 1\n"};
 
@@ -296,9 +286,8 @@ static void course_animation(void **state)
 
 /* The colour triangle turned about its own normal, (0,1,1), through its centroid, (0,1/3,2/3). It
    stays in its plane; its depth at the centroid does not change. */
-static void course_turn_about_the_normal(void **state)
+TEST(course_turn_about_the_normal)
 {
-    (void)state;
     for (int degrees = 0; degrees <= 180; degrees += 45) {
         char text[512];
         snprintf(text, sizeof text,
@@ -325,9 +314,8 @@ static void course_turn_about_the_normal(void **state)
 #define OVERLAP_1 "tri 2 0 -2 1 .85 .93 .73  0 2 -2 1 .85 .93 .73  -2 0 -2 1 .85 .93 .73\n"
 #define OVERLAP_2 "tri 3.5 -1 -5 1 .73 .85 .93  2.5 1.5 -5 1 .73 .85 .93  -1 .5 -5 1 .73 .85 .93\n"
 
-static void course_overlapping_triangles(void **state)
+TEST(course_overlapping_triangles)
 {
-    (void)state;
     for (size_t b = 0; b < ARRAY_LENGTH(all_bits); b++) {
         struct reference_image image =
             render(OVERLAP_VIEW "depth less\n" OVERLAP_1 OVERLAP_2, all_bits[b]);
@@ -349,9 +337,8 @@ static void course_overlapping_triangles(void **state)
 }
 
 /* Two triangles that cross along the picture's vertical middle, in clip space. */
-static void crossing_triangles(void **state)
+TEST(crossing_triangles)
 {
-    (void)state;
     static const char text[] = "viewport 64 64\ndepth less\n"
                                "tri -1 -1 -.5 1 1 0 0  1 -1 .5 1 1 0 0  0 1 0 1 1 0 0\n"
                                "tri -1 -1 .5 1 0 0 1  1 -1 -.5 1 0 0 1  0 1 0 1 0 0 1\n";
@@ -373,20 +360,5 @@ static void crossing_triangles(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(course_point_turned_and_moved),
-        cmocka_unit_test(course_line_triangle_coordinates),
-        cmocka_unit_test(course_color_triangle_coordinates),
-        cmocka_unit_test(frustum_and_ortho_map_their_box),
-        cmocka_unit_test(rotations_are_exact_at_right_angles),
-        cmocka_unit_test(rotation_about_a_slanted_axis),
-        cmocka_unit_test(camera_survives_useless_arguments),
-        cmocka_unit_test(course_color_triangle),
-        cmocka_unit_test(course_color_triangle_depths),
-        cmocka_unit_test(course_animation),
-        cmocka_unit_test(course_turn_about_the_normal),
-        cmocka_unit_test(course_overlapping_triangles),
-        cmocka_unit_test(crossing_triangles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -17,9 +17,8 @@ static struct reference_image outline(const char *triangle, int bits)
 
 /* Corners at window (1,1) (7,1) (1,5): the top and left edges fill their rows and columns up to the
    end, the slanted one has a pixel in each column 1..6. */
-static void outlines_are_one_pixel_wide(void **state)
+TEST(outlines_are_one_pixel_wide)
 {
-    (void)state;
     static const char *const rows[] = {
         "........", ".111111.", ".1..11..", ".1.1....",
         ".11.....", "........", "........", "........",
@@ -35,9 +34,8 @@ static void outlines_are_one_pixel_wide(void **state)
 }
 
 /* Colours and depth run linearly from end to end, measured at the pixel centres. */
-static void lines_interpolate_on_the_screen(void **state)
+TEST(lines_interpolate_on_the_screen)
 {
-    (void)state;
     static const char text[] = "viewport 8 8\npolygon line\ndepth less\n"
                                "tri -1 .0625 0 1 0 0 1  4 .25 2 4 1 0 1  -1 -3 0 1 0 0 1\n";
 
@@ -54,9 +52,8 @@ static void lines_interpolate_on_the_screen(void **state)
 }
 
 /* A line just above the picture, from y = -.9 to -.2, leaves row 0 alone. */
-static void lines_outside_leave_no_pixels(void **state)
+TEST(lines_outside_leave_no_pixels)
 {
-    (void)state;
     static const char triangle[] = "tri -1 1.225 0 1 1 1 1  1 1.05 0 1 1 1 1  0 9 0 1 1 1 1\n";
 
     for (size_t b = 0; b < ARRAY_LENGTH(all_bits); b++) {
@@ -66,9 +63,8 @@ static void lines_outside_leave_no_pixels(void **state)
     }
 }
 
-static void lines_are_not_textured(void **state)
+TEST(lines_are_not_textured)
 {
-    (void)state;
     struct reference_image image =
         render("viewport 8 8\npolygon line\ntexture 2 2 2 0 0 0 0 0 0\ntexmode replace\n"
                "trit -1 0 0 1 1 1 1 0 0  1 0 0 1 1 1 1 1 0  0 -9 0 1 1 1 1 0 1\n",
@@ -80,9 +76,8 @@ static void lines_are_not_textured(void **state)
 
 /* Both triangles of a shared edge draw the same pixels for it, whatever the vertices' order and
    wherever it is clipped. */
-static void shared_lines_coincide(void **state)
+TEST(shared_lines_coincide)
 {
-    (void)state;
     uint32_t seed = 6;
 
     for (int round = 0; round < 500; round++) {
@@ -108,9 +103,8 @@ static void shared_lines_coincide(void **state)
 
 /* A line from in front of the eye to behind it goes on to the edge of the picture, and does not
    come back on the other side. */
-static void lines_are_clipped_at_the_eye(void **state)
+TEST(lines_are_clipped_at_the_eye)
 {
-    (void)state;
     static const char text[] = "viewport 64 64\npolygon line\n"
                                "mode projection\nperspective 90 1 .5 100\nmode modelview\n"
                                "tri 0 -1 -10 1 1 1 1  0 -1 10 1 1 1 1  0 -3 10 1 1 1 1\n";
@@ -138,9 +132,8 @@ static void lines_are_clipped_at_the_eye(void **state)
 }
 
 /* The ends of an edge may come in either order: clipping gives the same points, to the last bit. */
-static void clipping_does_not_depend_on_direction(void **state)
+TEST(clipping_does_not_depend_on_direction)
 {
-    (void)state;
     const struct ref_window picture = {0, 0, 320, 240};
     uint32_t seed = 8;
     int cut = 0;
@@ -173,14 +166,5 @@ static void clipping_does_not_depend_on_direction(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(outlines_are_one_pixel_wide),
-        cmocka_unit_test(lines_interpolate_on_the_screen),
-        cmocka_unit_test(lines_outside_leave_no_pixels),
-        cmocka_unit_test(lines_are_not_textured),
-        cmocka_unit_test(shared_lines_coincide),
-        cmocka_unit_test(lines_are_clipped_at_the_eye),
-        cmocka_unit_test(clipping_does_not_depend_on_direction),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -8,9 +8,8 @@
 
 /* ---- The top-left rule ---- */
 
-static void borders_belong_to_top_and_left_edges(void **state)
+TEST(borders_belong_to_top_and_left_edges)
 {
-    (void)state;
     /* two right triangles that share a diagonal, all borders through pixel centres */
     static const char *const rows[] = {
         "1111....", "1112....", "1122....", "1222....",
@@ -48,9 +47,8 @@ static void assert_hits(const struct reference_image *image, int x_end, int y_en
 
 /* A grid whose vertices all are pixel centres, with random diagonals, orientations and powers of
    two for w: every edge passes through pixel centres, and each belongs to one triangle. */
-static void ties_are_covered_once(void **state)
+TEST(ties_are_covered_once)
 {
-    (void)state;
     uint32_t seed = 1;
 
     for (int round = 0; round < 4; round++) {
@@ -79,9 +77,8 @@ static void ties_are_covered_once(void **state)
 }
 
 /* A jittered grid that overhangs the picture, with random w: every pixel is covered once. */
-static void random_meshes_are_covered_once(void **state)
+TEST(random_meshes_are_covered_once)
 {
-    (void)state;
     static const int bits[] = {0, 1, 4, 8, 16};
     uint32_t seed = 2;
 
@@ -111,9 +108,8 @@ static void random_meshes_are_covered_once(void **state)
 
 /* A ground plane that passes under the eye and reaches far behind it, from a random camera:
    below the horizon and inside near and far everything is covered once, whatever w is. */
-static void ground_through_the_eye_is_covered_once(void **state)
+TEST(ground_through_the_eye_is_covered_once)
 {
-    (void)state;
     uint32_t seed = 3;
 
     for (int round = 0; round < 6; round++) {
@@ -159,9 +155,8 @@ static void ground_through_the_eye_is_covered_once(void **state)
 
 /* With one sub-pixel bit, the sides at 2.75 and 6.8 move to 3 and 7, the rows 1.2 and 4.3 to 1 and
    4.5: to nearest, half up. Exactly, the rectangle covers columns 3..6 and rows 1..3. */
-static void vertices_snap_to_nearest(void **state)
+TEST(vertices_snap_to_nearest)
 {
-    (void)state;
     static const char *const rows[] = {
         "........", "...1111.", "...1111.", "...1111.",
         "........", "........", "........", "........",
@@ -237,9 +232,8 @@ static void compare_modes(struct agreement *sum, double *color, double *depth)
     reference_free(&fine);
 }
 
-static void fine_snapping_agrees_with_exact(void **state)
+TEST(fine_snapping_agrees_with_exact)
 {
-    (void)state;
     uint32_t seed = 4;
     struct agreement sum = {0};
 
@@ -267,9 +261,8 @@ static void fine_snapping_agrees_with_exact(void **state)
 
 /* Vertices anywhere in homogeneous space: w of either sign, z outside near and far, coordinates
    far outside the picture. Two thirds of these triangles are cut by a plane. */
-static void any_w_agrees_with_exact(void **state)
+TEST(any_w_agrees_with_exact)
 {
-    (void)state;
     uint32_t seed = 5;
     struct agreement sum = {0};
     int visible = 0, steep = 0;
@@ -310,9 +303,8 @@ static void assert_rectangle(const struct reference_image *image, int x0, int y0
 
 /* A floor all around the eye: one vertex in front, two behind. It covers the picture from the line
    where it reaches the far plane, at 100, .32 pixels below the horizon. */
-static void triangle_around_the_eye(void **state)
+TEST(triangle_around_the_eye)
 {
-    (void)state;
     static const char text[] = "viewport 64 64\nmode projection\nperspective 90 1 .5 100\n"
                                "mode modelview\n"
                                "tri 0 -1 -9000 1 1 0 0  -9000 -1 3000 1 0 1 0  "
@@ -325,9 +317,8 @@ static void triangle_around_the_eye(void **state)
     }
 }
 
-static void vertex_at_infinity(void **state)
+TEST(vertex_at_infinity)
 {
-    (void)state;
     /* a strip between two vertical lines that meet at infinity, upwards */
     static const char text[] = "viewport 64 64\n"
                                "tri -.5 -.5 0 1 1 0 0  .5 -.5 0 1 0 1 0  0 1 0 0 0 0 1\n";
@@ -341,9 +332,8 @@ static void vertex_at_infinity(void **state)
     }
 }
 
-static void nothing_is_drawn_behind_the_eye(void **state)
+TEST(nothing_is_drawn_behind_the_eye)
 {
-    (void)state;
     static const char *const text[] = {
         "viewport 16 16\ntri 1 1 0 -1 1 0 0  -1 1 0 -1 1 0 0  0 -1 0 -1 1 0 0\n", /* mirrored */
         "viewport 16 16\ntri 0 0 0 0 1 1 1  0 0 0 0 1 1 1  0 0 0 0 1 1 1\n",
@@ -363,9 +353,8 @@ static void nothing_is_drawn_behind_the_eye(void **state)
 
 /* Near and far cut by the pixel: z goes from -2 to 2 across 16 columns. A triangle that lies in
    the near or far plane is inside. */
-static void near_and_far_cut(void **state)
+TEST(near_and_far_cut)
 {
-    (void)state;
     static const char slope[] = "viewport 16 16\n"
                                 "tri -1 -1 -2 1 1 0 0  1 -1 2 1 1 0 0  1 1 2 1 1 0 0\n"
                                 "tri -1 -1 -2 1 1 0 0  1 1 2 1 1 0 0  -1 1 -2 1 1 0 0\n";
@@ -436,9 +425,8 @@ static void random_op(struct scene_op *op, uint32_t *seed)
 }
 
 /* Whatever the numbers are, rendering ends, and colours and depths are numbers in range. */
-static void every_scene_is_rendered(void **state)
+TEST(every_scene_is_rendered)
 {
-    (void)state;
     static uint8_t texels[8 * 4 * 3];
     uint32_t seed = 7;
     int covered = 0;
@@ -476,19 +464,5 @@ static void every_scene_is_rendered(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(borders_belong_to_top_and_left_edges),
-        cmocka_unit_test(ties_are_covered_once),
-        cmocka_unit_test(random_meshes_are_covered_once),
-        cmocka_unit_test(ground_through_the_eye_is_covered_once),
-        cmocka_unit_test(vertices_snap_to_nearest),
-        cmocka_unit_test(fine_snapping_agrees_with_exact),
-        cmocka_unit_test(any_w_agrees_with_exact),
-        cmocka_unit_test(triangle_around_the_eye),
-        cmocka_unit_test(vertex_at_infinity),
-        cmocka_unit_test(nothing_is_drawn_behind_the_eye),
-        cmocka_unit_test(near_and_far_cut),
-        cmocka_unit_test(every_scene_is_rendered),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -24,9 +24,8 @@ static uint32_t visible_after(const char *state_statements, double first_z, doub
     return id;
 }
 
-static void depth_comparisons(void **state)
+TEST(depth_comparisons)
 {
-    (void)state;
     /* what is visible after drawing 2 in front of, exactly at, and behind 1 */
     static const struct {
         const char *statements;
@@ -53,9 +52,8 @@ static void depth_comparisons(void **state)
     assert_int_equal(visible_after("depth equal\ncleardepth .5", 0, 3 / 65536.0), 1);
 }
 
-static void depth_is_kept_where_it_is_not_written(void **state)
+TEST(depth_is_kept_where_it_is_not_written)
 {
-    (void)state;
     static const char triangle[] = "tri -1 -1 .5 1 1 0 0  3 -1 .5 1 1 0 0  -1 3 .5 1 1 0 0\n";
     static const struct {
         const char *statements;
@@ -80,9 +78,8 @@ static void depth_is_kept_where_it_is_not_written(void **state)
     }
 }
 
-static void depth_mask(void **state)
+TEST(depth_mask)
 {
-    (void)state;
     struct scene scene;
     struct reference_image image;
 
@@ -99,9 +96,8 @@ static void depth_mask(void **state)
 
 /* ---- Culling, shading, texture ---- */
 
-static void culling(void **state)
+TEST(culling)
 {
-    (void)state;
     static const char front[] = "tri -1 -1 0 1 1 0 0  3 -1 0 1 1 0 0  -1 3 0 1 1 0 0\n";
     static const char back[] = "tri -1 -1 0 1 1 0 0  -1 3 0 1 1 0 0  3 -1 0 1 1 0 0\n";
     static const struct {
@@ -125,9 +121,8 @@ static void culling(void **state)
     }
 }
 
-static void flat_shading_takes_the_provoking_vertex(void **state)
+TEST(flat_shading_takes_the_provoking_vertex)
 {
-    (void)state;
     static const char triangle[] = "tri -1 -1 0 1 1 0 0  3 -1 0 1 0 1 0  -1 3 0 1 0 0 1\n";
     static const char *const statement[] = {"shade flat first", "shade flat last", "shade flat"};
     static const double expected[3][3] = {{255, 0, 0}, {0, 0, 255}, {0, 0, 255}};
@@ -147,9 +142,8 @@ static void flat_shading_takes_the_provoking_vertex(void **state)
     }
 }
 
-static void color_range_is_that_of_the_vertices(void **state)
+TEST(color_range_is_that_of_the_vertices)
 {
-    (void)state;
     struct reference_image image =
         render("viewport 4 4\nclear .2 .4 .6\n"
                "tri -1 -1 0 1 1 .5 0  1 -1 0 1 .2 1 0  -1 1 0 1 0 .6 0\n",
@@ -171,9 +165,8 @@ static void color_range_is_that_of_the_vertices(void **state)
 
 /* A 4x4 texture, 2x2 fields, on a quad of 8x8 pixels with u from -1 to 1: it repeats, starts again
    at 0 exactly, and v = 0 is the top row. */
-static void textures_repeat(void **state)
+TEST(textures_repeat)
 {
-    (void)state;
     static const char quad[] =
         "trit -1 -1 0 1 1 1 .5 -1 1   1 -1 0 1 1 1 .5 1 1   1 1 0 1 1 1 .5 1 0\n"
         "trit -1 -1 0 1 1 1 .5 -1 1   1 1 0 1 1 1 .5 1 0  -1 1 0 1 1 1 .5 -1 0\n";
@@ -213,9 +206,8 @@ static struct reference_image textured_quad(const char *state, double u0, double
 }
 
 /* 2x2 texels over the middle 4x4 pixels: u and v from -1/2 to 3/2. */
-static void textures_clamp(void **state)
+TEST(textures_clamp)
 {
-    (void)state;
     static const char *const wrap[] = {"clamp", "clamp repeat", "repeat clamp", "repeat"};
     for (size_t n = 0; n < 4; n++) {
         char text[200];
@@ -233,9 +225,8 @@ static void textures_clamp(void **state)
 }
 
 /* 2x2 texels over 8x8 pixels: weights are odd eighths, centres at pixels 2 and 6 of each row. */
-static void textures_are_filtered(void **state)
+TEST(textures_are_filtered)
 {
-    (void)state;
     static const double clamped[8] = {0, 0, 12.5, 37.5, 62.5, 87.5, 100, 100};
     static const double repeated[8] = {37.5, 12.5, 12.5, 37.5, 62.5, 87.5, 87.5, 62.5};
     for (int clamp = 0; clamp < 2; clamp++) {
@@ -254,9 +245,8 @@ static void textures_are_filtered(void **state)
     }
 }
 
-static void texel_formats(void **state)
+TEST(texel_formats)
 {
-    (void)state;
     static const struct {
         const char *name;
         double color[3];
@@ -278,9 +268,8 @@ static void texel_formats(void **state)
 }
 
 /* Texels stored as the key is leave colour, depth and id alone; filtered, they lend no colour. */
-static void keys_leave_holes(void **state)
+TEST(keys_leave_holes)
 {
-    (void)state;
     static const char *const filters[] = {"nearest", "bilinear"};
     static const char *const keys[] = {"xrgb8888\ntexkey 100 0 0", "palette\ntexkey 100 0 0",
                                        "palette565\ntexkey 100 0 0", "rgb565\ntexkey 97 1 3",
@@ -308,9 +297,8 @@ static void keys_leave_holes(void **state)
 
 /* Texture coordinates are perspective-correct: a quad whose right side is twice as far has u = 1/3
    in its middle column. */
-static void textures_follow_perspective(void **state)
+TEST(textures_follow_perspective)
 {
-    (void)state;
     static const char quad[] = "trit -1 -1 0 1 1 1 1 0 1   2 -2 0 2 1 1 1 1 1   2 2 0 2 1 1 1 1 0\n"
                                "trit -1 -1 0 1 1 1 1 0 1   2 2 0 2 1 1 1 1 0  -1 1 0 1 1 1 1 0 0\n";
     struct scene scene;
@@ -394,9 +382,8 @@ static void light_range(const struct scene *scene, double *least, double *greate
     reference_free(&image);
 }
 
-static void light_per_vertex_and_per_face(void **state)
+TEST(light_per_vertex_and_per_face)
 {
-    (void)state;
     struct obj_mesh mesh;
     struct scene_op ops[1];
     struct scene scene = corner_scene(&mesh, ops, 1);
@@ -428,9 +415,8 @@ static void light_per_vertex_and_per_face(void **state)
 
 /* Under scale (1,1,z) the plane x + y + z = 1 becomes x + y + z' / z = 1: normal (1, 1, 1/z). A
    negative z also turns the triangle over, but its normal still is the inverse transpose's. */
-static void normals_follow_the_inverse_transpose(void **state)
+TEST(normals_follow_the_inverse_transpose)
 {
-    (void)state;
     static const double factors[] = {4, .5, -.5};
     struct obj_mesh mesh;
     struct scene_op ops[2] = {{.kind = SCENE_SCALE}};
@@ -452,9 +438,8 @@ static void normals_follow_the_inverse_transpose(void **state)
     assert_near(greatest, 255 * .25, 1e-9);
 }
 
-static void meshes_without_uvs_are_not_textured(void **state)
+TEST(meshes_without_uvs_are_not_textured)
 {
-    (void)state;
     static uint8_t black[3];
     static int32_t uvs[3][2];
     struct obj_mesh mesh;
@@ -477,9 +462,8 @@ static void meshes_without_uvs_are_not_textured(void **state)
 
 /* ---- Quantised pictures ---- */
 
-static void pictures_are_quantised_to_nearest(void **state)
+TEST(pictures_are_quantised_to_nearest)
 {
-    (void)state;
     struct reference_image image = render("viewport 2 1\ncleardepth .5\nclear .3 .5 .7\n", 0);
     struct picture picture;
 
@@ -509,23 +493,5 @@ static void pictures_are_quantised_to_nearest(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(depth_comparisons),
-        cmocka_unit_test(depth_is_kept_where_it_is_not_written),
-        cmocka_unit_test(depth_mask),
-        cmocka_unit_test(culling),
-        cmocka_unit_test(flat_shading_takes_the_provoking_vertex),
-        cmocka_unit_test(color_range_is_that_of_the_vertices),
-        cmocka_unit_test(textures_repeat),
-        cmocka_unit_test(textures_clamp),
-        cmocka_unit_test(textures_are_filtered),
-        cmocka_unit_test(texel_formats),
-        cmocka_unit_test(keys_leave_holes),
-        cmocka_unit_test(textures_follow_perspective),
-        cmocka_unit_test(light_per_vertex_and_per_face),
-        cmocka_unit_test(normals_follow_the_inverse_transpose),
-        cmocka_unit_test(meshes_without_uvs_are_not_textured),
-        cmocka_unit_test(pictures_are_quantised_to_nearest),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

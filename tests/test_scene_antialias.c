@@ -2,11 +2,7 @@
 /*
  * Anti-aliased scenes: the same pixels in bands, and nearer to many samples than without.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "support/test.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -41,9 +37,8 @@ static struct scene parse(const char *mode)
     return scene;
 }
 
-static void bands(void **state)
+TEST(bands)
 {
-    (void)state;
     const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
     for (int mode = 0; mode < MODES; mode++) {
         struct scene scene = parse(modes[mode]);
@@ -91,9 +86,8 @@ static double psnr_of(const char *mode)
     return 10 * log10(255. * 255. / (sum / (WIDTH * HEIGHT * 3)));
 }
 
-static void quality(void **state)
+TEST(quality)
 {
-    (void)state;
     find_truth();
     const double off = psnr_of("off");
     assert_true(psnr_of("edges") > off + 11);
@@ -108,9 +102,8 @@ static void quality(void **state)
  * roundings: of four samples and their mean, or of sixteen. Without, edges move by 1/256 pixel, and
  * now and then a sample is on their other side.
  */
-static void places(void **state)
+TEST(places)
 {
-    (void)state;
     static const struct {
         const char *mode;
         double least_snapped, least_exact; /* dB */
@@ -148,9 +141,8 @@ static void places(void **state)
 }
 
 /* Depths and ids are those of pixel centres whatever becomes of colours. */
-static void reference_dumps(void **state)
+TEST(reference_dumps)
 {
-    (void)state;
     struct scene off = parse("off");
     struct scene four = parse("msaa");
     struct reference_image a, b;
@@ -166,9 +158,8 @@ static void reference_dumps(void **state)
 }
 
 /* What is given in pixels has its size on a surface of 2x2 samples too. */
-static void paint_has_its_size(void **state)
+TEST(paint_has_its_size)
 {
-    (void)state;
     static const char flat[] =
         "viewport 120 90\nantialias %s\nink .9 .5 .1\nrect 10 10 60 40\nink 0 .5 1 .5\n"
         "area 20 20 100 20 100 70 20 70\nfont host/fonts/small.bdf\ntext 12 80 Twice\nimage %s 70 "
@@ -201,12 +192,5 @@ static void paint_has_its_size(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bands),
-        cmocka_unit_test(quality),
-        cmocka_unit_test(places),
-        cmocka_unit_test(reference_dumps),
-        cmocka_unit_test(paint_has_its_size),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -2,16 +2,12 @@
 /*
  * The scenes of the course through the fixed-point core, and the facts they must show.
  */
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
-
+#include "support/test.h"
 #include "reference/reference.h"
 #include "tools/accuracy.h"
 #include "tools/scene_draw.h"
@@ -66,9 +62,8 @@ static void assert_near(int value, int expected, int tolerance)
 }
 
 /* Positions, depths: test_core_project. */
-static void colour_triangle(void **state)
+TEST(colour_triangle)
 {
-    (void)state;
     static const struct {
         int x, y, perspective[3], linear[3];
         double depth;
@@ -105,9 +100,8 @@ static void colour_triangle(void **state)
     }
 }
 
-static void overlapping(void **state)
+TEST(overlapping)
 {
-    (void)state;
     struct scene scene;
     struct picture picture;
     render("05-overlapping", &scene, &picture);
@@ -119,9 +113,8 @@ static void overlapping(void **state)
     release(&scene, &picture);
 }
 
-static void animation_ends_edge_on(void **state)
+TEST(animation_ends_edge_on)
 {
-    (void)state;
     struct scene scene;
     struct picture picture;
     render_at("06-animation", .75, &scene, &picture);
@@ -133,9 +126,8 @@ static void animation_ends_edge_on(void **state)
 }
 
 /* Every scene: not a pixel differs from exact arithmetic on the same grid. */
-static void equal_to_reference(void **state)
+TEST(equal_to_reference)
 {
-    (void)state;
     static const struct {
         const char *name;
         double time;
@@ -192,11 +184,5 @@ static void equal_to_reference(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(colour_triangle),
-        cmocka_unit_test(overlapping),
-        cmocka_unit_test(animation_ends_edge_on),
-        cmocka_unit_test(equal_to_reference),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -3,16 +3,12 @@
  * Sheets of paper far away: which format of depth tells them apart, against the double-precision
  * reference. These are figures of qtri/format.h.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "support/test.h"
 #include "reference/reference.h"
 #include "tools/scene_draw.h"
 
@@ -42,9 +38,8 @@ static double wrong_percent(const struct picture *picture, const struct referenc
     return 100.0 * wrong / covered;
 }
 
-static void sheets_of_paper(void **state)
+TEST(sheets_of_paper)
 {
-    (void)state;
     static const double most[] = {50, .02, .02, .02};
     struct scene scene = read_scene();
     struct reference_image exact;
@@ -95,9 +90,8 @@ static void write_sheets(char text[TEXT_MAX], double distance, double apart)
 }
 
 /* Far away linear32 tells apart what linear24 does not. */
-static void sheets_far_away(void **state)
+TEST(sheets_far_away)
 {
-    (void)state;
     static const struct {
         double distance, apart;
         double most[2]; /* wrong with linear24 and linear32, percent */
@@ -133,9 +127,5 @@ static void sheets_far_away(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sheets_of_paper),
-        cmocka_unit_test(sheets_far_away),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

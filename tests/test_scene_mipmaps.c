@@ -3,11 +3,7 @@
  * A floor whose texture has levels: the core against the reference, each with its own choice of
  * levels, and both against many samples a pixel while the camera moves.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "support/test.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -112,9 +108,8 @@ static int count_wrong(const struct scene *scene, int *pixels, int *others)
     return wrong;
 }
 
-static void test_reference(void **state)
+TEST(test_reference)
 {
-    (void)state;
     static const char *const more[] = {"", "texformat rgb565\n", "texformat gray8\n",
                                        "texformat palette\ntexkey 60 90 140\n",
 
@@ -207,9 +202,8 @@ static double crawl(const double *now, const double *then, const double *truth,
     return sum;
 }
 
-static void test_moving(void **state)
+TEST(test_moving)
 {
-    (void)state;
     static const char *const filters[4] = {"nearest", "nearest mipmaps", "bilinear",
                                            "bilinear mipmaps"};
     static double truth[2][3 * WIDTH * FAR_ROWS], rows[4][2][3 * WIDTH * FAR_ROWS];
@@ -233,9 +227,8 @@ static void test_moving(void **state)
 
 /* ---- In pieces ---- */
 
-static void test_bands(void **state)
+TEST(test_bands)
 {
-    (void)state;
     const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
     for (int f = 0; f < 3; f++) {
         struct scene scene =
@@ -247,10 +240,5 @@ static void test_bands(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reference),
-        cmocka_unit_test(test_moving),
-        cmocka_unit_test(test_bands),
-    };
-    return cmocka_run_group_tests_name("scene mipmaps", tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

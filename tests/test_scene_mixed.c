@@ -7,16 +7,12 @@
  * QTRI_SCENES=200 is the whole measure; QTRI_VERBOSE tells each scene.
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "support/test.h"
 #include "reference/reference.h"
 #include "support/scene_random.h"
 #include "tools/accuracy.h"
@@ -146,9 +142,8 @@ static void add(struct kind *kind, const struct scene *scene, const struct refer
     picture_free(&picture);
 }
 
-static void mixtures(void **state)
+TEST(mixtures)
 {
-    (void)state;
     struct kind kinds[3] = {{"XRGB8888", &qtri_xrgb8888, {255, 255, 255}, 1, {0}, {0}},
                             {"RGB565", &qtri_rgb565, {31, 63, 31}, .75, {0}, {0}},
                             {"RGB565, exact", &qtri_rgb565_exact, {31, 63, 31}, .75, {0}, {0}}};
@@ -189,9 +184,8 @@ static void mixtures(void **state)
 }
 
 /* The picture in bands, and one of any format, is that of the whole frame. */
-static void bands(void **state)
+TEST(bands)
 {
-    (void)state;
     static const qtri_format *const formats[4] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8,
                                                   &qtri_rgb565_swapped};
     for (unsigned i = 0; i < 16; i++) {
@@ -211,6 +205,5 @@ static void bands(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(mixtures), cmocka_unit_test(bands)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

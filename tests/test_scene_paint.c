@@ -82,9 +82,8 @@ static const char *const shapes[] = {
     "image i.ppm 30.7 24.2 33 7.5", "imagekey 9 9 9\nimage i.ppm 30 24 120 6",
 };
 
-static void as_the_reference(void **state)
+TEST(as_the_reference)
 {
-    (void)state;
     io_write_text("f.bdf", FONT);
     write_image();
     for (size_t i = 0; i < ARRAY_LENGTH(shapes); i++) {
@@ -109,9 +108,8 @@ static void as_the_reference(void **state)
     }
 }
 
-static void messages(void **state)
+TEST(messages)
 {
-    (void)state;
     static const struct {
         const char *text, *message;
     } cases[] = {
@@ -143,9 +141,8 @@ static void messages(void **state)
 }
 
 /* A file is read once, however often it is named. */
-static void files_once(void **state)
+TEST(files_once)
 {
-    (void)state;
     struct scene scene;
     io_write_text("f.bdf", FONT);
     write_image();
@@ -172,9 +169,8 @@ static bool exists(const char *name)
     return access(io_path(name), F_OK) == 0;
 }
 
-static void font_command(void **state)
+TEST(font_command)
 {
-    (void)state;
     if (getenv("QTRI_COMMAND") == NULL) {
         skip();
     }
@@ -207,11 +203,5 @@ static void font_command(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_the_reference),
-        cmocka_unit_test(messages),
-        cmocka_unit_test(files_once),
-        cmocka_unit_test(font_command),
-    };
-    return cmocka_run_group_tests_name("scene paint", tests, io_setup, io_teardown);
+    return run_all_tests(io_setup, io_teardown);
 }

@@ -3,11 +3,7 @@
  * Light by pixel (&qtri_per_pixel): against the double-precision renderer, which lights every
  * pixel, and the same pixels in bands.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "support/test.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -102,9 +98,8 @@ static int count_off(const struct scene *scene, const struct reference_image *im
     return off;
 }
 
-static void exactness(void **state)
+TEST(exactness)
 {
-    (void)state;
     for (size_t t = 0; t < 2 * TRIALS; t++) {
         const char *text = trials[t % TRIALS];
         const char *mode = t < TRIALS ? "" : "antialias msaa\n";
@@ -127,9 +122,8 @@ static void exactness(void **state)
     }
 }
 
-static void bands(void **state)
+TEST(bands)
 {
-    (void)state;
     static const char *const modes[] = {"",
                                         "antialias msaa\n",
                                         "fog linear .1 50 .5 .5 .6 .9 1\n",
@@ -148,9 +142,5 @@ static void bands(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(exactness),
-        cmocka_unit_test(bands),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -8,16 +8,12 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "support/test.h"
 #include "support/recorded.h"
 #include "support/scene_random.h"
 #include "tools/scene_draw.h"
@@ -50,9 +46,8 @@ static uint32_t add_scene(uint32_t hash, const struct scene *scene, size_t forma
     return hash;
 }
 
-static void files(void **state)
+TEST(files)
 {
-    (void)state;
     char line[2 * RECORDED_NAME_MAX];
     FILE *list = popen("cd host/scenes && ls *.scene", "r");
     assert_non_null(list);
@@ -97,31 +92,22 @@ static void random_scenes(const char *kind, char *(*write)(uint32_t seed, size_t
     }
 }
 
-static void plain(void **state)
+TEST(plain)
 {
-    (void)state;
     random_scenes("random", scene_random, 200);
 }
 
-static void textured(void **state)
+TEST(textured)
 {
-    (void)state;
     random_scenes("textured", scene_random_textured, 200);
 }
 
-static void mixed(void **state)
+TEST(mixed)
 {
-    (void)state;
     random_scenes("mixed", scene_random_mixed, 200);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(files),
-        cmocka_unit_test(plain),
-        cmocka_unit_test(textured),
-        cmocka_unit_test(mixed),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

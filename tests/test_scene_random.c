@@ -2,16 +2,12 @@
 /*
  * Random scenes through the fixed-point pipeline and the reference: the error budget of the README.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "support/test.h"
 #include "reference/reference.h"
 #include "support/scene_random.h"
 #include "tools/accuracy.h"
@@ -138,15 +134,13 @@ static void measure(bool textured)
     assert_true(accuracy_per_100k(exact.depth_above_2, exact.same) <= 2.0);
 }
 
-static void error_budget(void **state)
+TEST(error_budget)
 {
-    (void)state;
     measure(false);
 }
 
-static void error_budget_of_textures(void **state)
+TEST(error_budget_of_textures)
 {
-    (void)state;
     measure(true);
 }
 
@@ -154,9 +148,8 @@ static void error_budget_of_textures(void **state)
  * Scenes of longer runs that once were wrong: triangles that reach behind the eye but only through
  * the far plane, vertices at infinity, texture coordinates cut at the guard band.
  */
-static void found_before(void **state)
+TEST(found_before)
 {
-    (void)state;
     static const uint32_t seeds[] = {1026, 2208, 2609, 2759, 3644, 3841, 3165};
     for (size_t i = 0; i < sizeof seeds / sizeof seeds[0]; i++) {
         struct scene scene;
@@ -174,9 +167,8 @@ static void found_before(void **state)
 }
 
 /* The picture in bands of `rows` rows equals the whole one. */
-static void bands_equal_whole(void **state)
+TEST(bands_equal_whole)
 {
-    (void)state;
     static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
     for (unsigned i = 0; i < 40 && i < scene_count(); i++) {
         struct scene scene;
@@ -197,11 +189,5 @@ static void bands_equal_whole(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(error_budget),
-        cmocka_unit_test(error_budget_of_textures),
-        cmocka_unit_test(found_before),
-        cmocka_unit_test(bands_equal_whole),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -192,9 +192,8 @@ static void assert_same_in_bands(const struct scene *scene, const struct picture
     picture_free(&banded);
 }
 
-static void pictures(void **state)
+TEST(pictures)
 {
-    (void)state;
     int failed = 0;
     for (size_t i = 0; i < ARRAY_LENGTH(cases); i++) {
         struct scene scene = parse(cases[i].text);
@@ -315,9 +314,8 @@ static void add_scene(struct text *text)
  * With vertices on the core's grid: what differs are pixels where surfaces cross, edges of vertices
  * that were rounded the other way, and the light of morphed normals, which have 8 bits.
  */
-static void random_statements(void **state)
+TEST(random_statements)
 {
-    (void)state;
     struct accuracy off = {0};
     for (uint32_t seed = 1; seed <= 40; seed++) {
         struct text text = {{0}, 0};
@@ -345,9 +343,8 @@ static void random_statements(void **state)
 }
 
 /* Direct3D's forms show what OpenGL's do, in windows counted from either end. */
-static void both_conventions(void **state)
+TEST(both_conventions)
 {
-    (void)state;
     static const char *const texts[2] = {
         "viewport 100 75\ndepth less\nwindow 20 10 60 45\nmode projection\n"
         "perspective 50 1.3 .5 20\nmode modelview\nlookat 1 1 4  0 .2 0  0 1 0\n"
@@ -369,9 +366,8 @@ static void both_conventions(void **state)
     picture_free(&picture[1]);
 }
 
-static void windows_are_clipped(void **state)
+TEST(windows_are_clipped)
 {
-    (void)state;
     struct scene scene = parse("viewport 60 40\nwindow 10 5 20 30\nmode modelview\n"
                                "tri -9 -9 0 1 1 1 1  9 -9 0 1 1 1 1  0 9 0 1 1 1 1\n"
                                "linewidth 9\nline -1 -1 0 1 1 1 1  1 1 0 1 1 1 1\n");
@@ -402,11 +398,5 @@ static int setup(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pictures),
-        cmocka_unit_test(random_statements),
-        cmocka_unit_test(both_conventions),
-        cmocka_unit_test(windows_are_clipped),
-    };
-    return cmocka_run_group_tests(tests, setup, io_teardown);
+    return run_all_tests(setup, io_teardown);
 }

@@ -4,16 +4,12 @@
  * them to: measured against the double-precision reference without any snapping. QTRI_FLOORS: how
  * many floors of each kind.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "support/test.h"
 #include "reference/reference.h"
 #include "tools/accuracy.h"
 #include "tools/scene_draw.h"
@@ -74,9 +70,8 @@ static void write_floor(char text[TEXT_MAX], const floors *f, uint32_t *state)
     }
 }
 
-static void checkered_floors(void **state)
+TEST(checkered_floors)
 {
-    (void)state;
     static const floors kinds[] = {
         {64, 8, 16, 10, 0, 3},        {64, 8, 16, 60, 0, 5},          {64, 8, 16, 60, 10, 10},
         {64, 64, 16, 60, 0, 15},      {64, 64, 16, 60, 10, 60},       {256, 32, 64, 10, 0, 5},
@@ -106,8 +101,5 @@ static void checkered_floors(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(checkered_floors),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

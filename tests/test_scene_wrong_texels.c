@@ -136,9 +136,8 @@ static void judge(const row *r, void (*write)(text *, const row *, int), int vie
     assert_true(EVERY > 1 || mean <= r->mean + accuracy_per_100k(1, sum.covered));
 }
 
-static void floors(void **state)
+TEST(floors)
 {
-    (void)state;
     static const row rows[] = {
         {16, 1, 5.8, 32.3},        {16, 4, 5.2, 17.5},       {16, 8, 6.6, 35.3},
         {16, 16, 11.0, 70.6},      {16, 32, 8.3, 70.6},      {16, 64, 8.1, 66.4},
@@ -158,9 +157,8 @@ static void floors(void **state)
 }
 
 /* What counts is how many texels a cell has. */
-static void small_triangles(void **state)
+TEST(small_triangles)
 {
-    (void)state;
     static const row rows[] = {{16, 0.25, 1866.4, 3574.5}, {16, 1, 1056.7, 4517.6},
                                {16, 4, 997.3, 1216.4},     {64, 4, 3890.4, 4811.3},
                                {256, 4, 9375.7, 12835.1},  {1024, 4, 15521.8, 40188.2}};
@@ -171,6 +169,5 @@ static void small_triangles(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(floors), cmocka_unit_test(small_triangles)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

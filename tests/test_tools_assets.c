@@ -7,9 +7,8 @@
 
 #include "support/command.h"
 
-static void usage_errors(void **state)
+TEST(usage_errors)
 {
-    (void)state;
     static const char *const wrong[] = {
         "mesh",
         "mesh cube",
@@ -60,9 +59,8 @@ static void usage_errors(void **state)
     assert_true(contains("output", "--dither"));
 }
 
-static void generated_meshes(void **state)
+TEST(generated_meshes)
 {
-    (void)state;
     static const char *const names[] = {"cube",  "sphere", "cylinder", "cone",
                                         "torus", "knot",   "grid",     "gear"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
@@ -84,9 +82,8 @@ static void generated_meshes(void **state)
 
 static const char tetra[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
-static void materials(void **state)
+TEST(materials)
 {
-    (void)state;
     char text[512];
     snprintf(text, sizeof text, "mtllib m x.mtl\n%susemtl a\nf 1 3 2\nf 1 2 4\nusemtl b\nf 1 4 3\n",
              tetra);
@@ -113,9 +110,8 @@ static void materials(void **state)
     assert_false(contains("output", "material"));
 }
 
-static void an_only_material_is_named(void **state)
+TEST(an_only_material_is_named)
 {
-    (void)state;
     char text[512];
     snprintf(text, sizeof text, "mtllib x.mtl\n%susemtl a\nf 1 3 2\n", tetra);
     write_text("m.obj", text);
@@ -125,9 +121,8 @@ static void an_only_material_is_named(void **state)
 }
 
 /* Two strips by turns, as no vertex cache wants them. */
-static void triangles_keep_their_order(void **state)
+TEST(triangles_keep_their_order)
 {
-    (void)state;
     write_text("two.obj",
                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv -1 0 0\nv 4 0 0\n"
                "f 1 2 3\nf 4 5 6\nf 1 3 7\nf 4 6 8\n");
@@ -136,9 +131,8 @@ static void triangles_keep_their_order(void **state)
     assert_true(contains("output", "{0, 1, 2}, {3, 4, 5}, {0, 2, 6}, {3, 5, 7}"));
 }
 
-static void split_files_link(void **state)
+TEST(split_files_link)
 {
-    (void)state;
     char line[2048];
     assert_int_equal(run("mesh torus -o torus.h --split --compact"), 0);
     assert_true(exists("torus.c"));
@@ -160,9 +154,8 @@ static void split_files_link(void **state)
     assert_false(has_parts());
 }
 
-static void standard_input_and_output(void **state)
+TEST(standard_input_and_output)
 {
-    (void)state;
     char line[1024];
     const char *command = getenv("QTRI_COMMAND");
     assert_int_equal(run("mesh cube -o cube.obj"), 0);
@@ -177,9 +170,8 @@ static void standard_input_and_output(void **state)
     assert_int_equal(shell(line), 0);
 }
 
-static void bad_models(void **state)
+TEST(bad_models)
 {
-    (void)state;
     write_text("nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n");
     assert_refused("mesh nan.obj -o bad.h", "qtri mesh: nan.obj:2: 'nan' is not a number");
     write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2");
@@ -202,9 +194,8 @@ static void bad_models(void **state)
 }
 
 /* A face of ten million. */
-static void far_too_many_faces(void **state)
+TEST(far_too_many_faces)
 {
-    (void)state;
     assert_int_equal(shell("{ printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\n'; "
                            "yes 'f 1 2 3' | head -n 10000000; } >many.obj"),
                      0);
@@ -283,9 +274,8 @@ static void need_library(void)
     }
 }
 
-static void other_formats(void **state)
+TEST(other_formats)
 {
-    (void)state;
     need_library();
     assert_true(contains("output", "t: 12 vertices, 4 triangles\n"));
     assert_true(contains("t.h", "{131072, 0, 0}")); /* the node's scale */
@@ -318,9 +308,8 @@ static void other_formats(void **state)
     assert_refused("mesh cut.ply -o bad.h", "qtri mesh: cut.ply: ");
 }
 
-static void bad_gltf(void **state)
+TEST(bad_gltf)
 {
-    (void)state;
     need_library();
     char glb[4096];
     size_t length = make_glb(glb, "{\"mesh\":0}", RED, 0x7FC00000u);
@@ -361,9 +350,8 @@ static const char jpeg_uri[] =
     "AhEDEQA/AG0UUV5J7R//2Q==";
 
 /* The picture that a model has inside becomes a texture; broken ones end in one line. */
-static void pictures_inside(void **state)
+TEST(pictures_inside)
 {
-    (void)state;
     need_library();
     char glb[4096];
     const char *const textured = "\"baseColorTexture\":{\"index\":0}";
@@ -395,9 +383,8 @@ static void pictures_inside(void **state)
 }
 
 /* Names that C and C++ have taken. */
-static void names_in_c(void **state)
+TEST(names_in_c)
 {
-    (void)state;
     assert_int_equal(run("mesh cube -o union.h"), 0);
     assert_true(contains("union.h", "const qtri_mesh union_ = {"));
     assert_true(contains("union.h", "#define UNION__VERTICES 24\n#define UNION__TRIANGLES 12\n"));
@@ -406,9 +393,8 @@ static void names_in_c(void **state)
 }
 
 /* Bytes changed at random: a mesh or one line, and nothing but these. */
-static void damaged_files(void **state)
+TEST(damaged_files)
 {
-    (void)state;
     need_library();
     uint64_t seed = 5;
     char glb[4096], text[4096];
@@ -431,9 +417,8 @@ static void damaged_files(void **state)
     }
 }
 
-static void simplified(void **state)
+TEST(simplified)
 {
-    (void)state;
     int status = run("mesh knot -o k.h --simplify 500 --normals smooth 180");
     if (status == 2) {
         assert_true(contains("messages", "without libmeshoptimizer"));
@@ -446,9 +431,8 @@ static void simplified(void **state)
 
 /* ---- Pictures ---- */
 
-static void previews(void **state)
+TEST(previews)
 {
-    (void)state;
     char text[32];
     assert_int_equal(run("mesh gear -o gear.h --preview gear.ppm"), 0);
     read_text("gear.ppm", text, sizeof text);
@@ -461,9 +445,8 @@ static void previews(void **state)
     assert_memory_equal(text, "\x89PNG", 4);
 }
 
-static void textures(void **state)
+TEST(textures)
 {
-    (void)state;
     static const char *const formats[] = {"rgb565", "palette", "gray8", "xrgb8888", "palette565"};
     assert_int_equal(run("mesh gear -o gear.h --preview gear.ppm"), 0);
     for (size_t i = 0; i < 5; i++) {
@@ -488,9 +471,8 @@ static void textures(void **state)
     }
 }
 
-static void bad_pictures(void **state)
+TEST(bad_pictures)
 {
-    (void)state;
     write_text("cut.ppm", "P6 4 4 255\nabc");
     assert_refused("texture cut.ppm -o bad.h",
                    "qtri texture: cut.ppm: the PPM ends before its last pixel");
@@ -511,9 +493,8 @@ static void bad_pictures(void **state)
 /* ---- Fonts ---- */
 
 /* Any scalable font of this computer. */
-static void scalable_fonts(void **state)
+TEST(scalable_fonts)
 {
-    (void)state;
     write_text("no.ttf", "no font");
     assert_int_equal(run("font no.ttf -o bad.h"), 1);
     assert_true(contains("messages", "no.ttf: is not a font that FreeType knows") ||
@@ -542,26 +523,5 @@ static void scalable_fonts(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(usage_errors),
-        cmocka_unit_test(generated_meshes),
-        cmocka_unit_test(materials),
-        cmocka_unit_test(an_only_material_is_named),
-        cmocka_unit_test(triangles_keep_their_order),
-        cmocka_unit_test(split_files_link),
-        cmocka_unit_test(standard_input_and_output),
-        cmocka_unit_test(bad_models),
-        cmocka_unit_test(far_too_many_faces),
-        cmocka_unit_test(other_formats),
-        cmocka_unit_test(bad_gltf),
-        cmocka_unit_test(damaged_files),
-        cmocka_unit_test(pictures_inside),
-        cmocka_unit_test(names_in_c),
-        cmocka_unit_test(simplified),
-        cmocka_unit_test(previews),
-        cmocka_unit_test(textures),
-        cmocka_unit_test(bad_pictures),
-        cmocka_unit_test(scalable_fonts),
-    };
-    return command_is_known() ? cmocka_run_group_tests(tests, make_folder, NULL) : 1;
+    return command_is_known() ? run_all_tests(make_folder, NULL) : 1;
 }

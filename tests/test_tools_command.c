@@ -4,10 +4,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
+#include "support/test.h"
 
 #ifdef __SANITIZE_ADDRESS__
 #define SANITIZED
@@ -82,9 +79,8 @@ static bool messages_contain(const char *text)
 static const char triangle[] = "viewport 64 48\ndepth less\n"
                                "tri -.5 -.5 0 1 1 0 0  .5 -.5 0 1 0 1 0  0 .5 0 1 0 0 1\n";
 
-static void usage_errors(void **state)
+TEST(usage_errors)
 {
-    (void)state;
     assert_int_equal(run(""), 2);
     assert_int_equal(run("nonsense"), 2);
     assert_int_equal(run("render"), 2);
@@ -105,9 +101,8 @@ static void usage_errors(void **state)
     assert_false(exists("x.obj"));
 }
 
-static void help(void **state)
+TEST(help)
 {
-    (void)state;
     assert_int_equal(run("--help"), 0);
     assert_int_equal(run("render --help"), 0);
     assert_true(file_contains("output", "texfilter    nearest|bilinear [mipmaps]\n"));
@@ -118,9 +113,8 @@ static void help(void **state)
     assert_int_equal(run("demo --help"), 0);
 }
 
-static void bad_input(void **state)
+TEST(bad_input)
 {
-    (void)state;
     write_file("bad.scene", "viewport 64 48\ntri 1 2 3\n");
     assert_int_equal(run("render bad.scene -o bad --dump"), 1);
     assert_true(messages_contain("bad.scene:2"));
@@ -136,9 +130,8 @@ static void bad_input(void **state)
     assert_int_equal(run("demo --scenes no/such/folder -o demo"), 1);
 }
 
-static void formats_and_bands(void **state)
+TEST(formats_and_bands)
 {
-    (void)state;
     static const char *const formats[] = {"rgb888", "rgb565", "gray8"};
     write_file("good.scene", triangle);
     for (size_t i = 0; i < 3; i++) {
@@ -158,9 +151,8 @@ static void formats_and_bands(void **state)
 }
 
 /* A model of a few thousandths, as it is and fitted: core and reference draw the same of both. */
-static void small_models(void **state)
+TEST(small_models)
 {
-    (void)state;
     write_file("small.obj", "v -4e-5 -3e-5 0\nv 4e-5 -3e-5 0\nv 0 4e-5 0\nv 0 0 5e-5\n"
                             "f 1 2 4\nf 2 3 4\nf 3 1 4\n");
     write_file("one.obj", "v -.8 -.6 0\nv .8 -.6 0\nv 0 .8 0\nv 0 0 1\n"
@@ -185,9 +177,8 @@ static void small_models(void **state)
     }
 }
 
-static void generated_mesh(void **state)
+TEST(generated_mesh)
 {
-    (void)state;
     assert_int_equal(run("mesh torus -o torus.obj"), 0);
     write_file("torus.scene", "viewport 80 60\ndepth less\nlight 0 0 1 .2 .8\n"
                               "mode projection\nperspective 60 1.333 .1 100\nmode modelview\n"
@@ -198,9 +189,8 @@ static void generated_mesh(void **state)
 }
 
 /* The output's name says which format; what shows nothing says so. */
-static void pictures(void **state)
+TEST(pictures)
 {
-    (void)state;
     write_file("good.scene", triangle);
     assert_int_equal(run("render good.scene -o named.ppm --dump"), 0);
     assert_true(exists("named.ppm") && exists("named.id") && exists("named.depth"));
@@ -229,9 +219,8 @@ static void pictures(void **state)
 }
 
 /* A mesh's neighbours as C. */
-static void neighbours(void **state)
+TEST(neighbours)
 {
-    (void)state;
     write_file("two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
     assert_int_equal(run("neighbours two.obj -o two.h"), 0);
     assert_true(
@@ -243,9 +232,8 @@ static void neighbours(void **state)
 }
 
 /* Every texel format, wrapped, filtered and with holes: as the reference draws it. */
-static void textures(void **state)
+TEST(textures)
 {
-    (void)state;
     static const char *const formats[] = {"xrgb8888", "rgb565", "palette", "palette565", "gray8"};
     for (int n = 0; n < 20; n++) {
         char text[1024];
@@ -276,9 +264,8 @@ static int shell(const char *line)
 }
 
 /* What a picture is drawn from is never replaced by it. */
-static void inputs_are_kept(void **state)
+TEST(inputs_are_kept)
 {
-    (void)state;
     write_file("in.ppm", triangle);
     assert_int_equal(run("render in.ppm -o in"), 1);
     assert_true(messages_contain("would be overwritten"));
@@ -300,7 +287,7 @@ static void inputs_are_kept(void **state)
 
 /* What the other commands read, what a scene names, and what comes by standard input, is kept as
    well: by its own name, beside the picture, or as a preview. */
-static void inputs_of_all_commands_are_kept(void **state)
+TEST(inputs_of_all_commands_are_kept)
 {
     static const char *const lines[] = {
         "mesh m.obj -o m.obj",        "mesh m.obj -o n.h --preview link.ppm",
@@ -309,7 +296,6 @@ static void inputs_of_all_commands_are_kept(void **state)
         "render s.scene -o d --dump", "render e.scene -o e --dump",
         "render - -o t.ppm <t.ppm",
     };
-    (void)state;
     assert_int_equal(shell("mkdir kept; cd kept; $qtri mesh cube -o m.obj"), 0);
     write_file("kept/e.scene", triangle);
     write_file("kept/s.scene", "viewport 8 8\nmesh d.id\n");
@@ -336,9 +322,8 @@ static void inputs_of_all_commands_are_kept(void **state)
 }
 
 /* Each frame is the picture of its moment; one file of all; what was drawn when Ctrl-C came. */
-static void animations(void **state)
+TEST(animations)
 {
-    (void)state;
     write_file("turn.scene", "viewport 32 24\nclear $t 0 0\nrotate 90*$t 0 0 1\n"
                              "tri -.5 -.5 0 1 1 0 0  .5 -.5 0 1 0 1 0  0 .5 0 1 0 0 1\n");
     assert_int_equal(run("render turn.scene -o t.ppm --frames 5"), 0);
@@ -377,9 +362,8 @@ static void animations(void **state)
 }
 
 /* Standard input and output, pipes and devices. */
-static void streams(void **state)
+TEST(streams)
 {
-    (void)state;
     write_file("good.scene", triangle);
     assert_int_equal(run("render good.scene -o wanted"), 0);
     assert_int_equal(shell("$qtri render good.scene -o - >a && cmp a wanted.ppm"), 0);
@@ -395,17 +379,15 @@ static void streams(void **state)
 }
 
 /* A pipe that nobody writes to is an error after some seconds, and no reason to wait for ever. */
-static void silent_pipe(void **state)
+TEST(silent_pipe)
 {
-    (void)state;
     assert_int_equal(shell("mkfifo silent; timeout 30 $qtri render silent -o x"), 1);
     assert_true(messages_contain("silent: cannot be read"));
 }
 
 /* Status 1 where standard output is full. */
-static void full_output(void **state)
+TEST(full_output)
 {
-    (void)state;
     if (access("/dev/full", W_OK) != 0) {
         skip();
     }
@@ -421,9 +403,8 @@ static void full_output(void **state)
 }
 
 /* Ended by a signal in the middle of a file: neither a part nor half a picture is left. */
-static void ended_by_signals(void **state)
+TEST(ended_by_signals)
 {
-    (void)state;
     write_file("large.scene", "viewport 4096 4096\n");
     static const char *const signals[] = {"TERM", "INT", "HUP"};
     for (int n = 0; n < 12; n++) {
@@ -443,9 +424,8 @@ static void ended_by_signals(void **state)
 }
 
 /* Files that a scene names, and where they may be. */
-static void files_below(void **state)
+TEST(files_below)
 {
-    (void)state;
     write_file("image.ppm", "P6 2 2 255 123456789012");
     assert_int_equal(shell("mkdir -p sub/deep && cp image.ppm sub/deep/"), 0);
     write_file("sub/up.scene", "viewport 8 8\ntexture ../image.ppm\n");
@@ -465,9 +445,8 @@ static void files_below(void **state)
 }
 
 /* What 31 bytes can ask for. */
-static void memory_of_references(void **state)
+TEST(memory_of_references)
 {
-    (void)state;
     write_file("large.scene", "viewport 4096 4096\n");
     assert_int_equal(run("render large.scene -o x --reference"), 1);
     assert_true(messages_contain("--large"));
@@ -476,9 +455,8 @@ static void memory_of_references(void **state)
 }
 
 /* Scenes of one folder share meshes that are made for each of them: no input is overwritten. */
-static void demo_makes_its_meshes_anew(void **state)
+TEST(demo_makes_its_meshes_anew)
 {
-    (void)state;
     assert_int_equal(shell("mkdir none && $qtri demo --scenes none --only 12- -o waves"), 0);
     assert_true(exists("waves/12-morph.ppm"));
     assert_true(exists("waves/12-targets.ppm"));
@@ -486,9 +464,8 @@ static void demo_makes_its_meshes_anew(void **state)
 }
 
 /* One page with all pictures in it, and what scenes say of themselves; nothing is fetched. */
-static void demo_page(void **state)
+TEST(demo_page)
 {
-    (void)state;
     char text[400];
     (void)snprintf(text, sizeof text, "# Less < more & none.\r\n# crop 3 4\n# qtri render it\n%s",
                    triangle);
@@ -512,9 +489,8 @@ static void demo_page(void **state)
 
 /* A program in a folder below its sources finds their scenes wherever it is called. */
 /* Two pictures, the line between them and a histogram of all 3,072 pixels, in sections alone. */
-static void demo_report(void **state)
+TEST(demo_report)
 {
-    (void)state;
     assert_int_equal(shell("mkdir -p report"), 0);
     write_file("report/one.scene", triangle);
     assert_int_equal(
@@ -533,9 +509,8 @@ static void demo_report(void **state)
     assert_int_equal(shell("rm -r report"), 0);
 }
 
-static void demo_from_any_folder(void **state)
+TEST(demo_from_any_folder)
 {
-    (void)state;
     char line[4096];
     write_file("one.scene", triangle);
     snprintf(
@@ -553,9 +528,8 @@ static void demo_from_any_folder(void **state)
 }
 
 /* A few lines that ask for minutes end when they are told to, and leave nothing behind. */
-static void work_without_end(void **state)
+TEST(work_without_end)
 {
-    (void)state;
     char text[16384] = "viewport 4096 4096\nantialias temporal\n";
     for (int i = 0; i < 200; i++) {
         strcat(text, "tri -1 -1 0 1 1 0 0  1 -1 0 1 0 1 0  0 1 0 1 0 0 1\n");
@@ -575,9 +549,8 @@ static void work_without_end(void **state)
  * Statements that make meshes hold one at a time: 40 spheres of 65,536 vertices, 5 MB each. Where a
  * sanitizer keeps what is freed nothing is measured.
  */
-static void memory_of_many_shapes(void **state)
+TEST(memory_of_many_shapes)
 {
-    (void)state;
     char text[2048] = "viewport 8 8\n";
     for (int i = 0; i < 40; i++) {
         strcat(text, "shape sphere 1 255 255\n");
@@ -604,35 +577,9 @@ static int make_folder(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(neighbours),
-        cmocka_unit_test(usage_errors),
-        cmocka_unit_test(help),
-        cmocka_unit_test(bad_input),
-        cmocka_unit_test(formats_and_bands),
-        cmocka_unit_test(small_models),
-        cmocka_unit_test(generated_mesh),
-        cmocka_unit_test(pictures),
-        cmocka_unit_test(textures),
-        cmocka_unit_test(inputs_are_kept),
-        cmocka_unit_test(inputs_of_all_commands_are_kept),
-        cmocka_unit_test(animations),
-        cmocka_unit_test(streams),
-        cmocka_unit_test(silent_pipe),
-        cmocka_unit_test(full_output),
-        cmocka_unit_test(ended_by_signals),
-        cmocka_unit_test(files_below),
-        cmocka_unit_test(memory_of_references),
-        cmocka_unit_test(demo_page),
-        cmocka_unit_test(demo_report),
-        cmocka_unit_test(demo_from_any_folder),
-        cmocka_unit_test(demo_makes_its_meshes_anew),
-        cmocka_unit_test(work_without_end),
-        cmocka_unit_test(memory_of_many_shapes),
-    };
     if (getenv("QTRI_COMMAND") == NULL) {
         puts("QTRI_COMMAND is not set: run `make test-plain TESTS=test_command`");
         return 1;
     }
-    return cmocka_run_group_tests(tests, make_folder, NULL);
+    return run_all_tests(make_folder, NULL);
 }

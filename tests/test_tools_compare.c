@@ -4,11 +4,7 @@
  */
 #define _POSIX_C_SOURCE 200809L /* dup, dup2 */
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "support/test.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -39,9 +35,8 @@ static void free_pair(struct picture pair[2])
     picture_free(&pair[1]);
 }
 
-static void equal_pictures(void **state)
+TEST(equal_pictures)
 {
-    (void)state;
     struct picture pair[2];
     struct comparison c;
 
@@ -62,9 +57,8 @@ static void equal_pictures(void **state)
     free_pair(pair);
 }
 
-static void color_errors(void **state)
+TEST(color_errors)
 {
-    (void)state;
     struct picture pair[2];
     struct comparison c;
 
@@ -94,9 +88,8 @@ static void color_errors(void **state)
     free_pair(pair);
 }
 
-static void coverage_and_triangles(void **state)
+TEST(coverage_and_triangles)
 {
-    (void)state;
     struct picture pair[2];
     struct comparison c;
 
@@ -115,9 +108,8 @@ static void coverage_and_triangles(void **state)
 }
 
 /* Depth errors 0, 1, .. of all pixels, shuffled; ones between different triangles do not count. */
-static void depth_errors(void **state)
+TEST(depth_errors)
 {
-    (void)state;
     struct picture pair[2];
     struct comparison c;
 
@@ -138,9 +130,8 @@ static void depth_errors(void **state)
     free_pair(pair);
 }
 
-static void depth_percentile_of_many(void **state)
+TEST(depth_percentile_of_many)
 {
-    (void)state;
     struct picture pair[2];
     struct comparison c;
 
@@ -154,9 +145,8 @@ static void depth_percentile_of_many(void **state)
     free_pair(pair);
 }
 
-static void different_sizes(void **state)
+TEST(different_sizes)
 {
-    (void)state;
     struct picture pair[2], out;
     struct comparison c;
 
@@ -169,9 +159,8 @@ static void different_sizes(void **state)
     free_pair(pair);
 }
 
-static void difference_pictures(void **state)
+TEST(difference_pictures)
 {
-    (void)state;
     struct picture pair[2], out;
     static const uint8_t expected[4][3] = {
         {255, 0, 0},   /* covered in one only */
@@ -286,9 +275,8 @@ static void assert_printed(const char *text)
         fail_msg("\"%s\" is missing in:\n%s", text, printed);
 }
 
-static void command_judges_colors(void **state)
+TEST(command_judges_colors)
 {
-    (void)state;
     struct picture pair[2];
 
     make_pair(pair, false);
@@ -311,9 +299,8 @@ static void command_judges_colors(void **state)
     free_pair(pair);
 }
 
-static void command_judges_dumps(void **state)
+TEST(command_judges_dumps)
 {
-    (void)state;
     struct picture pair[2];
 
     make_pair(pair, true);
@@ -333,9 +320,8 @@ static void command_judges_dumps(void **state)
     free_pair(pair);
 }
 
-static void command_writes_the_difference(void **state)
+TEST(command_writes_the_difference)
 {
-    (void)state;
     struct picture pair[2], difference;
     struct text_error error;
 
@@ -353,9 +339,8 @@ static void command_writes_the_difference(void **state)
     free_pair(pair);
 }
 
-static void command_refuses_bad_input(void **state)
+TEST(command_refuses_bad_input)
 {
-    (void)state;
     struct picture pair[2];
 
     make_pair(pair, true);
@@ -395,18 +380,5 @@ static void command_refuses_bad_input(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(equal_pictures),
-        cmocka_unit_test(color_errors),
-        cmocka_unit_test(coverage_and_triangles),
-        cmocka_unit_test(depth_errors),
-        cmocka_unit_test(depth_percentile_of_many),
-        cmocka_unit_test(different_sizes),
-        cmocka_unit_test(difference_pictures),
-        cmocka_unit_test(command_judges_colors),
-        cmocka_unit_test(command_judges_dumps),
-        cmocka_unit_test(command_writes_the_difference),
-        cmocka_unit_test(command_refuses_bad_input),
-    };
-    return cmocka_run_group_tests(tests, set_up_paths, NULL);
+    return run_all_tests(set_up_paths, NULL);
 }

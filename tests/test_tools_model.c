@@ -129,9 +129,8 @@ static void need_libraries(void)
 
 /* ---- What becomes of materials ---- */
 
-static void materials_of_equal_look_are_one_part(void **state)
+TEST(materials_of_equal_look_are_one_part)
 {
-    (void)state;
     need_libraries();
     write_model("m.glb", TEXTURED "," RED "," RED "," RED, "");
     assert_int_equal(run("model m.glb -o m.h"), 0);
@@ -144,9 +143,8 @@ static void materials_of_equal_look_are_one_part(void **state)
     assert_program_compiles("m.h");
 }
 
-static void colours_without_pictures_are_the_vertices(void **state)
+TEST(colours_without_pictures_are_the_vertices)
 {
-    (void)state;
     need_libraries();
     write_model("c.glb", RED "," RED "," BLUE "," BLUE, "");
     assert_int_equal(run("model c.glb -o c.h"), 0);
@@ -162,9 +160,8 @@ static void colours_without_pictures_are_the_vertices(void **state)
     assert_file_compiles("s.c", false);
 }
 
-static void what_is_seen_through_comes_last(void **state)
+TEST(what_is_seen_through_comes_last)
 {
-    (void)state;
     need_libraries();
     write_model("g.glb", GLASS "," RED "," RED "," TEXTURED, "");
     assert_int_equal(run("model g.glb -o g.h"), 0);
@@ -175,9 +172,8 @@ static void what_is_seen_through_comes_last(void **state)
     assert_compiles("g.h", "g[G_PARTS - 1]");
 }
 
-static void opacity_of_mtl_is_kept(void **state)
+TEST(opacity_of_mtl_is_kept)
 {
-    (void)state;
     write_text("o.obj", "mtllib o.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
                         "usemtl glass\nf 1 2 3\nusemtl solid\nf 1 3 4\n");
     write_text("o.mtl", "newmtl glass\nKd 0 0 1\nd 0.4\nnewmtl solid\nd 1\n");
@@ -187,9 +183,8 @@ static void opacity_of_mtl_is_kept(void **state)
     assert_refused("model o.obj -o bad.h", "qtri model: o.mtl:2: d needs a number\n");
 }
 
-static void large_textures_are_scaled(void **state)
+TEST(large_textures_are_scaled)
 {
-    (void)state;
     assert_int_equal(shell("{ printf 'P6 600 300 255\\n'; head -c 540000 /dev/zero; } >big.ppm"),
                      0);
     write_text("q.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
@@ -205,9 +200,8 @@ static void large_textures_are_scaled(void **state)
     assert_refused("model q.obj -o bad.h --texture none.png", "qtri model: none.png: cannot be");
 }
 
-static void previews_show_textures_and_colours(void **state)
+TEST(previews_show_textures_and_colours)
 {
-    (void)state;
     need_libraries();
     write_model("p.glb", TEXTURED "," BLUE "," BLUE "," BLUE, "");
     assert_int_equal(run("model p.glb -o p.h --preview p.ppm"), 0);
@@ -264,9 +258,8 @@ static double volume_of(const qtri_mesh *mesh)
 }
 
 /* Corners of the tetrahedra at 6 and below it. */
-static void moving_nodes_are_where_they_should_be(void **state)
+TEST(moving_nodes_are_where_they_should_be)
 {
-    (void)state;
     need_libraries();
     const struct asset_options wanted = {.merged = true};
     struct model model;
@@ -303,9 +296,8 @@ static void moving_nodes_are_where_they_should_be(void **state)
     model_free(&model);
 }
 
-static void keys_are_written_with_the_program_that_moves(void **state)
+TEST(keys_are_written_with_the_program_that_moves)
 {
-    (void)state;
     need_libraries();
     write_model("a.glb", RED "," RED "," RED "," BLUE, "\"animations\":[" TURN "," TURN "],");
     assert_int_equal(run("model a.glb -o a.h"), 0);
@@ -325,9 +317,8 @@ static void keys_are_written_with_the_program_that_moves(void **state)
 
 /* ---- Files that cannot be read as they are ---- */
 
-static void incomplete_files_say_so(void **state)
+TEST(incomplete_files_say_so)
 {
-    (void)state;
     write_model("whole.glb", RED "," RED "," RED "," BLUE, "");
     assert_int_equal(shell("head -c 700 whole.glb >cut.glb"), 0);
     assert_refused("model cut.glb -o bad.h", "qtri model: cut.glb: ends after 700 bytes of the ");
@@ -338,9 +329,8 @@ static void incomplete_files_say_so(void **state)
                    "qtri model: cut.gltf: ends before its last brace: the file is incomplete\n");
 }
 
-static void compression_is_refused_by_name(void **state)
+TEST(compression_is_refused_by_name)
 {
-    (void)state;
     write_model("z.glb", RED "," RED "," RED "," BLUE,
                 "\"extensionsRequired\":[\"EXT_meshopt_compression\"],");
     assert_refused("model z.glb -o bad.h",
@@ -354,9 +344,8 @@ static void compression_is_refused_by_name(void **state)
                    "qtri model: strips.ply:3: its triangles are strips (tristrips)");
 }
 
-static void next_to_nothing_is_an_error(void **state)
+TEST(next_to_nothing_is_an_error)
 {
-    (void)state;
     assert_int_equal(shell("{ printf 'v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n'; "
                            "yes 'f 1 2 2' | head -n 200; } >thin.obj"),
                      0);
@@ -375,9 +364,8 @@ static void next_to_nothing_is_an_error(void **state)
 
 /* ---- Sizes and usage ---- */
 
-static void budgets_are_held(void **state)
+TEST(budgets_are_held)
 {
-    (void)state;
     assert_int_equal(run("model knot -o k.h --flash 1M --ram 200K"), 0);
     assert_refused("model knot -o bad.h --flash 64K", "qtri model: knot: needs ");
     assert_true(contains("messages", " of flash, "));
@@ -387,9 +375,8 @@ static void budgets_are_held(void **state)
     assert_program_compiles("k.h");
 }
 
-static void usage_errors(void **state)
+TEST(usage_errors)
 {
-    (void)state;
     static const char *const wrong[] = {
         "model",
         "model cube",
@@ -416,20 +403,5 @@ static void usage_errors(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(materials_of_equal_look_are_one_part),
-        cmocka_unit_test(colours_without_pictures_are_the_vertices),
-        cmocka_unit_test(what_is_seen_through_comes_last),
-        cmocka_unit_test(opacity_of_mtl_is_kept),
-        cmocka_unit_test(large_textures_are_scaled),
-        cmocka_unit_test(previews_show_textures_and_colours),
-        cmocka_unit_test(moving_nodes_are_where_they_should_be),
-        cmocka_unit_test(keys_are_written_with_the_program_that_moves),
-        cmocka_unit_test(incomplete_files_say_so),
-        cmocka_unit_test(compression_is_refused_by_name),
-        cmocka_unit_test(next_to_nothing_is_an_error),
-        cmocka_unit_test(budgets_are_held),
-        cmocka_unit_test(usage_errors),
-    };
-    return command_is_known() ? cmocka_run_group_tests(tests, make_folder, NULL) : 1;
+    return command_is_known() ? run_all_tests(make_folder, NULL) : 1;
 }

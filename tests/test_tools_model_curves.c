@@ -184,9 +184,8 @@ static void assert_curves(const char *name)
     model_free(&model);
 }
 
-static void cubic_curves_are_followed(void **state)
+TEST(cubic_curves_are_followed)
 {
-    (void)state;
     static char text[16000], uri[4000], glb[20000];
     make_json(text, "\"uri\":\"c.bin\",", "", curves);
     write_bytes("c.bin", &data, sizeof data);
@@ -212,9 +211,8 @@ static void cubic_curves_are_followed(void **state)
 }
 
 /* Exactly, up to the key and from it on, beside what curves. */
-static void steps_are_steps(void **state)
+TEST(steps_are_steps)
 {
-    (void)state;
     static char text[16000];
     struct model model;
     write_bytes("s.bin", &data, sizeof data);
@@ -238,9 +236,8 @@ static void steps_are_steps(void **state)
 }
 
 /* As what belongs to a node whose name has escapes. */
-static void curves_that_are_not_found_are_named(void **state)
+TEST(curves_that_are_not_found_are_named)
 {
-    (void)state;
     static char text[16000];
     write_bytes("b.bin", &data, sizeof data);
     make_json(text, "\"uri\":\"b.bin\",", ",\"name\":\"\\u0061\"", curves);
@@ -254,10 +251,5 @@ static void curves_that_are_not_found_are_named(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cubic_curves_are_followed),
-        cmocka_unit_test(steps_are_steps),
-        cmocka_unit_test(curves_that_are_not_found_are_named),
-    };
-    return command_is_known() ? cmocka_run_group_tests(tests, make_folder, NULL) : 1;
+    return command_is_known() ? run_all_tests(make_folder, NULL) : 1;
 }

@@ -90,9 +90,8 @@ static void read_model(const char *name, struct model *model)
 
 /* ---- What is named ---- */
 
-static void what_gltf_has_besides_is_named(void **state)
+TEST(what_gltf_has_besides_is_named)
 {
-    (void)state;
     need_library();
     assert_left_out("t.gltf", "");
     write_model("u.gltf", ",\"TEXCOORD_0\":1,\"TEXCOORD_1\":1},\"material\":0",
@@ -111,9 +110,8 @@ static void what_gltf_has_besides_is_named(void **state)
     assert_left_out("m.gltf", "1 picture of other things than colour, 1 picture's mirrored repeat");
 }
 
-static void animations_that_move_nothing_are_named(void **state)
+TEST(animations_that_move_nothing_are_named)
 {
-    (void)state;
     need_library();
     write_model("a.gltf", "}",
                 "\"animations\":[{\"samplers\":[{\"input\":2,\"output\":0}],\"channels\":[{"
@@ -123,9 +121,8 @@ static void animations_that_move_nothing_are_named(void **state)
 }
 
 /* The second triangle has a vertex that is not there. */
-static void triangles_that_are_passed_over_are_named(void **state)
+TEST(triangles_that_are_passed_over_are_named)
 {
-    (void)state;
     need_library();
     write_text("i.gltf",
                "{\"asset\":{\"version\":\"2.0\"},\"scene\":0," NODE
@@ -142,9 +139,8 @@ static void triangles_that_are_passed_over_are_named(void **state)
     assert_left_out("i.gltf", "1 triangle with an index out of range");
 }
 
-static void what_obj_has_besides_is_named(void **state)
+TEST(what_obj_has_besides_is_named)
 {
-    (void)state;
     write_text("l.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\nl 1 2\nl 2 3\np 1\n");
     assert_left_out("l.obj", "2 lines, 1 statement of points, 1 triangle without area");
     write_text("l.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv .3 .3 0\nv .3000001 .3 0\n"
@@ -177,9 +173,8 @@ static void what_obj_has_besides_is_named(void **state)
     assert_left_out("l.obj", "1 vertex's texture coordinates beyond 32767");
 }
 
-static void a_cloud_of_points_is_called_so(void **state)
+TEST(a_cloud_of_points_is_called_so)
 {
-    (void)state;
     need_library();
     write_model("p.gltf", "},\"mode\":0", NODE);
     assert_refused("model p.gltf -o bad.h", "qtri model: p.gltf: has no triangle with an area, "
@@ -189,9 +184,8 @@ static void a_cloud_of_points_is_called_so(void **state)
 /* ---- What is kept ---- */
 
 /* Offset (0.25, 0.5) after a quarter turn counter-clockwise of scale (2, 3). */
-static void pictures_are_placed_as_the_file_says(void **state)
+TEST(pictures_are_placed_as_the_file_says)
 {
-    (void)state;
     static const double expected[3][2] = {{0.25, 0.5}, {0.25, -1.5}, {3.25, 0.5}};
     struct model model;
     need_library();
@@ -212,9 +206,8 @@ static void pictures_are_placed_as_the_file_says(void **state)
 }
 
 /* The joint was at x = 2 when it was bound, and rests at x = 2 + 3, turned about z by a half. */
-static void skins_rest_where_their_joints_are(void **state)
+TEST(skins_rest_where_their_joints_are)
 {
-    (void)state;
     static const double expected[3][2] = {{7, 0}, {6, 0}, {7, -1}};
     struct model model;
     need_library();
@@ -237,9 +230,8 @@ static void skins_rest_where_their_joints_are(void **state)
 }
 
 /* A quarter turn about z, then (5, 6, 7); the library turns the translation, too. */
-static void nodes_of_gltf_1_stand_where_the_file_says(void **state)
+TEST(nodes_of_gltf_1_stand_where_the_file_says)
 {
-    (void)state;
     struct model model;
     need_library();
     write_text(
@@ -290,9 +282,8 @@ static bool make_planes(qtri_mesh *mesh, qtri_face8 *planes)
 
 /* Vertex 2 goes 4 along z, times a weight from 0 to 1 in a second, of a node twice as large that
    goes along x. */
-static void targets_are_mixed_by_their_weights(void **state)
+TEST(targets_are_mixed_by_their_weights)
 {
-    (void)state;
     struct model model;
     struct asset asset;
     struct text_error error;
@@ -332,9 +323,8 @@ static void targets_are_mixed_by_their_weights(void **state)
     model_free(&model);
 }
 
-static void targets_are_left_out_where_there_is_no_place(void **state)
+TEST(targets_are_left_out_where_there_is_no_place)
 {
-    (void)state;
     need_library();
     write_model("w.gltf", ",\"NORMAL\":7},\"targets\":[{\"POSITION\":7,\"NORMAL\":7}]", NODE);
     assert_left_out("w.gltf", "1 morph target's normals");
@@ -352,17 +342,5 @@ static void targets_are_left_out_where_there_is_no_place(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_gltf_has_besides_is_named),
-        cmocka_unit_test(animations_that_move_nothing_are_named),
-        cmocka_unit_test(triangles_that_are_passed_over_are_named),
-        cmocka_unit_test(what_obj_has_besides_is_named),
-        cmocka_unit_test(a_cloud_of_points_is_called_so),
-        cmocka_unit_test(pictures_are_placed_as_the_file_says),
-        cmocka_unit_test(skins_rest_where_their_joints_are),
-        cmocka_unit_test(nodes_of_gltf_1_stand_where_the_file_says),
-        cmocka_unit_test(targets_are_mixed_by_their_weights),
-        cmocka_unit_test(targets_are_left_out_where_there_is_no_place),
-    };
-    return command_is_known() ? cmocka_run_group_tests(tests, make_folder, NULL) : 1;
+    return command_is_known() ? run_all_tests(make_folder, NULL) : 1;
 }

@@ -24,9 +24,8 @@ static const struct {
     {"host/scenes/12-fog.scene", pasted_12_fog, 2},
 };
 
-static void pasted_pipelines_draw_the_scene(void **state)
+TEST(pasted_pipelines_draw_the_scene)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const struct scene_pipelines by = {cases[i].pipelines, NULL};
         const qtri_pipeline *const none[] = {NULL};
@@ -55,8 +54,5 @@ static void pasted_pipelines_draw_the_scene(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pasted_pipelines_draw_the_scene),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -3,16 +3,12 @@
  * What the window shows of a scene, without a window; and how well its model of instructions fits
  * the benchmark.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "support/test.h"
 #include "tools/scene_cost.h"
 #include "tools/scene_draw.h"
 #include "tools/scene_view.h"
@@ -51,9 +47,8 @@ static bool keys_show_the_same(const char *keys, const char *path)
     return equal;
 }
 
-static void shows_what_render_draws(void **state)
+TEST(shows_what_render_draws)
 {
-    (void)state;
     const struct scene_view view = {.format = 1};
     struct scene_figures figures;
     struct scene scene;
@@ -71,9 +66,8 @@ static void shows_what_render_draws(void **state)
     picture_free(&expected);
 }
 
-static void keys_switch_and_switch_back(void **state)
+TEST(keys_switch_and_switch_back)
 {
-    (void)state;
     assert_true(keys_show_the_same("b", floor_scene)); /* bands have the same pixels */
     assert_true(keys_show_the_same("mmm", floor_scene));
     assert_true(keys_show_the_same("fff", floor_scene));
@@ -91,9 +85,8 @@ static void keys_switch_and_switch_back(void **state)
 }
 
 /* From in front to the right side, and from above: what a camera there sees. */
-static void cameras_turn(void **state)
+TEST(cameras_turn)
 {
-    (void)state;
     static const char body[] = "mode modelview\n%s\ntri -1 -1 0 1 1 0 0  1 -.5 .3 1 0 1 0  "
                                "0 1 -.8 1 0 0 1\n";
     static const struct {
@@ -132,9 +125,8 @@ static void cameras_turn(void **state)
     }
 }
 
-static void bad_scenes_are_told(void **state)
+TEST(bad_scenes_are_told)
 {
-    (void)state;
     const struct scene_view view = {0};
     struct picture picture = {0};
     struct scene_figures figures;
@@ -165,9 +157,8 @@ static double budget_of(const char *scene, const char *core)
 }
 
 /* The benchmark's scenes, with the triangles and pixels that `make bench` prints. */
-static void cost_fits_the_benchmark(void **state)
+TEST(cost_fits_the_benchmark)
 {
-    (void)state;
     static const struct {
         const char *name;
         enum scene_kind kind;
@@ -240,12 +231,5 @@ static void cost_fits_the_benchmark(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(shows_what_render_draws),
-        cmocka_unit_test(keys_switch_and_switch_back),
-        cmocka_unit_test(cameras_turn),
-        cmocka_unit_test(bad_scenes_are_told),
-        cmocka_unit_test(cost_fits_the_benchmark),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -3,11 +3,7 @@
  * The accuracy of every function of the mathematics, over strata of its arguments, by the code of
  * `make verify-math`, which looks at all of them; and that code itself: it finds what is wrong.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "support/test.h"
 
 #include <string.h>
 
@@ -36,9 +32,8 @@ static void check_test(const verify_test *test)
     }
 }
 
-static void accuracy(void **state)
+TEST(accuracy)
 {
-    (void)state;
     verify_test tests[VERIFY_TESTS];
     size_t count = verify_all_tests(tests);
     assert_true(count > 40 && count < VERIFY_TESTS);
@@ -96,9 +91,8 @@ static q16 wrong_asin_outside(q16 x)
     return q16_asin(x) - (x == 70000);
 }
 
-static void a_single_wrong_ulp_is_found(void **state)
+TEST(a_single_wrong_ulp_is_found)
 {
-    (void)state;
     static const struct {
         const char *name;
         q16 (*function)(q16);
@@ -126,9 +120,8 @@ static q16 wrong_mul(q16 a, q16 b)
     return q16_mul(a, b) - (a == 3 * 65536 && b == 65537);
 }
 
-static void a_single_wrong_pair_is_found(void **state)
+TEST(a_single_wrong_pair_is_found)
 {
-    (void)state;
     verify_options full = quick;
     full.mode = VERIFY_FULL; /* all pairs of the stress set: its first chunks are enough for mul */
     verify_function changed = with("mul", NULL, wrong_mul);
@@ -147,9 +140,8 @@ static void a_single_wrong_pair_is_found(void **state)
 }
 
 /* Blocks and fast values give the rows that MPFR alone gives. */
-static void shortcuts_change_nothing(void **state)
+TEST(shortcuts_change_nothing)
 {
-    (void)state;
     static const char *const names[] = {"sin", "tan_deg", "atan_deg", "log2", "asin", "exp", "pow"};
     verify_options exact = quick;
     exact.exact_only = true;
@@ -175,12 +167,6 @@ static void shortcuts_change_nothing(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(accuracy),
-        cmocka_unit_test(a_single_wrong_ulp_is_found),
-        cmocka_unit_test(a_single_wrong_pair_is_found),
-        cmocka_unit_test(shortcuts_change_nothing),
-    };
     cmocka_set_message_output(CM_OUTPUT_TAP);
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -147,7 +147,6 @@ static const qtri_pipeline *choose(const qtri_pipeline *generic, qtri_draw_state
     state->loop = loop_of(o);
     (void)qtri_draw_state_ask(generic, state);
     if (!qtri_tests_depth(o) && state->loop != draw_other) {
-        o->compare = QTRI_ALWAYS;
         o->asks |= 1u << QTRI_ASK_TEST;
         o->depth_bytes = 0;
         state->depth = &state->no_depth;

@@ -117,12 +117,17 @@ static bool small(struct qtri_small *triangle)
     return is_drawn;
 }
 
+static const qtri_pipeline *choose(const qtri_pipeline *noting, qtri_draw_state *state)
+{
+    return generic_of(&state->options)->choose(noting, state);
+}
+
 static const qtri_pipeline noting = {
-    .options = {.format = QTRI_ANY}, .large = large, .small = small, .choose = qtri_draw_state_ask};
+    .options = {.format = QTRI_ANY}, .large = large, .small = small, .choose = choose};
 static const qtri_pipeline noting_x4 = {.options = {.format = QTRI_ANY, .samples = 4},
                                         .large = large,
                                         .small = small,
-                                        .choose = qtri_draw_state_ask};
+                                        .choose = choose};
 static const qtri_pipeline *const noting_list[] = {&noting_x4, &noting, NULL};
 static const struct scene_pipelines noting_pipelines = {noting_list, count_pixel};
 

@@ -5,12 +5,9 @@
 #ifndef QTRI_TESTS_SUPPORT_BANDS_H
 #define QTRI_TESTS_SUPPORT_BANDS_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdint.h>
-#include <cmocka.h>
 
+#include "test.h"
 #include "tools/scene_draw.h"
 
 /* In bands of 1, 1 + step, ... rows, below 100. */

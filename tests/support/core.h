@@ -6,11 +6,7 @@
 #ifndef QTRI_TESTS_SUPPORT_CORE_H
 #define QTRI_TESTS_SUPPORT_CORE_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdint.h>
-#include <cmocka.h>
 
 #include <math.h>
 #include <stdbool.h>
@@ -20,6 +16,7 @@
 
 #include <qtri.h>
 
+#include "test.h"
 #include "random.h"
 
 __extension__ typedef __int128 int128;

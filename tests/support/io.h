@@ -5,11 +5,9 @@
 #ifndef QTRI_TESTS_IO_CHECK_H
 #define QTRI_TESTS_IO_CHECK_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdint.h>
-#include <cmocka.h>
+
+#include "test.h"
 
 #include <dirent.h>
 #include <stdbool.h>

@@ -8,15 +8,12 @@
 #ifndef QTRI_TESTS_SUPPORT_RECORDED_H
 #define QTRI_TESTS_SUPPORT_RECORDED_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "test.h"
 
 #define RECORDED          "tests/pictures.tsv"
 #define RECORDED_NAME_MAX 64

@@ -6,17 +6,14 @@
 #ifndef QTRI_TESTS_REFERENCE_CHECK_H
 #define QTRI_TESTS_REFERENCE_CHECK_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdint.h>
-#include <cmocka.h>
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "test.h"
 #include "io/scene.h"
 #include "reference/reference.h"
 

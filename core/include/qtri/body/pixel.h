@@ -428,8 +428,8 @@ QTRI_BODY void qtri_walk_begin(const qtri_options *o, qtri_pixel_walk *w,
     if (o->read_only == QTRI_ANY) {
         w->keeps_depth = state->options.read_only;
     }
-    if (qtri_compares_by_any(o)) {
-        qtri_walk_set_compare(o, w, (uint32_t)state->options.compare - QTRI_NEVER);
+    if (qtri_compares_by_any(o)) { /* a qtri_compare has such bits; without a test all pass */
+        qtri_walk_set_compare(o, w, (state->options.compare - (uint32_t)QTRI_NEVER) & 7);
     }
     if (qtri_is_lit(o) && !qtri_is_textured(o)) {
         w->color = state->color;
