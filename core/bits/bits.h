@@ -125,6 +125,12 @@ static inline int64_t qtri_shift_left64(int64_t x, int32_t n)
     return qtri_wrap64((uint64_t)x << n);
 }
 
+/* x 2^n, rounded down, |n| < 32. */
+static inline int32_t qtri_shift32(int32_t x, int32_t n)
+{
+    return n >= 0 ? (int32_t)((uint32_t)x << n) : x >> -n;
+}
+
 static inline int32_t qtri_least32(int32_t a, int32_t b)
 {
     return a < b ? a : b;

@@ -197,8 +197,11 @@ bool qtri_mesh_fetch_triangle(const qtri_mesh_job *draw, const void *triangle, q
 
 void qtri_mesh_clear_slots(const qtri_mesh_job *draw)
 {
-    for (uint32_t i = 0; i < draw->slot_count; i++) {
-        draw->vertices[i].depth_16p8 = QTRI_VERTEX_EMPTY;
+    const uint32_t all = draw->mesh->vertex_count;
+    qtri_vertex *vertex = draw->vertices;
+    for (uint32_t left = draw->slot_count < all ? draw->slot_count : all; left != 0; left--) {
+        vertex->depth_16p8 = QTRI_VERTEX_EMPTY;
+        vertex++;
     }
 }
 

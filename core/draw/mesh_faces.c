@@ -14,21 +14,6 @@ static bool find_eye(qtri_eye *eye, const qtri_mesh_job *draw)
     return qtri_eye_find(eye, &compact, &mesh->faces);
 }
 
-/* No vertex has been met. */
-static void clear(qtri_vertex *vertex, uint32_t count)
-{
-    const qtri_vertex *end = vertex + count;
-    for (; end - vertex >= 4; vertex += 4) {
-        vertex[0].depth_16p8 = QTRI_VERTEX_EMPTY;
-        vertex[1].depth_16p8 = QTRI_VERTEX_EMPTY;
-        vertex[2].depth_16p8 = QTRI_VERTEX_EMPTY;
-        vertex[3].depth_16p8 = QTRI_VERTEX_EMPTY;
-    }
-    for (; vertex != end; vertex++) {
-        vertex->depth_16p8 = QTRI_VERTEX_EMPTY;
-    }
-}
-
 QTRI_NOINLINE static bool begin(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
@@ -41,7 +26,7 @@ QTRI_NOINLINE static bool begin(qtri_mesh_faces *faces, const qtri_mesh_job *dra
     }
     faces->next = 0;
     faces->inside = true;
-    clear(draw->vertices, mesh->vertex_count);
+    qtri_mesh_clear_slots(draw);
     return true;
 }
 

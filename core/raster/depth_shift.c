@@ -33,12 +33,8 @@ static uint32_t shift_of(const qtri_material *material, const qtri_point *const 
                          const uint32_t depth[3])
 {
     const uint32_t farthest = (uint32_t)65535 << 16;
-    uint32_t least = farthest;
-    uint32_t greatest = 0;
-    for (int i = 0; i < 3; i++) {
-        least = depth[i] < least ? depth[i] : least;
-        greatest = depth[i] > greatest ? depth[i] : greatest;
-    }
+    uint32_t least, greatest;
+    qtri_find_range(&least, &greatest, depth);
     const uint64_t slope = slope_of(p, area, depth);
     const q16 factor = material->depth_slope;
     const uint32_t size = qtri_magnitude32(factor);

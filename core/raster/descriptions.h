@@ -64,6 +64,21 @@ struct qtri_depth_shift {
 
 extern const qtri_pipeline *const qtri_pipelines_fog[];
 
+/* A list of pipelines with these options, for what most draw; by qtri/pipeline_make.h. */
+#define QTRI_BROUGHT_PIPELINES(list, ...)                                                          \
+    QTRI_PIPELINE(list##_flat, __VA_ARGS__)                                                        \
+    QTRI_PIPELINE(list##_lit, __VA_ARGS__, .shade = QTRI_LIGHT)                                    \
+    QTRI_PIPELINE(list##_colors, __VA_ARGS__, .shade = QTRI_COLORS)                                \
+    QTRI_PIPELINE(list##_texture, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565)                         \
+    QTRI_PIPELINE(list##_texture_lit, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565,                     \
+                  .shade = QTRI_LIGHT)                                                             \
+    QTRI_PIPELINE(list##_texture_white, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565,                   \
+                  .shade = QTRI_WHITE_LIGHT)                                                       \
+    extern const qtri_pipeline *const list[];                                                      \
+    const qtri_pipeline *const list[] = {                                                          \
+        &list##_flat,          &list##_lit, &list##_colors, &list##_texture, &list##_texture_lit,  \
+        &list##_texture_white, NULL};
+
 /* How the share, Q16, that fog leaves follows from the distance and two numbers. */
 typedef int64_t (*qtri_fog_law)(q16 z, q16 a, q16 b);
 
@@ -85,6 +100,12 @@ static inline bool qtri_is_smooth(const qtri_material *material)
 static inline int qtri_provoking_of(const qtri_material *material)
 {
     return qtri_shading_of(material)->provoking;
+}
+
+/* The length of a step, of the magnitudes of both its parts: .97 to 1.07 of it. */
+static inline uint32_t qtri_step_length(uint32_t a, uint32_t b)
+{
+    return a > b ? a + (3 * (b >> 3)) : b + (3 * (a >> 3));
 }
 
 /* Of texture->width_log2 or height_log2, 0..10. */

@@ -5,12 +5,6 @@
 #include "descriptions.h"
 #include "large_setup.h"
 
-/* First row whose centre is at or below y, or column whose centre is at or right of x. */
-static int32_t first_center(int32_t at_24p8)
-{
-    return (at_24p8 + 127) >> 8;
-}
-
 static void edge_init(qtri_dda *dda, const qtri_point *a, const qtri_point *b, int32_t row)
 {
     const int32_t length = b->y_24p8 - a->y_24p8;
@@ -31,10 +25,10 @@ bool qtri_large_edges_init(qtri_large_edges *e, const qtri_rect *bounds,
             clockwise = !clockwise;
         }
     }
-    const int32_t row = qtri_greatest32(first_center(p[0]->y_24p8), bounds->y0);
+    const int32_t row = qtri_greatest32(qtri_large_first_center(p[0]->y_24p8), bounds->y0);
     e->row = row;
-    e->end = qtri_least32(first_center(p[2]->y_24p8), bounds->y1);
-    e->turn = qtri_least32(first_center(p[1]->y_24p8), e->end);
+    e->end = qtri_least32(qtri_large_first_center(p[2]->y_24p8), bounds->y1);
+    e->turn = qtri_least32(qtri_large_first_center(p[1]->y_24p8), e->end);
     if (row >= e->end) {
         return false;
     }
@@ -246,8 +240,8 @@ bool qtri_large_begin_rows(qtri_large *t)
     const qtri_large_input *in = t->in;
     const qtri_rect *bounds = &t->state->bounds;
     qtri_large_set_box(t, in->p, in->area);
-    if (first_center(t->x_least) >= bounds->x1 ||
-        first_center(t->x_least + t->width) <= bounds->x0 ||
+    if (qtri_large_first_center(t->x_least) >= bounds->x1 ||
+        qtri_large_first_center(t->x_least + t->width) <= bounds->x0 ||
         !qtri_large_edges_init(&t->edges, bounds, in->p, in->area > 0)) {
         return false;
     }

@@ -2,12 +2,6 @@
 /* Pieces of rows along which attributes are linear, what bounds leave of pieces, and fog. */
 #include "large_setup.h"
 
-/* x 2^up, |up| <= 21. */
-static uint32_t shifted(uint32_t x, int32_t up)
-{
-    return up >= 0 ? x << up : (uint32_t)((int32_t)x >> -up);
-}
-
 void qtri_large_planes_move(qtri_large_job *job)
 {
     const qtri_large_attribute *const end = &job->a[job->count];
@@ -26,7 +20,8 @@ static inline void set_left(qtri_large_job *job)
     qtri_large_planes_move(job);
     for (int i = 0; i < job->count; i++) {
         qtri_large_attribute *a = &job->a[i];
-        a->at = shifted(qtri_large_plane_at(&a->plane, job->t.row_left), a->piece_shift) + a->start;
+        const uint32_t at = qtri_large_plane_at(&a->plane, job->t.row_left);
+        a->at = (uint32_t)qtri_shift32((int32_t)at, a->piece_shift) + a->start;
     }
 }
 

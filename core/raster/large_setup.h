@@ -29,6 +29,12 @@ bool qtri_large_edges_init(qtri_large_edges *edges, const qtri_rect *bounds,
 void qtri_large_set_box(qtri_large *t, const qtri_point *const p[3], int64_t area);
 void qtri_large_set_up(qtri_large *t);
 
+/* First row whose centre is at or below y, or column whose centre is at or right of x. */
+static inline int32_t qtri_large_first_center(int32_t at_24p8)
+{
+    return (at_24p8 + 127) >> 8;
+}
+
 /* Columns `left` to `right` of row t.y are drawn next, as far as they are within the bounds. */
 static inline void qtri_large_set_row(qtri_large *t, int32_t left, int32_t right)
 {

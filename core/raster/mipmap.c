@@ -27,12 +27,6 @@
  * its middle.
  */
 
-/* The length of a step, of the magnitudes of both its parts: .97 to 1.07 of it. */
-static inline uint32_t step_length_of(uint32_t a, uint32_t b)
-{
-    return a > b ? a + (3 * (b >> 3)) : b + (3 * (a >> 3));
-}
-
 /* K and M of a coordinate in the triangle's first and last row in the frame, and column. */
 typedef struct ends {
     int64_t right[2], down[2]; /* times the area, 2^exponent */
@@ -45,16 +39,11 @@ typedef struct frame {
     uint32_t qq[3]; /* q_i q_j 2^-32 < 2^30 */
 } frame;
 
-/* First row whose centre is at or below y, or column whose centre is at or right of x. */
-static int32_t first_center(int32_t at_24p8)
-{
-    return (at_24p8 + 127) >> 8;
-}
-
 static void set_range(int32_t range[2], int32_t least_24p8, int32_t size_24p8, int32_t count)
 {
-    range[0] = qtri_hold32(first_center(least_24p8), 0, count - 1);
-    range[1] = qtri_hold32(first_center(least_24p8 + size_24p8) - 1, range[0], count - 1);
+    range[0] = qtri_hold32(qtri_large_first_center(least_24p8), 0, count - 1);
+    range[1] =
+        qtri_hold32(qtri_large_first_center(least_24p8 + size_24p8) - 1, range[0], count - 1);
 }
 
 static void set_frame(frame *f, const qtri_large_job *job)
@@ -195,8 +184,8 @@ static uint32_t linear_level(const qtri_large_job *job, uint32_t last)
         right[i] = linear_step(plane->dx, job->axis[i].texel_shift);
         down[i] = linear_step(plane->dy, job->axis[i].texel_shift);
     }
-    const uint32_t across = step_length_of(right[0], right[1]);
-    const uint32_t along = step_length_of(down[0], down[1]);
+    const uint32_t across = qtri_step_length(right[0], right[1]);
+    const uint32_t along = qtri_step_length(down[0], down[1]);
     const uint32_t length = across > along ? across : along;
     uint32_t level = 0;
     while (level < last && length >= (uint32_t)5793 << level) {
@@ -234,8 +223,8 @@ static void set_levels(qtri_large *t)
 static inline uint32_t length_at(const qtri_footprint_plane *f, int32_t x)
 {
     const uint32_t down =
-        step_length_of(qtri_magnitude32((int32_t)(f->down[0] + (uint32_t)x * f->down_dx[0])),
-                       qtri_magnitude32((int32_t)(f->down[1] + (uint32_t)x * f->down_dx[1])));
+        qtri_step_length(qtri_magnitude32((int32_t)(f->down[0] + (uint32_t)x * f->down_dx[0])),
+                         qtri_magnitude32((int32_t)(f->down[1] + (uint32_t)x * f->down_dx[1])));
     return f->length > down ? f->length : down;
 }
 
@@ -303,8 +292,8 @@ static void begin_row(qtri_large_job *job)
 {
     qtri_footprint_plane *f = &job->levels->footprint;
     const uint32_t y = (uint32_t)job->t.y;
-    f->length = step_length_of(qtri_magnitude32((int32_t)(f->right[0] + y * f->right_dy[0])),
-                               qtri_magnitude32((int32_t)(f->right[1] + y * f->right_dy[1])));
+    f->length = qtri_step_length(qtri_magnitude32((int32_t)(f->right[0] + y * f->right_dy[0])),
+                                 qtri_magnitude32((int32_t)(f->right[1] + y * f->right_dy[1])));
 }
 
 /* Coordinates count from texels' centres. */

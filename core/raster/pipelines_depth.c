@@ -7,23 +7,10 @@
 
 #define ON(DEPTH)                                                                                  \
     .format = QTRI_RGB565, .depth = (DEPTH), .compare = QTRI_LESS, .read_only = QTRI_ANY
-#define TEXTURE .texel = QTRI_TEXEL_RGB565
 
-/* A list of them, and the pipelines. */
-#define PIPELINES(list, DEPTH)                                                                     \
-    QTRI_PIPELINE(list##_flat, ON(DEPTH))                                                          \
-    QTRI_PIPELINE(list##_lit, ON(DEPTH), .shade = QTRI_LIGHT)                                      \
-    QTRI_PIPELINE(list##_colors, ON(DEPTH), .shade = QTRI_COLORS)                                  \
-    QTRI_PIPELINE(list##_texture, ON(DEPTH), TEXTURE)                                              \
-    QTRI_PIPELINE(list##_texture_lit, ON(DEPTH), TEXTURE, .shade = QTRI_LIGHT)                     \
-    QTRI_PIPELINE(list##_texture_white, ON(DEPTH), TEXTURE, .shade = QTRI_WHITE_LIGHT)             \
-    static const qtri_pipeline *const list[] = {                                                   \
-        &list##_flat,          &list##_lit, &list##_colors, &list##_texture, &list##_texture_lit,  \
-        &list##_texture_white, NULL};
-
-PIPELINES(qtri_on_float16, QTRI_FLOAT16)
-PIPELINES(qtri_on_linear24, QTRI_LINEAR24)
-PIPELINES(qtri_on_linear32, QTRI_LINEAR32)
+QTRI_BROUGHT_PIPELINES(qtri_on_float16, ON(QTRI_FLOAT16))
+QTRI_BROUGHT_PIPELINES(qtri_on_linear24, ON(QTRI_LINEAR24))
+QTRI_BROUGHT_PIPELINES(qtri_on_linear32, ON(QTRI_LINEAR32))
 
 const qtri_depth_format qtri_depth_float16 = {
     QTRI_DEPTH_FLOAT16_BYTES, &qtri_depth_words, qtri_depth_to_float16,

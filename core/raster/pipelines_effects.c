@@ -87,22 +87,7 @@ const qtri_blend qtri_blend_screen_door = {QTRI_SCREEN_DOOR, false, NULL, begin}
 
 /* Fog ------------------------------------------------------------------------------------------ */
 
-#define FOG LESS, .fog = 1
-
-QTRI_PIPELINE(qtri_pipeline_fog, FOG)
-QTRI_PIPELINE(qtri_pipeline_fog_lit, FOG, .shade = QTRI_LIGHT)
-QTRI_PIPELINE(qtri_pipeline_fog_colors, FOG, .shade = QTRI_COLORS)
-QTRI_PIPELINE(qtri_pipeline_fog_texture, FOG, TEXTURE)
-QTRI_PIPELINE(qtri_pipeline_fog_texture_lit, FOG, TEXTURE, .shade = QTRI_LIGHT)
-QTRI_PIPELINE(qtri_pipeline_fog_texture_white, FOG, TEXTURE, .shade = QTRI_WHITE_LIGHT)
-
-const qtri_pipeline *const qtri_pipelines_fog[] = {&qtri_pipeline_fog,
-                                                   &qtri_pipeline_fog_lit,
-                                                   &qtri_pipeline_fog_colors,
-                                                   &qtri_pipeline_fog_texture,
-                                                   &qtri_pipeline_fog_texture_lit,
-                                                   &qtri_pipeline_fog_texture_white,
-                                                   NULL};
+QTRI_BROUGHT_PIPELINES(qtri_pipelines_fog, LESS, .fog = 1)
 
 /* Describes all of a fog but its shares. */
 static void begin_fog(qtri_fog *fog, qtri_rgb color)

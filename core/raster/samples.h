@@ -38,9 +38,6 @@ enum {
     QTRI_SAMPLE_DEPTHS = 6 /* bytes after the colours; then a record may be filled up */
 };
 
-/* Of samples from the centre, 1/256 pixel; then of that. */
-extern const int8_t qtri_sample_offset[QTRI_SAMPLES + 1][2];
-
 /* The mean of a record as a stored pixel. */
 uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record);
 

@@ -9,11 +9,6 @@
 #include "../filter/mix.h"
 #include "../frame/pixel.h"
 
-static inline uint8_t *pixels_at(const qtri_surface *surface, int32_t row)
-{
-    return surface->pixels + (ptrdiff_t)(row - surface->first_row) * surface->pitch;
-}
-
 static void set_all(uint8_t *record, int32_t size, uint32_t stored)
 {
     const int32_t bytes = qtri_sample_bytes(size);
@@ -133,7 +128,7 @@ void qtri_samples_clear(const qtri_surface *surface, qtri_rgb color)
     const uint32_t stored = qtri_pixel_from_rgb(surface->format, color);
     const int32_t size = surface->format->pixels->bytes;
     for (int32_t y = bounds.y0; y < bounds.y1; y++) {
-        uint8_t *record = pixels_at(surface, y) + (ptrdiff_t)bounds.x0 * size;
+        uint8_t *record = qtri_surface_at(surface, 0, y) + (ptrdiff_t)bounds.x0 * size;
         if (size == QTRI_RGB565_X4_BYTES) {
             clear_565(record, bounds.x1 - bounds.x0, stored);
         } else {
@@ -156,7 +151,7 @@ void qtri_samples_clear_depth(const qtri_surface *surface, q16 depth)
     const uint16_t stored = (uint16_t)((depth_16p16 + 0x8000) >> 16);
     const int32_t size = surface->format->pixels->bytes;
     for (int32_t y = bounds.y0; y < bounds.y1; y++) {
-        uint8_t *record = pixels_at(surface, y) + (ptrdiff_t)bounds.x0 * size;
+        uint8_t *record = qtri_surface_at(surface, 0, y) + (ptrdiff_t)bounds.x0 * size;
         for (int32_t x = bounds.x0; x < bounds.x1; x++, record += size) {
             for (int k = 1; k < QTRI_SAMPLES; k++) {
                 *qtri_sample_depth(record, qtri_sample_bytes(size), k) = stored;
@@ -224,7 +219,7 @@ enum qtri_error qtri_samples_resolve(const qtri_surface *samples, qtri_surface *
     out->format = format;
     out->depth = NULL;
     for (int32_t y = bounds.y0; y < bounds.y1; y++) {
-        uint8_t *row = pixels_at(&from, y);
+        uint8_t *row = qtri_surface_at(&from, 0, y);
         if (qtri_is_565(format)) {
             resolve_565(row + (ptrdiff_t)bounds.x0 * size, (uint16_t *)(void *)row + bounds.x0,
                         bounds.x1 - bounds.x0);

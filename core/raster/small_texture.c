@@ -15,12 +15,6 @@
 
 #include "../bits/bits.h"
 
-/* x 2^up, rounded down, |up| < 32. */
-static int32_t shifted(int32_t x, int32_t up)
-{
-    return up >= 0 ? (int32_t)((uint32_t)x << up) : x >> -up;
-}
-
 /* Texture coordinates -------------------------------------------------------------------------- */
 
 typedef enum held {
@@ -228,25 +222,19 @@ bool qtri_small_set_curves(qtri_small_curves *curves, qtri_small_division *divis
  */
 enum { EVEN_Q6 = 5 /* 1/w of vertices 1 and 2 may be this by 64, 1/12.8, off that of vertex 0 */ };
 
-/* The length of a step, of the magnitudes of both its parts: .97 to 1.07 of it. */
-static uint32_t length_of(uint32_t a, uint32_t b)
-{
-    return a > b ? a + (3 * (b >> 3)) : b + (3 * (a >> 3));
-}
-
 /* The greatest step of both axes, times size / 256, in 2^-fraction of a texel. */
 static uint32_t step_of(int32_t f[2][2], const int32_t up[2], int32_t fraction,
                         const qtri_small_place *p, const int32_t e_q18[2])
 {
     uint32_t right[2], down[2];
     for (int i = 0; i < 2; i++) {
-        const int32_t f1 = qtri_small_scaled(shifted(f[i][0], fraction - up[i]), e_q18[0]);
-        const int32_t f2 = qtri_small_scaled(shifted(f[i][1], fraction - up[i]), e_q18[1]);
+        const int32_t f1 = qtri_small_scaled(qtri_shift32(f[i][0], fraction - up[i]), e_q18[0]);
+        const int32_t f2 = qtri_small_scaled(qtri_shift32(f[i][1], fraction - up[i]), e_q18[1]);
         right[i] = qtri_small_about(f2 * p->dy1 - f1 * p->dy2);
         down[i] = qtri_small_about(f1 * p->dx2 - f2 * p->dx1);
     }
-    const uint32_t across = length_of(right[0], right[1]);
-    const uint32_t along = length_of(down[0], down[1]);
+    const uint32_t across = qtri_step_length(right[0], right[1]);
+    const uint32_t along = qtri_step_length(down[0], down[1]);
     return across > along ? across : along;
 }
 

@@ -133,11 +133,13 @@ static bool find_packed(qtri_small_colors *f, const qtri_small_place *p, const q
 static inline void set_two_words(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
                                  const qtri_small_colors *f, int32_t full, uint32_t half, int down)
 {
-    qtri_small_ramp r;
+    const uint32_t round = (uint32_t)1 << (down - 1);
+    qtri_small_ramp r, b;
     qtri_small_channel_set(&r, p, f->at.r, f->d1.r, f->d2.r, full, half);
-    qtri_small_pack_red(c, &r, down);
-    qtri_small_channel_set(&r, p, f->at.b, f->d1.b, f->d2.b, full, half);
-    qtri_small_pack_blue(c, &r, down);
+    qtri_small_channel_set(&b, p, f->at.b, f->d1.b, f->d2.b, full, half);
+    c->at = (r.at >> down << 16) + qtri_small_signed_shift(b.at, down);
+    c->dx = ((r.dx + round) >> down << 16) + qtri_small_signed_shift(b.dx + round, down);
+    c->dy = ((r.dy + round) >> down << 16) + qtri_small_signed_shift(b.dy + round, down);
     qtri_small_channel_set(g, p, f->at.g, f->d1.g, f->d2.g, full, half);
     qtri_small_set_base(c, p);
     qtri_small_set_base(g, p);

@@ -15,10 +15,6 @@
 
 #include "stored.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 #define QTRI_SAMPLE_0    0x80u
 #define QTRI_SAMPLE_1    0x8000u
 #define QTRI_SAMPLE_2    0x800000u
@@ -128,9 +124,5 @@ QTRI_BODY void qtri_pixel_store_samples(uint32_t bytes, uint8_t *pixel, uint32_t
         qtri_save(bytes, pixel + 3 * bytes, stored);
     }
 }
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

@@ -9,10 +9,6 @@
 #include "loop.h"
 #include "small_setup.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 /* What rows begin with. */
 typedef struct qtri_small_rows {
     qtri_small_ramp c, g, alpha, u, v;
@@ -142,6 +138,15 @@ QTRI_BODY void qtri_small_set_fog_along(qtri_pixel_walk *w, uint32_t count)
     w->fog += 0x8000u;
 }
 
+QTRI_BODY uint8_t *qtri_small_depths(const qtri_draw_state *state)
+{
+#ifdef QTRI_PIPELINE_IS_ANY_LOOP
+    return (uint8_t *)state->depth;
+#else
+    return (uint8_t *)state->surface->depth;
+#endif
+}
+
 /*
  * The walk goes on from the end of a row to the start of the next, so that it alone is stepped.
  * Curved: texture coordinates, or light, are curves.
@@ -172,7 +177,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     uint32_t at = QTRI_SMALL_REACH; /* where the walk is, as spans count */
     w->pixel = surface->pixels + row * pitch + (ptrdiff_t)bytes * p->column;
     w->depth =
-        tests ? (uint8_t *)w->state->depth + row * depth_pitch + (ptrdiff_t)depth_bytes * p->column
+        tests ? qtri_small_depths(w->state) + row * depth_pitch + (ptrdiff_t)depth_bytes * p->column
               : (uint8_t *)0;
     w->apart = (uintptr_t)w->pixel - (uintptr_t)w->depth;
     w->x = p->column;
@@ -434,9 +439,5 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
                         is_curved);
     return true;
 }
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

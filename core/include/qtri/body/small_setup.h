@@ -372,23 +372,6 @@ QTRI_SMALL_PART int32_t qtri_small_luma(const qtri_small_channels *f)
     return (f->r * 9798 + f->g * 19235 + f->b * 3735 + 0x4000) >> 15;
 }
 
-/* Red and blue, n.16, in halves of a word as n.(16 - down): red, then blue. */
-QTRI_SMALL_PART void qtri_small_pack_red(qtri_small_ramp *c, const qtri_small_ramp *r, int down)
-{
-    const uint32_t round = (uint32_t)1 << (down - 1);
-    c->at = r->at >> down << 16;
-    c->dx = (r->dx + round) >> down << 16;
-    c->dy = (r->dy + round) >> down << 16;
-}
-
-QTRI_SMALL_PART void qtri_small_pack_blue(qtri_small_ramp *c, const qtri_small_ramp *b, int down)
-{
-    const uint32_t round = (uint32_t)1 << (down - 1);
-    c->at += qtri_small_signed_shift(b->at, down);
-    c->dx += qtri_small_signed_shift(b->dx + round, down);
-    c->dy += qtri_small_signed_shift(b->dy + round, down);
-}
-
 /* Channels of 565, n.16, in one word: red, then the others. */
 QTRI_BODY void qtri_small_pack_red_565(qtri_small_ramp *c, const qtri_small_ramp *r)
 {

@@ -45,7 +45,6 @@ typedef struct qtri_draw_state {
     struct {
         uint32_t x, y, width, height;
     } inner;
-    void *depth;           /* the surface's */
     ptrdiff_t depth_pitch; /* bytes */
 
     const qtri_texture *texture;
@@ -72,7 +71,8 @@ typedef struct qtri_draw_state {
     /* For the generic pipeline: the texture's filter, NULL for nearest; its loop over pixels. */
     uint32_t (*between)(const struct qtri_pixel_walk *w, bool *drawn);
     qtri_pixels_loop *loop;
-    uint16_t no_depth; /* in place of all depths, where there are none */
+    void *depth;       /* the surface's, or, */
+    uint16_t no_depth; /*   where it has none, this in place of all */
 
     /* QTRI_LIGHT without texture on RGB565: stored pixels by light. QTRI_TABLE of them, in memory
        of the draw calls that have such light: of meshes. */
