@@ -2,8 +2,8 @@
 /*
  * The generic pipeline: the body with options that are read at run time. What most programs ask for
  * has loops in which most are constants, any comparison of depths included. Millions of
- * instructions on a Cortex-M0+ by draw_other, and by these: flat S1l 14.9, 1.6; colours S2l 17.7,
- * 2.8; a texture S3l 15.5, 2.6; a lit mesh S4kl 14.9, 8.8; on other formats S4kg 15.6, 11.9.
+ * instructions on a Cortex-M0+ by draw_other, and by these: flat S1l 14.9, 1.4; colours S2l 17.7,
+ * 3.6; a texture S3l 15.5, 2.7; a lit mesh S4kl 14.9, 8.8; on other formats S4kg 15.6, 11.8.
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -23,7 +23,7 @@ QTRI_BODY void draw_pixels(const qtri_options *o, qtri_pixel_walk *w, bool bent,
         qtri_walk_turn(o, w);
         w->pixel += o->pixel_bytes;
         w->depth += depth_step;
-    } while (--count > 0);
+    } while (--count != 0);
 }
 
 /* With 16 bits of depth, by a copy of the walk, which the compiler keeps in registers. */
@@ -36,6 +36,7 @@ QTRI_BODY void draw_shaded(qtri_options o, qtri_pixel_walk *w, bool bent, int32_
     o.depth_bytes = 2;
     o.read_only = QTRI_ANY;
     o.asks |= 1u << QTRI_ASK_TEST | 1u << QTRI_ASK_WRITE | 1u << QTRI_ASK_DEPTH;
+    QTRI_BODY_ASSUME(count > 0);
     draw_pixels(&o, &own, bent, count, all->depth_bytes);
     w->pixel = own.pixel;
     w->depth = own.depth;
@@ -46,8 +47,12 @@ QTRI_BODY void draw_shaded(qtri_options o, qtri_pixel_walk *w, bool bent, int32_
         w->u_step = own.u_step;
         w->v_step = own.v_step;
     }
-    w->c = own.c;
-    w->g = own.g;
+    if (qtri_varies(&o)) {
+        w->c = own.c;
+    }
+    if (qtri_has_two_words(&o)) {
+        w->g = own.g;
+    }
     if (qtri_is_packed_565(&o)) {
         w->c_step = own.c_step;
         w->c_other = own.c_other;
@@ -97,11 +102,12 @@ QTRI_BODY_ALONE void draw_other(qtri_pixel_walk *w, bool bent, int32_t count)
     draw_pixels(o, w, bent, count, o->depth_bytes);
 }
 
-/* RGB565 in colours of 565, and what is constant then. */
+/* RGB565 in either order of bytes, in colours of 565, and what is constant then. */
 #define ON_RGB565(name, TEXEL, SHADE, ASKS)                                                        \
     QTRI_BODY_ALONE void name(qtri_pixel_walk *w, bool bent, int32_t count)                        \
     {                                                                                              \
-        const qtri_options o = {.format = QTRI_RGB565,                                             \
+        const bool swaps = w->state->options.format != QTRI_RGB565;                                \
+        const qtri_options o = {.format = swaps ? QTRI_RGB565_SWAPPED : QTRI_RGB565,               \
                                 .texel = (TEXEL),                                                  \
                                 .shade = (SHADE),                                                  \
                                 .pixel_bytes = 2,                                                  \
@@ -121,16 +127,17 @@ ON_RGB565(draw_texture_shaded_565, QTRI_TEXEL_RGB565, w->state->options.shade,
 /* By what options ask for: the loop that draws the pixels. */
 static qtri_pixels_loop *loop_of(const qtri_options *o)
 {
+    const bool is_565 = o->format == QTRI_RGB565 || o->format == QTRI_RGB565_SWAPPED;
     if ((o->bilinear | o->alpha_test | o->keep | o->fog | o->blend | o->large_texture) != 0 ||
         o->fragment != NULL || o->depth > QTRI_LINEAR16) {
         return draw_other;
     }
-    if (o->format == QTRI_RGB565 && o->texel == QTRI_NO_TEXEL) {
+    if (is_565 && o->texel == QTRI_NO_TEXEL) {
         return o->shade == QTRI_COLORS ? draw_colors_565
                : qtri_is_lit(o)        ? draw_lit_565
                                        : draw_flat_565;
     }
-    if (o->format == QTRI_RGB565 && o->texel == QTRI_TEXEL_RGB565 && !o->key) {
+    if (is_565 && o->texel == QTRI_TEXEL_RGB565 && !o->key) {
         return o->shade == QTRI_FLAT          ? draw_texture_565
                : o->shade == QTRI_WHITE_LIGHT ? draw_texture_white_565
                                               : draw_texture_shaded_565;
