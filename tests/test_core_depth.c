@@ -389,6 +389,26 @@ static bool model_passes(qtri_compare compare, uint32_t depth, uint32_t stored)
     }
 }
 
+/* Where pixels find the comparison: of depths of 24 bits, and of more. */
+TEST(any_comparison_of_stored_depths)
+{
+    static const uint32_t ends[] = {0,        1,         0x7FFF,     0x8000,
+                                    0xFFFE,   0xFFFF,    0x800000,   0xFFFFFE,
+                                    0xFFFFFF, 0x1000000, 0x80000000, UINT32_MAX};
+    for (uint32_t number = QTRI_NEVER; number <= QTRI_ALWAYS; number++) {
+        const qtri_compare compare = (qtri_compare)number;
+        for (size_t i = 0; i < LENGTH_OF(ends) * LENGTH_OF(ends); i++) {
+            const uint32_t z = ends[i / LENGTH_OF(ends)], stored = ends[i % LENGTH_OF(ends)];
+            const uint8_t depth = (z | stored) >> 24 == 0 ? QTRI_LINEAR24 : QTRI_LINEAR32;
+            const qtri_options o = {.depth = depth, .compare = QTRI_ANY};
+            qtri_pixel_walk walk = {.pixel = NULL};
+            qtri_walk_set_compare(&o, &walk, number - QTRI_NEVER);
+            assert_int_equal(qtri_depth_passes(&o, &walk, z, stored),
+                             model_passes(compare, z, stored));
+        }
+    }
+}
+
 /* What is level, over what was there, by every comparison: shapes over the pixel in the middle. */
 TEST(comparisons)
 {
