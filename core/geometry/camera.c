@@ -15,8 +15,8 @@
 
 /* ---- Cameras and projections ---- */
 
-/* side = forward x up, normalised; false: up has no part across forward. */
-static bool is_across(qtri_wide side[3], const qtri_wide forward[3], const qtri_vec3 *up)
+/* side = forward x up, normalised; false: up is 0 or parallel to forward. */
+static bool set_side(qtri_wide side[3], const qtri_wide forward[3], const qtri_vec3 *up)
 {
     qtri_wide unit[3];
     qtri_wide_from_vec3(unit, up);
@@ -32,13 +32,13 @@ static bool is_across(qtri_wide side[3], const qtri_wide forward[3], const qtri_
     return qtri_wide_normalize(side);
 }
 
-/* With substitutes for an up that does not serve: what has no part across y has one across z. */
+/* forward x up, normalised; y, or else z, stands in for an up that is 0 or parallel to forward. */
 static void side_axis(qtri_wide side[3], const qtri_wide forward[3], const qtri_vec3 *up)
 {
     static const qtri_vec3 y = {0, Q16_ONE, 0};
     static const qtri_vec3 z = {0, 0, Q16_ONE};
-    if (!is_across(side, forward, up) && !is_across(side, forward, &y)) {
-        (void)is_across(side, forward, &z);
+    if (!set_side(side, forward, up) && !set_side(side, forward, &y)) {
+        (void)set_side(side, forward, &z);
     }
 }
 

@@ -229,8 +229,8 @@ bool qtri_view_sees_ball(const qtri_view *view, const qtri_transform *pose, cons
  *
  * h is half of 1/256 pixel, and what separates the rows of the vertex stage from a, b and c: a wide
  * row is 12 away from the compact one, whose three m and t lost up to 4; a sum is cut off by 2, t
- * here by 1; a and b are off by 3 an element, see center(). ROW_ERROR is more than that. An error
- * of W counts |X| / W <= 2^30 / W times: altogether ROW_ERROR (1 + 2^30 / W) f / W pixels.
+ * here by 1; a and b are off by 3 an element, see subtract_w_row(). ROW_ERROR is more than that. An
+ * error of W counts |X| / W <= 2^30 / W times: altogether ROW_ERROR (1 + 2^30 / W) f / W pixels.
  */
 enum { ROW_ERROR = 32, NEAREST = 16, SNAPPED_MAX_LOG2 = 24, BEHIND_MAX_LOG2 = 29 };
 
@@ -264,11 +264,11 @@ static uint64_t times_power(uint32_t x, int32_t shift)
     return shift >= 0 ? (uint64_t)x << shift : x >> -shift;
 }
 
-/* W: w0, how far W goes from there, and what depends on them. */
+/* The range of W over the mesh, and what depends on it. */
 typedef struct distance {
-    int32_t t;            /* w0 */
+    int32_t t;            /* w0, W at the origin */
     int32_t slope_q30[3]; /* c / w0 */
-    uint32_t reach;       /* |c| R */
+    uint32_t reach;       /* |c| R, the most that W differs from w0 */
     uint32_t least;       /* W at the nearest point */
     uint32_t inverse_q10; /* 1 / (1 - g), not less */
     uint32_t spread_q10;  /* (1 + g)^2 / (1 - g), not less */
@@ -320,10 +320,10 @@ static bool is_between(const qtri_projector *projector, const distance *w, uint3
 }
 
 /*
- * The row less its part along w's: |t slope| <= |t|, so it stays below 2^30 (+ 2^5). Off by 3: 2
- * from the slope, 1 cut off.
+ * The derivation's a or b: the m of X's or Y's row less x0 c = t slope. |t slope| <= |t|, so it
+ * stays below 2^30 (+ 2^5). Off by 3: 2 from the slope, 1 cut off.
  */
-static void center(int32_t out[3], const qtri_row16 *row, const int32_t slope_q30[3])
+static void subtract_w_row(int32_t out[3], const qtri_row16 *row, const int32_t slope_q30[3])
 {
     const int32_t t = qtri_row16_translation(row);
     for (int i = 0; i < 3; i++) {
@@ -339,9 +339,10 @@ static uint64_t snapped(const distance *w, int32_t up)
     return (times_power((uint32_t)w->t, up) >> 9) + rows + 2;
 }
 
-/* The bound above, `down` being the bits that k lost; UINT64_MAX where it is far too large. */
-static uint64_t find_bound(const qtri_eye *eye, const qtri_faces *faces, uint32_t radius_q14,
-                           const distance *w, uint64_t moved, uint32_t reach, int32_t down)
+/* A face whose qtri_eye_side() is at least this turns away, snapped or not: see the bound on faces.
+   k lost `down` bits; UINT64_MAX: no face is sure to turn away. */
+static uint64_t back_face_bound(const qtri_eye *eye, const qtri_faces *faces, uint32_t radius_q14,
+                                const distance *w, uint64_t moved, uint32_t reach, int32_t down)
 {
     const uint64_t blur = ((moved * reach) >> down) + 1; /* < 2^(24 + 32) */
     const uint64_t both = moved * faces->thin;
@@ -376,13 +377,11 @@ bool qtri_eye_find(qtri_eye *eye, const qtri_projector *projector, const qtri_fa
     if (times_power(w.least, up) >> 17 == 0 || moved >> SNAPPED_MAX_LOG2 != 0) {
         return false;
     }
-    int32_t a[3];
-    int32_t b[3];
+    int32_t a[3], b[3], k[3];
     int64_t cross[3];
-    int32_t k[3];
     int64_t along = 0;
-    center(a, &projector->row.compact[0], w.slope_q30);
-    center(b, &projector->row.compact[1], w.slope_q30);
+    subtract_w_row(a, &projector->row.compact[0], w.slope_q30);
+    subtract_w_row(b, &projector->row.compact[1], w.slope_q30);
     for (int i = 0; i < 3; i++) {
         const int next = i < 2 ? i + 1 : 0;
         const int last = 3 - i - next;
@@ -399,7 +398,8 @@ bool qtri_eye_find(qtri_eye *eye, const qtri_projector *projector, const qtri_fa
     eye->y = k[1] >> 9;
     eye->z = k[2] >> 9;
     eye->w = (int32_t)(along >> 39);
-    const uint64_t bound = find_bound(eye, faces, radius_q14, &w, moved, reach_above(a, b), down);
+    const uint64_t bound =
+        back_face_bound(eye, faces, radius_q14, &w, moved, reach_above(a, b), down);
     eye->behind = (int32_t)(bound & INT32_MAX);
     return bound >> BEHIND_MAX_LOG2 == 0;
 }

@@ -14,7 +14,7 @@
  */
 typedef struct qtri_eye {
     int32_t x, y, z, w;
-    int32_t behind;
+    int32_t behind; /* a face whose qtri_eye_side() is at least this turns away */
 } qtri_eye;
 
 /*

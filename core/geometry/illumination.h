@@ -85,8 +85,8 @@ typedef struct qtri_illumination {
     qtri_light_run run[QTRI_LIGHTS_MAX];
     int32_t view_q14[3];     /* towards the eye */
     uint32_t ambient_q24[3]; /* times the diffuse colour */
-    uint32_t
-        base_q15[3]; /* emission, and ambient light on a colour of its own: 0..17 255, and half */
+    /* Emission, and ambient light on an ambient colour of its own: 0..17 255, and 1/2 to round. */
+    uint32_t base_q15[3];
     qtri_rgb specular;
     const qtri_shininess *shininess; /* NULL: no highlights */
     int32_t normal_q28[3][3];        /* not even: inverse transpose up to a positive factor */
@@ -213,13 +213,12 @@ QTRI_IN_PLACE void qtri_illuminated_place(qtri_lit_point *point, const qtri_illu
 }
 
 /*
- * A channel of a colour: base has half of a step in it.
- *
- * Of sums below 2^32 there remain 23 bits, times 255 less than 2^31; base is below 2^27. Only the
- * eight sources together, each far too bright, come near that.
+ * A channel of a lit colour, 0..255: base, which has the 1/2 that rounds, diffuse times color and
+ * specular times highlight. With eight sources and ambient light of 16 at most, diffuse and base
+ * add up to 145 times 255 and specular to 128 times 255: the sum is below 2^31.2.
  */
-static inline uint32_t qtri_reflect(uint32_t base_q15, uint32_t diffuse_q24, uint32_t specular_q24,
-                                    uint32_t color, uint32_t highlight)
+static inline uint32_t qtri_lit_channel(uint32_t base_q15, uint32_t diffuse_q24,
+                                        uint32_t specular_q24, uint32_t color, uint32_t highlight)
 {
     const uint32_t sum_q15 =
         base_q15 + (diffuse_q24 >> 9) * color + (specular_q24 >> 9) * highlight;
@@ -248,12 +247,12 @@ QTRI_IN_PLACE uint32_t qtri_illuminate(const qtri_illumination *by, qtri_lit_poi
                                        const qtri_rgb *color)
 {
     qtri_gather_light(by, point);
-    const uint32_t red = qtri_reflect(by->base_q15[0], point->diffuse_q24[0],
-                                      point->specular_q24[0], color->r, by->specular.r);
-    const uint32_t green = qtri_reflect(by->base_q15[1], point->diffuse_q24[1],
-                                        point->specular_q24[1], color->g, by->specular.g);
-    const uint32_t blue = qtri_reflect(by->base_q15[2], point->diffuse_q24[2],
-                                       point->specular_q24[2], color->b, by->specular.b);
+    const uint32_t red = qtri_lit_channel(by->base_q15[0], point->diffuse_q24[0],
+                                          point->specular_q24[0], color->r, by->specular.r);
+    const uint32_t green = qtri_lit_channel(by->base_q15[1], point->diffuse_q24[1],
+                                            point->specular_q24[1], color->g, by->specular.g);
+    const uint32_t blue = qtri_lit_channel(by->base_q15[2], point->diffuse_q24[2],
+                                           point->specular_q24[2], color->b, by->specular.b);
     return red << 16 | green << 8 | blue;
 }
 

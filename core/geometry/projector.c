@@ -6,8 +6,8 @@
 #include "projector.h"
 #include "row.h"
 
-/* scale times row `axis` + center times row w, for a half-pixel unit: scale and center count
- * halves. */
+/* The row whose value is a pixel coordinate times w: (scale row[axis] + center row[3]) / 2, as
+ * scale and center count half pixels. */
 static void fold_viewport(qtri_row *out, const qtri_transform *clip, int axis, int32_t scale,
                           int32_t center)
 {
@@ -226,8 +226,9 @@ void qtri_vertex_exact(const qtri_projector *projector, const qtri_clip_vertex *
     out->intensity_q15 = QTRI_VERTEX_UNLIT;
 }
 
-QTRI_NOINLINE static bool exact(const qtri_projector *projector, const qtri_vec3 *p,
-                                qtri_vertex *out)
+/* Projects p by 64-bit coordinates, where faster ways do not fit; false: it is outside. */
+QTRI_NOINLINE static bool project_exact(const qtri_projector *projector, const qtri_vec3 *p,
+                                        qtri_vertex *out)
 {
     qtri_clip_vertex clip;
     qtri_projector_point(projector, p, &clip);
@@ -283,19 +284,17 @@ QTRI_IN_PLACE bool place(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
     const int64_t w = row_sum(&row[3], row[3].t, p->x, p->y, p->z);
     const int32_t zeros = zeros_of(w);
     if (zeros == 0 || zeros > to->most) {
-        return exact(projector, p, out);
+        return project_exact(projector, p, out);
     }
     const uint32_t w_low = (uint32_t)((uint64_t)w & UINT32_MAX);
     uint32_t w_q32 = (uint32_t)((uint64_t)w >> 32) << zeros | w_low >> (32 - zeros);
-    int32_t z_q31;
-    int32_t x;
-    int32_t y;
+    int32_t z_q31, x, y;
     bool fits = narrow(&z_q31, row_sum(&row[2], row[2].t, p->x, p->y, p->z), to->z_down - zeros) &&
                 narrow(&x, row_sum(&row[0], row[0].t, p->x, p->y, p->z), to->x_down - zeros) &&
                 narrow(&y, row_sum(&row[1], row[1].t, p->x, p->y, p->z), to->y_down - zeros) &&
                 (uint32_t)z_q31 + (w_q32 >> 1) - 2 < w_q32 - 4; /* |z_q31| < w_q32 / 2 - 1 */
     if (!fits) {
-        return exact(projector, p, out);
+        return project_exact(projector, p, out);
     }
     int32_t r = qtri_reciprocal_below(w_q32);
     const int32_t half = (1 << (FAST_BITS - 1)) - 1; /* and the - 1 of h - 1 */
@@ -303,7 +302,7 @@ QTRI_IN_PLACE bool place(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
     x = qtri_mul_high_s32(x, r) + half;
     y = qtri_mul_high_s32(y, r) + half;
     if (((x + 3) & mask) < 3 || ((y + 3) & mask) < 3) {
-        return exact(projector, p, out);
+        return project_exact(projector, p, out);
     }
     out->at.x_24p8 = x >> FAST_BITS;
     out->at.y_24p8 = y >> FAST_BITS;

@@ -56,8 +56,8 @@ void qtri_view_perspective(qtri_view *view, q16 fovy, q16 near_z, q16 far_z)
 
 /* ---- Jitter ---- */
 
-/* The lowest `count` bits the other way round. */
-static uint32_t reversed(uint32_t bits, int32_t count)
+/* The lowest `count` bits in reverse order. */
+static uint32_t reverse_bits(uint32_t bits, int32_t count)
 {
     uint32_t result = 0;
     for (; count > 0; count--, bits >>= 1) {
@@ -66,7 +66,7 @@ static uint32_t reversed(uint32_t bits, int32_t count)
     return result;
 }
 
-/* Clip coordinates of the middle of part `part` of 2^count of a pixel, -1/2 .. 1/2. */
+/* From a pixel's centre to the middle of its part `part` of 2^count, in clip coordinates. */
 static q16 clip_of(uint32_t part, int32_t count, int32_t pixels)
 {
     const int32_t middle = (int32_t)((2 * part + 1) << (15 - count)); /* Q16 */
@@ -79,7 +79,7 @@ void qtri_view_jitter(qtri_view *out, const qtri_view *view, uint32_t n, int32_t
     QTRI_ASSERT(view != NULL);
     const int32_t count = qtri_hold32(frames_log2, 0, QTRI_JITTER_LOG2_MAX);
     const uint32_t column = n & (((uint32_t)1 << count) - 1);
-    const uint32_t row = reversed(column, count) ^ (count > 0 ? 1 : 0);
+    const uint32_t row = reverse_bits(column, count) ^ (count > 0 ? 1 : 0);
     qtri_transform moved;
     const qtri_vec3 by = {clip_of(column, count, view->viewport.width),
                           clip_of(row, count, view->viewport.height), 0};

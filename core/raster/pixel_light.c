@@ -122,7 +122,7 @@ static void set_normal(qtri_lit_point *point, const qtri_lit_triangle *p, const 
     }
 }
 
-/* A channel of a colour, 8.8, in the light, n.16: sums are as in qtri_reflect(). */
+/* A lit channel, 8.16, of a color in 8.8; sums are bounded as in qtri_lit_channel(). */
 static uint32_t reflected_8p16(uint32_t base_q15, uint32_t diffuse_q24, uint32_t specular_q24,
                                uint32_t color_8p8, uint32_t highlight)
 {
