@@ -103,7 +103,7 @@ static qtri_rgb vertex_color(const qtri_mesh_job *draw, uint32_t index, bool is_
     return qtri_lit_rgb(vertex_word(draw, index, is_back));
 }
 
-static void meet(const qtri_mesh_job *draw, const void *indices)
+static void light_triangle(const qtri_mesh_job *draw, const void *indices)
 {
     const bool has_words = draw->lit_colors != NULL && draw->illumination != NULL;
     for (int i = 0; i < 3 && has_words; i++) { /* of vertices: has_place() has said so */
@@ -111,7 +111,7 @@ static void meet(const qtri_mesh_job *draw, const void *indices)
     }
 }
 
-/* Where they are fewer: in one place. */
+/* qtri_illuminate() out of line, for calls that are fewer. */
 QTRI_NOINLINE static qtri_rgb illuminate(const qtri_illumination *by, qtri_lit_point *point,
                                          const qtri_rgb *color)
 {
@@ -132,7 +132,7 @@ static void set_mean(qtri_lit_point *point, const qtri_mesh_job *draw, const qtr
     }
 }
 
-/* In the light of the face's normal: at its middle when flat, otherwise at each corner. */
+/* Colours in the light of the face's normal: at its middle when flat, otherwise at each vertex. */
 static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back,
                        qtri_rgb color[3])
 {
@@ -251,7 +251,7 @@ static const qtri_light_model model = {
     .mesh = illuminate_mesh,
     .has_place = has_place,
     .list = light_list,
-    .meet = meet,
+    .light_triangle = light_triangle,
     .find = find,
     .find_large = find_large,
     .shade = shade,

@@ -24,8 +24,8 @@ struct qtri_light_model {
     bool (*has_place)(const qtri_mesh_job *draw, bool both_sides);
     /* Lights the vertices whose numbers are vertices[0..count-1].index, where they have a place. */
     void (*list)(const qtri_mesh_job *draw, uint32_t count);
-    /* Lights the vertices of a triangle likewise. */
-    void (*meet)(const qtri_mesh_job *draw, const void *indices);
+    /* Lights the vertices of a triangle, where they have a place. */
+    void (*light_triangle)(const qtri_mesh_job *draw, const void *indices);
     /* For pipelines, as qtri_small.light: colours of the vertices into the draw state. */
     uint32_t (*find)(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
                      qtri_vertex *c);

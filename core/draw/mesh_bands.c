@@ -98,7 +98,7 @@ static void divide_memory(qtri_prepared *prepared, bool in_lights)
     prepared->list_count = lists < PLACES ? (uint32_t)lists : PLACES;
 }
 
-typedef struct sorter {
+typedef struct binner {
     const qtri_mesh_job *job;
     qtri_prepared *prepared;
     bool is_complete;
@@ -112,17 +112,18 @@ typedef struct sorter {
     uint32_t group;      /* one that is not listed yet; UINT32_MAX: none */
     int32_t top, bottom; /* its rows */
     bool is_anywhere;    /* some triangle crosses a plane */
-} sorter;
+} binner;
 
-/* The vertices of a triangle that is seen are lit for good; without light that tells they were met.
-   Those in slots are lit when they are drawn: what they span is noted now. */
-static inline void meet(const sorter *s, const void *triangle, qtri_vertex *const vertex[3])
+/* Lights a visible triangle's vertices, which marks them as visited even without light. Vertices in
+   slots are lit when they are drawn, and widen the extent now. */
+static inline void visit_vertices(const binner *s, const void *triangle,
+                                  qtri_vertex *const vertex[3])
 {
     if (qtri_vertices_are_lit(vertex[0], vertex[1], vertex[2])) {
         return;
     }
     if (s->is_complete) {
-        qtri_mesh_light_corners(s->job, triangle, vertex[0], vertex[1], vertex[2]);
+        qtri_mesh_light_vertices(s->job, triangle, vertex[0], vertex[1], vertex[2]);
         return;
     }
     for (int i = 0; i < 3; i++) {
@@ -131,7 +132,7 @@ static inline void meet(const sorter *s, const void *triangle, qtri_vertex *cons
 }
 
 /* Starts a block for the list of `band`, which goes on from `place`. */
-QTRI_NOINLINE static uint32_t add_block(sorter *s, uint32_t band, uint32_t place)
+QTRI_NOINLINE static uint32_t add_block(binner *s, uint32_t band, uint32_t place)
 {
     uint32_t block = s->next;
     s->lists[s->lists[2 * band] == 0 ? 2 * band : place] = (uint16_t)block;
@@ -139,8 +140,8 @@ QTRI_NOINLINE static uint32_t add_block(sorter *s, uint32_t band, uint32_t place
     return block;
 }
 
-/* Appends; there is room for a new block. */
-static inline void append(sorter *s, uint32_t band, uint32_t group)
+/* Appends a group to a band's list; there is room for a new block. */
+static inline void append(binner *s, uint32_t band, uint32_t group)
 {
     uint16_t *list = &s->lists[2 * band];
     uint32_t place = list[1];
@@ -151,9 +152,9 @@ static inline void append(sorter *s, uint32_t band, uint32_t group)
     list[1] = (uint16_t)(place + 1);
 }
 
-/* Rows top..bottom - 1 of the frame, at least one. Without room neither this group nor one that
-   follows is in a list. */
-static inline void list_group(sorter *s, uint32_t group, int32_t top, int32_t bottom)
+/* Lists a group in the bands of rows top..bottom - 1 of the frame, at least one. Without room
+   neither this group nor one that follows is in a list. */
+static inline void list_group(binner *s, uint32_t group, int32_t top, int32_t bottom)
 {
     uint32_t band = qtri_band_of(&s->divider, (uint32_t)top);
     const uint32_t last = qtri_band_of(&s->divider, (uint32_t)bottom - 1);
@@ -169,15 +170,15 @@ static inline void list_group(sorter *s, uint32_t group, int32_t top, int32_t bo
     }
 }
 
-static void list_pending(sorter *s)
+static void list_pending(binner *s)
 {
     if (s->group != UINT32_MAX) {
         list_group(s, s->group, s->top, s->bottom);
     }
 }
 
-/* A triangle of a group that is listed when it is complete. */
-QTRI_NOINLINE static void list_in_group(sorter *s, uint32_t number, int32_t top, int32_t bottom)
+/* Adds a triangle to its group, which is listed when it is complete. */
+QTRI_NOINLINE static void list_in_group(binner *s, uint32_t number, int32_t top, int32_t bottom)
 {
     if (number >> s->group_log2 != s->group) {
         list_pending(s);
@@ -189,8 +190,8 @@ QTRI_NOINLINE static void list_in_group(sorter *s, uint32_t number, int32_t top,
     s->bottom = qtri_greatest32(s->bottom, bottom);
 }
 
-/* A triangle that may touch these rows, if there are any. */
-static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_t bottom)
+/* Lists a triangle that may touch rows top..bottom - 1, if there are any. */
+static inline void list_triangle(binner *s, uint32_t number, int32_t top, int32_t bottom)
 {
     top = qtri_greatest32(top - s->overlap, 0);
     bottom = qtri_least32(bottom + s->overlap, s->height);
@@ -204,37 +205,37 @@ static inline void list_triangle(sorter *s, uint32_t number, int32_t top, int32_
     }
 }
 
-/* A triangle inside all planes that is not turned away, and whose vertices were met. */
-static inline void list_seen(sorter *s, uint32_t number, qtri_vertex *const vertex[3])
+/* Lists a triangle that is not culled, is inside all planes and has its vertices visited. */
+static inline void list_inside(binner *s, uint32_t number, qtri_vertex *const vertex[3])
 {
-    const int32_t a = vertex[0]->at.y_24p8;
-    const int32_t b = vertex[1]->at.y_24p8;
-    const int32_t c = vertex[2]->at.y_24p8;
+    const int32_t a = vertex[0]->at.y_24p8, b = vertex[1]->at.y_24p8, c = vertex[2]->at.y_24p8;
     list_triangle(s, number, (qtri_least32(a, qtri_least32(b, c)) + s->before_24p8) >> 8,
                   (qtri_greatest32(a, qtri_greatest32(b, c)) + s->after_24p8) >> 8);
 }
 
-QTRI_NOINLINE static void see_inside(sorter *s, uint32_t number, const void *triangle,
+/* Bins a triangle that is not culled and is inside all planes. */
+QTRI_NOINLINE static void bin_inside(binner *s, uint32_t number, const void *triangle,
                                      qtri_vertex *const vertex[3])
 {
-    meet(s, triangle, vertex);
-    list_seen(s, number, vertex);
+    visit_vertices(s, triangle, vertex);
+    list_inside(s, number, vertex);
 }
 
-/* Any triangle that is not turned away. */
-static void see_any(sorter *s, uint32_t number, const void *triangle, qtri_vertex *const vertex[3])
+/* Bins a triangle that is not culled, wherever it is. */
+static void bin_visible(binner *s, uint32_t number, const void *triangle,
+                        qtri_vertex *const vertex[3])
 {
     if (qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
-        see_inside(s, number, triangle, vertex);
+        bin_inside(s, number, triangle, vertex);
     } else if (!qtri_mesh_is_outside(vertex)) {
         s->is_anywhere = true;
-        meet(s, triangle, vertex);
+        visit_vertices(s, triangle, vertex);
         list_triangle(s, number, 0, s->height);
     }
 }
 
-/* All triangles of a mesh whose vertices are there. */
-QTRI_NOINLINE static void see_complete(sorter *s)
+/* Bins all triangles of a mesh whose vertices are transformed. */
+QTRI_NOINLINE static void bin_all_triangles(binner *s)
 {
     const qtri_mesh *mesh = s->job->mesh;
     qtri_vertex *vertices = s->job->vertices;
@@ -251,17 +252,17 @@ QTRI_NOINLINE static void see_complete(sorter *s)
         }
         if (!back_only) {
             if (!qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
-                see_any(s, number, triangle, vertex);
+                bin_visible(s, number, triangle, vertex);
             }
         } else if (!qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)) {
-            see_inside(s, number, triangle, vertex);
+            bin_inside(s, number, triangle, vertex);
         }
     }
 }
 
-/* The list of a mesh with planes of faces; `simple` as in mesh.c, with indices of 16 bits. */
-static inline void see_list(sorter *s, const qtri_mesh_faces *faces, uint32_t first, bool narrow,
-                            bool simple)
+/* Bins a list of faces. `simple`: back faces culled, no vertex outside, indices of 16 bits. */
+static inline void bin_face_list(binner *s, const qtri_mesh_faces *faces, uint32_t first,
+                                 bool narrow, bool simple)
 {
     qtri_vertex *vertices = s->job->vertices;
     for (const uint16_t *at = faces->list; at != faces->end; at++) {
@@ -275,15 +276,15 @@ static inline void see_list(sorter *s, const qtri_mesh_faces *faces, uint32_t fi
             continue;
         }
         if (simple) {
-            list_seen(s, number, vertex);
+            list_inside(s, number, vertex);
         } else {
-            see_any(s, number, triangle, vertex);
+            bin_visible(s, number, triangle, vertex);
         }
     }
 }
 
-/* All of them, where they have planes that tell something. */
-QTRI_NOINLINE static bool see_faces(sorter *s)
+/* Transforms and bins a mesh by its planes of faces; false: these tell nothing. */
+QTRI_NOINLINE static bool bin_by_faces(binner *s)
 {
     const qtri_face_culling *culling = qtri_mesh_face_culling(s->job->mesh);
     const bool back = s->job->primitive.material->cull == QTRI_CULL_BACK;
@@ -294,31 +295,31 @@ QTRI_NOINLINE static bool see_faces(sorter *s)
     }
     for (uint32_t first = 0; culling->next(&faces, s->job); first = faces.next) {
         if (back && faces.inside && !narrow) {
-            see_list(s, &faces, first, false, true);
+            bin_face_list(s, &faces, first, false, true);
         } else {
-            see_list(s, &faces, first, narrow, false);
+            bin_face_list(s, &faces, first, narrow, false);
         }
     }
     s->prepared->back_only = back && faces.inside;
     return true;
 }
 
-/* Transforms and sees all. */
-static void see_whole(sorter *s)
+/* Transforms and bins a mesh whose vertices all have room. */
+static void bin_mesh(binner *s)
 {
     const qtri_mesh_job *job = s->job;
-    if (!see_faces(s)) {
+    if (!bin_by_faces(s)) {
         const bool inside = qtri_mesh_transform(job, 0, job->mesh->vertex_count, job->vertices);
         s->prepared->back_only = inside && job->primitive.material->cull == QTRI_CULL_BACK;
-        see_complete(s);
+        bin_all_triangles(s);
     }
     if (job->primitive.material->fill != NULL) {
         job->primitive.material->fill->prepare(job, s->prepared->back_only);
     }
 }
 
-/* The same with fewer vertices than the mesh has. */
-QTRI_NOINLINE static void see_by_slots(sorter *s)
+/* Transforms and bins a mesh whose vertices have not all room: slots hold some of them. */
+QTRI_NOINLINE static void bin_by_slots(binner *s)
 {
     const qtri_mesh *mesh = s->job->mesh;
     for (uint32_t number = 0; number < mesh->triangle_count; number++) {
@@ -327,13 +328,13 @@ QTRI_NOINLINE static void see_by_slots(sorter *s)
         qtri_vertex *vertex[3];
         if (qtri_mesh_fetch_triangle(s->job, triangle, spare, vertex) &&
             !qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
-            see_any(s, number, triangle, vertex);
+            bin_visible(s, number, triangle, vertex);
         }
     }
 }
 
 /* Lists for every band, empty, and groups of a size that they are likely to hold. */
-static void begin_lists(sorter *s, qtri_prepared *prepared)
+static void begin_lists(binner *s, qtri_prepared *prepared)
 {
     const uint32_t bands = ((uint32_t)s->height + s->rows - 1) / s->rows;
     const uint32_t count = prepared->mesh->triangle_count;
@@ -368,14 +369,14 @@ QTRI_NOINLINE static bool prepared_begin(qtri_mesh_job *job, const qtri_prepared
     return !place || qtri_mesh_job_place(job, prepared->view, prepared->pose);
 }
 
-static void see(void *with)
+static void bin(void *with)
 {
-    sorter *s = with;
+    binner *s = with;
     if (s->is_complete) {
-        see_whole(s);
+        bin_mesh(s);
     } else {
         qtri_mesh_clear_slots(s->job);
-        see_by_slots(s);
+        bin_by_slots(s);
     }
 }
 
@@ -396,7 +397,7 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
     }
     /* Of samples rows are as for lines: they lie beside the centres of pixels. */
     const bool is_solid = job.primitive.material->fill == NULL && qtri_sampling_of(format) == NULL;
-    sorter s = {.job = &job,
+    binner s = {.job = &job,
                 .prepared = prepared,
                 .is_complete = is_complete(prepared),
                 .before_24p8 = before_24p8(is_solid),
@@ -412,9 +413,9 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
     }
     begin_lists(&s, prepared);
     if (job.lights != NULL && job.lights->model->has_place(&job, false)) {
-        job.lights->model->mesh(&job, prepared->view, prepared->pose, true, see, &s);
+        job.lights->model->mesh(&job, prepared->view, prepared->pose, true, bin, &s);
     } else {
-        see(&s);
+        bin(&s);
     }
     list_pending(&s);
     prepared->is_seen = true;
@@ -619,7 +620,7 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
 
 /* ---- Rows that changed ---- */
 
-/* The pixels that the vertices met span. */
+/* The bounds, in pixels, of the visited vertices. */
 static qtri_rect find_bounds(const qtri_prepared *prepared)
 {
     if (prepared->mesh == NULL || !prepared->is_seen) {

@@ -142,11 +142,11 @@ static inline void qtri_mesh_set_lit(qtri_small *t, const qtri_mesh_job *draw)
     }
 }
 
-/* Gives the corners that have none their intensity: 1 where vertices are not lit. */
-void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
-                             qtri_vertex *b, qtri_vertex *c);
+/* Sets the intensity of vertices that have none yet: 1 where the mesh is not lit per vertex. */
+void qtri_mesh_light_vertices(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
+                              qtri_vertex *b, qtri_vertex *c);
 
-/* Of the triangle with these indices, for a mesh lit per face. */
+/* The intensity, Q15, of the triangle with these indices, for a mesh lit per face. */
 uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices);
 
 /* Any culling, and triangles that may cross planes; those are never turned away. */

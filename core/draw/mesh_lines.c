@@ -2,34 +2,30 @@
 /*
  * Wireframes: &qtri_wireframe.
  *
- * Two triangles share most edges, and most often one of them need not draw it, whatever colours it
- * has there and whatever is drawn in between:
+ * Two triangles share most edges. One of them owns the edge: it draws it for both, whatever colours
+ * the other has there and whatever is drawn in between. The depth test decides which:
  *
- * - "Less" or "greater", written: stored depths get nearer (or farther) only, and equal ones fail.
- *   Where a line was drawn it fails from then on. The first triangle draws it.
- * - "Less or equal" or "greater or equal", written: where the last line fails, something nearer was
- *   drawn since the first, which hides that as well; elsewhere the last covers what the first left.
- *   No depth, read only, "equal" or "always": the last line passes wherever the first did, since
- *   depths stay as they are or do not count. The last triangle draws it.
- * - "Not equal", written: the second of two lines fails where nothing was drawn in between, and
- *   covers what was. Every triangle draws it.
+ * - "Less" or "greater", written: the first triangle. Stored depths only get nearer (or farther)
+ *   and equal ones fail, so later lines fail where the first one was drawn.
+ * - "Less or equal" or "greater or equal", written: the last triangle. Where the last line fails,
+ *   something nearer was drawn since the first, and hides that too; elsewhere it covers the first.
+ * - No depth, read only, "equal" or "always": the last triangle. Depths stay as they are or do not
+ *   count, so the last line passes wherever the first did.
+ * - "Not equal", written: every triangle. The second line fails where nothing was drawn in between,
+ *   and covers what was. With a blend, too, so that a picture does not depend on notes.
  *
- * With a blend every triangle draws its edges, so that a picture does not depend on what was noted.
+ * A vertex notes the edges that leave it in inv_w, which holds 1/w for solid triangles: the edge
+ * from vertex i to j as (j - i) modulo 2^16, in either half, the newest in the lower one. Indices
+ * are below 2^16, so no other j gives the same; 0 is no edge, or one from a vertex to itself, which
+ * has no pixel. A neighbour that faces the same way has the edge from j to i. Triangles are visited
+ * from the first on, or from the last one back; one that finds its edge noted leaves it to the
+ * owner and removes the note. A vertex has room for two notes, and faces of a mesh may disagree on
+ * what is front: edges whose note is missing are drawn twice, of spot's one in a thousand.
  *
- * Vertices note the edges that leave them, in the word that has 1/w for solid triangles: from
- * vertex i to vertex j it is (j - i) modulo 2^16, in either half, the newest in the lower one.
- * Indices are below 2^16, so no other j gives the same; 0 is no edge, or one from a vertex to
- * itself, which has no pixel. A neighbour that faces the same way has the edge from j to i.
- * Triangles are looked at from the first on, or from the last one back, and one that finds its edge
- * noted does not take it, and makes room for another. What is not noted is drawn again: there is
- * room for two edges only that wait, and a mesh may have faces that disagree on what is front. Of
- * spot's edges that is one in a thousand.
- *
- * Where drawing is another matter, which edges triangles take is noted too: for four triangles in
- * each vertex, in the half-word that tells elsewhere whose vertex is in a slot. In a
- * mesh of more than four triangles a vertex the last ones draw all their edges. Bands draw a
- * prepared mesh by its notes without writing to it, and every triangle with an edge is drawn in
- * every band that the edge touches.
+ * For last triangles and for bands, owners are found before anything is drawn: each vertex keeps
+ * the edges of four triangles in `index`, which tells elsewhere whose vertex is in a slot. In a
+ * mesh of more than four triangles a vertex, the last ones draw all their edges. Bands draw a
+ * prepared mesh without writing to it, and each edge in every band that it touches.
  */
 #include "lights.h"
 #include "mesh_faces.h"
@@ -55,10 +51,10 @@ static uint32_t noted_count(const qtri_mesh *mesh)
                                                              : mesh->vertex_count * NOTES;
 }
 
-/* Which of the triangles that have an edge take it, to draw it. */
-typedef enum taker { EVERY, FIRST, LAST } taker;
+/* Which of the triangles that share an edge draws it. */
+typedef enum edge_owner { EVERY, FIRST, LAST } edge_owner;
 
-static taker taker_of(const qtri_material *material, bool has_depth)
+static edge_owner edge_owner_of(const qtri_material *material, bool has_depth)
 {
     const qtri_compare compare = material->depth_compare;
     if (material->blend != NULL) {
@@ -73,12 +69,12 @@ static taker taker_of(const qtri_material *material, bool has_depth)
     return compare == QTRI_NOT_EQUAL ? EVERY : LAST;
 }
 
-static taker taker_by_job(const qtri_mesh_job *draw)
+static edge_owner edge_owner_by_job(const qtri_mesh_job *draw)
 {
-    return taker_of(draw->primitive.material, draw->primitive.surface->depth != NULL);
+    return edge_owner_of(draw->primitive.material, draw->primitive.surface->depth != NULL);
 }
 
-/* Whether the edge is noted; it is not any more then. */
+/* Removes the note of an edge; false: there is none. */
 QTRI_INLINE bool was_noted(qtri_vertex *vertex, uint32_t edge)
 {
     const uint32_t notes = vertex->inv_w;
@@ -93,8 +89,8 @@ QTRI_INLINE bool was_noted(qtri_vertex *vertex, uint32_t edge)
     return false;
 }
 
-/* Whether the edge from a to b is not noted the other way round; it is noted then. */
-QTRI_INLINE bool takes_edge(qtri_vertex *a, qtri_vertex *b, uint32_t from, uint32_t to)
+/* Whether the triangle draws its edge a b: it does, and notes it, unless a neighbour noted b a. */
+QTRI_INLINE bool claim_edge(qtri_vertex *a, qtri_vertex *b, uint32_t from, uint32_t to)
 {
     if (was_noted(b, (from - to) & 0xFFFFu)) {
         return false;
@@ -103,17 +99,18 @@ QTRI_INLINE bool takes_edge(qtri_vertex *a, qtri_vertex *b, uint32_t from, uint3
     return true;
 }
 
-QTRI_INLINE uint32_t take_edges(qtri_vertex *a, qtri_vertex *b, qtri_vertex *c,
-                                const uint32_t index[3])
+/* The edges, as bits, that a triangle draws. */
+QTRI_INLINE uint32_t claim_edges(qtri_vertex *a, qtri_vertex *b, qtri_vertex *c,
+                                 const uint32_t index[3])
 {
     uint32_t edges = 0;
-    if (takes_edge(a, b, index[0], index[1])) {
+    if (claim_edge(a, b, index[0], index[1])) {
         edges = EDGE_AB;
     }
-    if (takes_edge(b, c, index[1], index[2])) {
+    if (claim_edge(b, c, index[1], index[2])) {
         edges |= EDGE_BC;
     }
-    if (takes_edge(c, a, index[2], index[0])) {
+    if (claim_edge(c, a, index[2], index[0])) {
         edges |= EDGE_CA;
     }
     return edges;
@@ -155,7 +152,7 @@ QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const void *tr
         light_q15[0] = light_q15[1] = light_q15[2] = qtri_mesh_light_face(draw, triangle);
     } else {
         if (!qtri_vertices_are_lit(vertex[0], vertex[1], vertex[2])) {
-            qtri_mesh_light_corners(draw, triangle, vertex[0], vertex[1], vertex[2]);
+            qtri_mesh_light_vertices(draw, triangle, vertex[0], vertex[1], vertex[2]);
         }
         for (int i = 0; i < 3; i++) {
             light_q15[i] = vertex[i]->intensity_q15;
@@ -189,9 +186,7 @@ QTRI_INLINE void draw_edges(const qtri_mesh_job *draw, const void *triangle,
                             qtri_vertex *const vertex[3], uint32_t edges, bool tinted)
 {
     const qtri_line_job *line = &draw->primitive.to.lines.job;
-    qtri_vertex *a = vertex[0];
-    qtri_vertex *b = vertex[1];
-    qtri_vertex *c = vertex[2];
+    qtri_vertex *a = vertex[0], *b = vertex[1], *c = vertex[2];
     if (qtri_line_misses(line, a->at.y_24p8, b->at.y_24p8, c->at.y_24p8)) {
         return;
     }
@@ -201,7 +196,7 @@ QTRI_INLINE void draw_edges(const qtri_mesh_job *draw, const void *triangle,
         return;
     }
     if (!qtri_vertices_are_lit(a, b, c)) {
-        qtri_mesh_light_corners(draw, triangle, a, b, c);
+        qtri_mesh_light_vertices(draw, triangle, a, b, c);
     }
     if ((edges & EDGE_AB) != 0) {
         line->draw(line, a, b, NULL);
@@ -214,14 +209,14 @@ QTRI_INLINE void draw_edges(const qtri_mesh_job *draw, const void *triangle,
     }
 }
 
-/* The same, of any colours: in one place. */
+/* draw_edges() in any colours, out of line. */
 QTRI_NOINLINE static void draw_inside(const qtri_mesh_job *draw, const void *triangle,
                                       qtri_vertex *const vertex[3], uint32_t edges)
 {
     draw_edges(draw, triangle, vertex, edges, is_tinted(draw));
 }
 
-/* And what clipping leaves of a triangle that crosses a plane. */
+/* Draws edges of a triangle; where it crosses a plane, all that clipping leaves of them. */
 QTRI_NOINLINE static void draw_seen(const qtri_mesh_job *draw, const void *triangle,
                                     qtri_vertex *const vertex[3], uint32_t edges)
 {
@@ -237,11 +232,9 @@ QTRI_NOINLINE static void draw_seen(const qtri_mesh_job *draw, const void *trian
  * back faces are culled, and no vertex is outside.
  */
 QTRI_INLINE uint32_t edges_of(const qtri_mesh_job *draw, const uint32_t index[3],
-                              qtri_vertex *const vertex[3], taker who, bool simple)
+                              qtri_vertex *const vertex[3], edge_owner who, bool simple)
 {
-    qtri_vertex *a = vertex[0];
-    qtri_vertex *b = vertex[1];
-    qtri_vertex *c = vertex[2];
+    qtri_vertex *a = vertex[0], *b = vertex[1], *c = vertex[2];
     if (simple ? qtri_triangle_is_back(&a->at, &b->at, &c->at)
                : qtri_mesh_turned_away(draw, a, b, c)) {
         return 0;
@@ -249,7 +242,7 @@ QTRI_INLINE uint32_t edges_of(const qtri_mesh_job *draw, const uint32_t index[3]
     if (who == EVERY || !(simple || qtri_mesh_is_inside(a, b, c))) {
         return EDGES_ALL;
     }
-    return EDGES_SEEN | take_edges(a, b, c, index);
+    return EDGES_SEEN | claim_edges(a, b, c, index);
 }
 
 /*
@@ -257,7 +250,7 @@ QTRI_INLINE uint32_t edges_of(const qtri_mesh_job *draw, const uint32_t index[3]
  * them or notes what they are to draw. `narrow`: indices are bytes. `quick`: `simple`, all vertices
  * are there, and what is drawn is drawn here.
  */
-QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, taker who, bool narrow,
+QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, edge_owner who, bool narrow,
                          bool simple, bool draws, bool quick)
 {
     const qtri_mesh *mesh = draw->mesh;
@@ -348,7 +341,7 @@ QTRI_INLINE void draw_noted(const qtri_mesh_job *draw, bool narrow, bool simple)
 }
 
 /* For any mesh. */
-QTRI_NOINLINE static void look_at_any(const qtri_mesh_job *draw, uint32_t number, taker who,
+QTRI_NOINLINE static void look_at_any(const qtri_mesh_job *draw, uint32_t number, edge_owner who,
                                       bool simple, bool draws)
 {
     look_at(draw, number, who, qtri_mesh_has_bytes(draw->mesh), simple, draws, false);
@@ -381,7 +374,7 @@ QTRI_NOINLINE static bool draw_faces(qtri_mesh_job *draw)
 void qtri_wireframe_mesh(qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
-    taker who = taker_by_job(draw);
+    edge_owner who = edge_owner_by_job(draw);
     uint32_t number = 0;
     if (who == FIRST && draw_faces(draw)) {
         return;
@@ -426,14 +419,15 @@ void qtri_wireframe_triangle(const qtri_mesh_job *draw, const void *triangle,
 void qtri_wireframe_prepare(const qtri_mesh_job *draw, bool back_only)
 {
     clear_notes(draw);
-    const taker who = taker_of(draw->primitive.material, true); /* bands mostly have depth */
+    const edge_owner who =
+        edge_owner_of(draw->primitive.material, true); /* bands mostly have depth */
     look_at_any(draw, 0, who, back_only, false);
 }
 
 void qtri_wireframe_band(qtri_mesh_job *draw)
 {
     draw->noted = draw->slot_count >= draw->mesh->vertex_count &&
-                  taker_by_job(draw) == taker_of(draw->primitive.material, true);
+                  edge_owner_by_job(draw) == edge_owner_of(draw->primitive.material, true);
 }
 
 const qtri_fill qtri_wireframe = QTRI_WIREFRAME_FILL(qtri_primitive_begin_lines);

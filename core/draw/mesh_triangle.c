@@ -7,8 +7,8 @@
 
 /* ---- Light ---- */
 
-/* Which triangle of the mesh it is: 0xAAAAAAAB times 3 is 1 modulo 2^32. */
-static uint32_t number_of(const qtri_mesh *mesh, const void *indices)
+/* The triangle's index, a third of the offset of its indices: 3 * 0xAAAAAAAB is 1 modulo 2^32. */
+static uint32_t triangle_index(const qtri_mesh *mesh, const void *indices)
 {
     const uint8_t *at = indices;
     const uint32_t offset = qtri_mesh_has_bytes(mesh)
@@ -22,11 +22,11 @@ uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
     uint32_t index[3];
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
     return draw->stage->face_light->face(&draw->of.mesh.lighting, draw->mesh,
-                                         number_of(draw->mesh, indices), index);
+                                         triangle_index(draw->mesh, indices), index);
 }
 
-static inline void light_corner(const qtri_mesh_job *draw, const void *indices, int corner,
-                                qtri_vertex *vertex)
+static inline void light_unlit_vertex(const qtri_mesh_job *draw, const void *indices, int corner,
+                                      qtri_vertex *vertex)
 {
     if (vertex->intensity_q15 != QTRI_VERTEX_UNLIT) {
         return;
@@ -38,40 +38,40 @@ static inline void light_corner(const qtri_mesh_job *draw, const void *indices, 
     }
 }
 
-QTRI_NOINLINE void qtri_mesh_light_corners(const qtri_mesh_job *draw, const void *indices,
-                                           qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+QTRI_NOINLINE void qtri_mesh_light_vertices(const qtri_mesh_job *draw, const void *indices,
+                                            qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
 {
-    light_corner(draw, indices, 0, a);
-    light_corner(draw, indices, 1, b);
-    light_corner(draw, indices, 2, c);
+    light_unlit_vertex(draw, indices, 0, a);
+    light_unlit_vertex(draw, indices, 1, b);
+    light_unlit_vertex(draw, indices, 2, c);
     if (draw->lights != NULL) {
-        draw->lights->model->meet(draw, indices);
+        draw->lights->model->light_triangle(draw, indices);
     }
 }
 
-/* Lights a triangle's vertices, or the triangle: qtri_small.light of meshes. */
+/* qtri_small.light of meshes: lights the vertices, or returns the triangle's intensity, Q15. */
 uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
                               qtri_vertex *c)
 {
     const qtri_mesh_job *draw = from;
     if (draw->lit_per_vertex) {
         if (!draw->lit && !qtri_vertices_are_lit(a, b, c)) {
-            qtri_mesh_light_corners(draw, indices, a, b, c);
+            qtri_mesh_light_vertices(draw, indices, a, b, c);
         }
         return QTRI_VERTEX_UNLIT;
     }
     return draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE;
 }
 
-/* A large triangle, or one that is clipped: lit before, where the stack is not deep. */
+/* A large or clipped triangle, lit before it is drawn, while the stack is not deep. */
 typedef struct lit_triangle {
     const qtri_mesh_job *draw;
     uint32_t index[3];
     uint32_t intensity_q15[3];
-    qtri_rgb color[3]; /* before that intensity, or in a view's lights */
+    qtri_rgb color[3]; /* without that intensity; or lit by a view's lights, intensity 1 */
 } lit_triangle;
 
-/* `face_q15`: where vertices are not lit. A view's lights have other colours. */
+/* Sets intensities, face_q15 where vertices are not lit, and colours as they are without lights. */
 static void set_colors(lit_triangle *triangle, qtri_vertex *const vertex[3], uint32_t face_q15)
 {
     const qtri_mesh_job *draw = triangle->draw;
@@ -81,7 +81,7 @@ static void set_colors(lit_triangle *triangle, qtri_vertex *const vertex[3], uin
     }
 }
 
-/* Its colours and texture coordinates: a qtri_attribute_source. */
+/* A qtri_attribute_source of a lit_triangle: colours and texture coordinates. */
 static void set_attributes(const void *from, qtri_screen_vertex out[3])
 {
     const lit_triangle *triangle = from;
@@ -102,9 +102,9 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
 /* ---- Large triangles ---- */
 
 /*
- * Where the vertices of large triangles truly are: vertices do not keep it, since the small
- * triangles that meshes have most of do not ask. It is found again from the mesh's positions. Where
- * a mesh was prepared, a band sets transforms for that alone.
+ * Snap residuals of large triangles. Vertices do not keep them, since small triangles, most of a
+ * mesh, need none: they are computed again from the mesh's positions. A band of a prepared mesh
+ * sets its transforms for that alone.
  */
 QTRI_NOINLINE static void place_late(const qtri_mesh_job *draw)
 {
@@ -129,7 +129,7 @@ QTRI_NOINLINE static void set_rests(qtri_fan_vertex v[3], const qtri_mesh_job *d
     }
 }
 
-/* The triangle as what clipping leaves of one: all of it. */
+/* The whole triangle in the form in which clipping leaves one. */
 static void set_fan(qtri_fan_vertex v[3], const qtri_mesh_job *draw, const uint32_t index[3],
                     qtri_vertex *const vertex[3], int64_t area)
 {
@@ -195,13 +195,13 @@ void qtri_mesh_solid_init(qtri_mesh_job *draw, qtri_light_finder *light)
 
 /* ---- Any triangle ---- */
 
-/* What light makes of the corners of a triangle that is clipped. */
+/* Sets intensities and colours of a triangle to be clipped, at its vertices v before that. */
 static void light_clipped(lit_triangle *triangle, const void *indices, qtri_vertex *const vertex[3],
                           const qtri_clip_vertex v[3])
 {
     const qtri_mesh_job *draw = triangle->draw;
     if (draw->lit_per_vertex) {
-        qtri_mesh_light_corners(draw, indices, vertex[0], vertex[1], vertex[2]);
+        qtri_mesh_light_vertices(draw, indices, vertex[0], vertex[1], vertex[2]);
     }
     set_colors(triangle, vertex,
                draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE);
