@@ -324,9 +324,9 @@ static inline int32_t range_of(int32_t a, int32_t b, int32_t c)
     return qtri_greatest32(qtri_greatest32(a, b), c) - qtri_least32(qtri_least32(a, b), c);
 }
 
-/* How much nearer than the edge a pixel may be, 16.6, by the face's range of depth, 16.6 and below
-   2^22, and its extent across the edge. */
-static inline int32_t slack_of(int32_t range, int32_t extent)
+/* How much nearer than the edge a pixel may be, 16.6. range: of the face's depths, 16.6, below
+   2^22; extent: of the face across the edge, 24.8. */
+static inline int32_t depth_slack(int32_t range, int32_t extent)
 {
     int32_t slack = 8 * range;
     if (extent >= 512) {
@@ -359,7 +359,7 @@ void qtri_edge_note(const qtri_edge_axis axis[2], const qtri_vertex *a, const qt
     e.depth = (int32_t)(a->depth_16p8 >> 10 ^ flip);
     e.depth_delta = depth_b - e.depth;
     e.slack =
-        slack_of(range_of(e.depth, depth_b, depth_c), range_of(minor, minor + delta, minor_c));
+        depth_slack(range_of(e.depth, depth_b, depth_c), range_of(minor, minor + delta, minor_c));
     if (e.length < 0) { /* from b to a */
         e.major += e.length;
         e.length = -e.length;

@@ -30,8 +30,8 @@ static bool is_empty(const qtri_mesh *mesh)
     return mesh->vertex_count == 0 || mesh->triangle_count == 0;
 }
 
-/* What colours do, see qtri_draw_state_init(). */
-static int shade_of(const qtri_mesh_job *draw)
+/* Where pixels take their colours from: the `shade` of qtri_draw_state_init(). */
+static int color_source(const qtri_mesh_job *draw)
 {
     if (draw->lights != NULL && qtri_by_pixel_of(draw->primitive.material) != NULL) {
         return QTRI_BY_PIXEL;
@@ -72,7 +72,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
         draw->lights->model->begin(draw);
     }
     qtri_primitive_set_target(&draw->primitive, surface, view, material,
-                              has_uvs ? material->texture : NULL, shade_of(draw));
+                              has_uvs ? material->texture : NULL, color_source(draw));
     if (material->fill != NULL) {
         draw->primitive.to.lines.target.state.table = draw->of.mesh.table;
     } else {

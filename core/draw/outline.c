@@ -72,13 +72,13 @@ enum qtri_error qtri_outline_init(qtri_outline *outline, const qtri_mesh *mesh, 
 
 /* ---- Which triangles are front ---- */
 
-/* Bit 0 is a triangle's; the others are those of other triangles. */
-static inline uint32_t front_bit(const uint32_t *front, uint32_t triangle)
+/* Bit 0 tells whether this triangle is front; the other bits are those of other triangles. */
+static inline uint32_t front_bits_at(const uint32_t *front, uint32_t triangle)
 {
     return qtri_rotated(front[triangle / 32], triangle);
 }
 
-/* The vertices of a triangle; false: one is not there. */
+/* The indices and vertices of a triangle; false: an index is past the mesh's last vertex. */
 QTRI_INLINE bool find_vertices(const qtri_outline *outline, uint32_t triangle, uint32_t index[3],
                                qtri_vertex *vertex[3])
 {
@@ -106,7 +106,7 @@ static void find_front(const qtri_outline *outline)
     for (uint32_t i = 0; i < count; i++) {
         uint32_t index[3];
         qtri_vertex *v[3];
-        if ((front_bit(front, i) & 1) == 0) {
+        if ((front_bits_at(front, i) & 1) == 0) {
             continue;
         }
         if (!find_vertices(outline, i, index, v) ||
@@ -135,7 +135,8 @@ static void add_sums(const qtri_outline *outline)
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        if ((front_bit(outline->front, i) & 1) != 0 && find_vertices(outline, i, index, vertex)) {
+        if ((front_bits_at(outline->front, i) & 1) != 0 &&
+            find_vertices(outline, i, index, vertex)) {
             add_edge(outline->sums, index[0], index[1]);
             add_edge(outline->sums, index[1], index[2]);
             add_edge(outline->sums, index[2], index[0]);
@@ -330,9 +331,9 @@ static uint32_t silhouettes_of(const qtri_outline *outline, uint32_t triangle)
     if (outline->sums == NULL) {
         const uint16_t *n = outline->mesh->neighbours[triangle];
         // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): without sums a mesh has neighbours
-        const uint32_t a = front_bit(front, n[0]);
-        const uint32_t b = front_bit(front, n[1]);
-        const uint32_t c = front_bit(front, n[2]);
+        const uint32_t a = front_bits_at(front, n[0]);
+        const uint32_t b = front_bits_at(front, n[1]);
+        const uint32_t c = front_bits_at(front, n[2]);
         return (a & b & c & 1) != 0 ? 0 : ((a & 1) | (b & 1) << 1 | (c & 1) << 2) ^ ALL_EDGES;
     }
     const bool narrow = qtri_mesh_has_bytes(outline->mesh);
@@ -351,7 +352,7 @@ static uint32_t creases_of(const finder *f, uint32_t triangle)
     const uint32_t light = qtri_mesh_light_face(f->job, qtri_mesh_triangle(mesh, triangle, narrow));
     uint32_t edges = 0;
     for (int i = 0; i < 3; i++) {
-        if (n[i] > triangle && (front_bit(f->outline->front, n[i]) & 1) != 0) {
+        if (n[i] > triangle && (front_bits_at(f->outline->front, n[i]) & 1) != 0) {
             const uint32_t other =
                 qtri_mesh_light_face(f->job, qtri_mesh_triangle(mesh, n[i], narrow));
             const uint32_t difference = light > other ? light - other : other - light;
@@ -368,7 +369,7 @@ static bool find_front_edges(finder *f, bool creases)
     const uint32_t *front = outline->front;
     const uint32_t count = outline->mesh->triangle_count;
     for (uint32_t i = 0; i < count; i++) {
-        if ((front_bit(front, i) & 1) != 0) {
+        if ((front_bits_at(front, i) & 1) != 0) {
             const uint32_t edges = creases ? creases_of(f, i) : silhouettes_of(outline, i);
             if (edges != 0 && !take_edges(f, i, edges, creases)) {
                 return false;
@@ -390,7 +391,7 @@ static bool find_borders(finder *f)
         const uint16_t *n = mesh->neighbours[i];
         const uint32_t edges = (uint32_t)(n[0] == none) | (uint32_t)(n[1] == none) << 1 |
                                (uint32_t)(n[2] == none) << 2;
-        if (edges != 0 && (front_bit(f->outline->front, i) & 1) == 0 &&
+        if (edges != 0 && (front_bits_at(f->outline->front, i) & 1) == 0 &&
             !take_edges(f, i, edges, false)) {
             return false;
         }

@@ -39,7 +39,7 @@ void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
     }
 }
 
-/* What is left of the triangle after cuts by `planes`; *out may be where v is. */
+/* Clips a triangle by `planes` and projects it; returns its vertex count. *out may be *v. */
 QTRI_NOINLINE static int clip_to_screen(const qtri_projector *projector,
                                         const qtri_clip_vertex v[3], unsigned planes,
                                         qtri_fan_vertex out[QTRI_CLIP_MAX])
@@ -74,6 +74,7 @@ static int64_t piece_area(const qtri_fan_vertex fan[], int i)
     return qtri_triangle_area(&fan[0].at, &fan[i - 1].at, &fan[i].at);
 }
 
+/* Twice the signed area of a fan; below 0: it is front. */
 static int64_t fan_area(const qtri_fan_vertex fan[], int count)
 {
     int64_t sum = 0;
@@ -99,31 +100,32 @@ void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uin
     }
 }
 
-/* a0 + (a1 - a0) b1 + (a2 - a0) b2, all times 2^16: 33 bits times 31. */
-QTRI_NOINLINE static int64_t blend_q16(int32_t a0, int32_t a1, int32_t a2, const int32_t b_q30[2])
+/* a0 + (a1 - a0) b1 + (a2 - a0) b2, times 2^16: products of 33 and 31 bits. */
+QTRI_NOINLINE static int64_t mix_q16(int32_t a0, int32_t a1, int32_t a2, const int32_t b_q30[2])
 {
     int64_t one = (((int64_t)a1 - a0) * b_q30[0]) >> 14;
     int64_t two = (((int64_t)a2 - a0) * b_q30[1]) >> 14;
     return (int64_t)a0 * 65536 + one + two;
 }
 
-/* Attributes of a clipped vertex from those of the triangle's own three. */
-static void blend_attributes(qtri_screen_vertex *out, const qtri_screen_vertex *a0,
-                             const qtri_screen_vertex *a1, const qtri_screen_vertex *a2,
-                             int32_t b1_q30, int32_t b2_q30)
+/* Attributes of a clipped vertex at barycentric coordinates b1 and b2 of the triangle. */
+static void interpolate_attributes(qtri_screen_vertex *out, const qtri_screen_vertex *a0,
+                                   const qtri_screen_vertex *a1, const qtri_screen_vertex *a2,
+                                   int32_t b1_q30, int32_t b2_q30)
 {
     const int32_t b_q30[2] = {b1_q30, b2_q30};
     for (int i = 0; i < 3; i++) {
-        int64_t sum = blend_q16(a0->color_8p16[i], a1->color_8p16[i], a2->color_8p16[i], b_q30);
+        int64_t sum = mix_q16(a0->color_8p16[i], a1->color_8p16[i], a2->color_8p16[i], b_q30);
         out->color_8p16[i] = (int32_t)(sum >> 16); /* 0..255.0, as the three are */
     }
-    out->u_q32 = blend_q16((int32_t)(a0->u_q32 >> 16), (int32_t)(a1->u_q32 >> 16),
-                           (int32_t)(a2->u_q32 >> 16), b_q30);
-    out->v_q32 = blend_q16((int32_t)(a0->v_q32 >> 16), (int32_t)(a1->v_q32 >> 16),
-                           (int32_t)(a2->v_q32 >> 16), b_q30);
+    out->u_q32 = mix_q16((int32_t)(a0->u_q32 >> 16), (int32_t)(a1->u_q32 >> 16),
+                         (int32_t)(a2->u_q32 >> 16), b_q30);
+    out->v_q32 = mix_q16((int32_t)(a0->v_q32 >> 16), (int32_t)(a1->v_q32 >> 16),
+                         (int32_t)(a2->v_q32 >> 16), b_q30);
 }
 
-static void spread_provoking(const qtri_material *material, qtri_screen_vertex v[3])
+/* Flat shading: all three get the provoking vertex's colour. */
+static void spread_provoking_color(const qtri_material *material, qtri_screen_vertex v[3])
 {
     if (qtri_is_smooth(material)) {
         return;
@@ -161,7 +163,8 @@ QTRI_NOINLINE void qtri_primitive_line(const qtri_primitive *primitive, const qt
     qtri_vertex line[2];
     qtri_line_color color[2];
     for (int i = 0; i < 2; i++) {
-        blend_attributes(&screen[i], a_attributes, b_attributes, b_attributes, end[i].b1_q30, 0);
+        interpolate_attributes(&screen[i], a_attributes, b_attributes, b_attributes, end[i].b1_q30,
+                               0);
         qtri_line_end(&line[i], color[i], &screen[i]);
     }
     job->draw(job, &line[0], &line[1], (const qtri_line_color *)color);
@@ -197,7 +200,7 @@ void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_ver
         return;
     }
     source(from, attributes);
-    spread_provoking(primitive->material, attributes);
+    spread_provoking_color(primitive->material, attributes);
     if (planes == 0) {
         draw_whole_outline(primitive, fan, attributes);
         return;
@@ -274,7 +277,7 @@ static uint32_t alpha_at(const qtri_draw_state *state, const qtri_fan_vertex *v)
     for (int i = 0; i < 3; i++) {
         a_q16[i] = (int32_t)(((uint32_t)state->alphas[state->alpha_index[i]] << 16) / 255);
     }
-    return (uint32_t)(blend_q16(a_q16[0], a_q16[1], a_q16[2], b_q30) >> 16);
+    return (uint32_t)(mix_q16(a_q16[0], a_q16[1], a_q16[2], b_q30) >> 16);
 }
 
 static void set_vertex(qtri_large_vertex *out, const qtri_draw_state *state,
@@ -286,8 +289,8 @@ static void set_vertex(qtri_large_vertex *out, const qtri_draw_state *state,
     if (own >= 0) {
         from = &attributes[own];
     } else {
-        blend_attributes(&blend, &attributes[0], &attributes[1], &attributes[2], v->b1_q30,
-                         v->b2_q30);
+        interpolate_attributes(&blend, &attributes[0], &attributes[1], &attributes[2], v->b1_q30,
+                               v->b2_q30);
     }
     out->depth_16p16 = v->depth_16p8 & ~0xFFu;
     out->inv_w_q31 = v->inv_w_q31;
@@ -317,7 +320,7 @@ QTRI_NOINLINE static uint32_t set_piece(qtri_large_vertex v[3], const qtri_primi
     const qtri_draw_state *state = primitive->to.solid.small.state;
     qtri_screen_vertex attributes[3];
     source(from, attributes);
-    spread_provoking(primitive->material, attributes);
+    spread_provoking_color(primitive->material, attributes);
     for (int i = 0; i < 3; i++) {
         set_vertex(&v[i], state, vertex[i], attributes);
     }

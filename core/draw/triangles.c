@@ -45,7 +45,7 @@ typedef struct triangle_call {
 
 /* What becomes of a triangle. */
 typedef enum fate {
-    UNDECIDED, /* a vertex is outside, or not at w = 1 */
+    UNDECIDED, /* a vertex is outside or not at w = 1, or the material has a fill */
     CULLED,
     VISIBLE /* and inside all planes */
 } fate;
@@ -149,8 +149,8 @@ static void draw_visible(triangle_call *call, const qtri_corner *attributes)
     }
 }
 
-/* Draws a triangle that may need clipping. */
-static void draw_undecided(triangle_call *call, const qtri_corner *corners)
+/* Draws any triangle: in homogeneous coordinates, which may be clipped. */
+static void draw_general(triangle_call *call, const qtri_corner *corners)
 {
     qtri_shape *shape = &call->job.of.triangle.shape;
     transform(&call->job.primitive, corners, 3, shape->clip);
@@ -172,7 +172,7 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
         if (found == VISIBLE) {
             draw_visible(&call, &corners[i]);
         } else if (found == UNDECIDED) {
-            draw_undecided(&call, &corners[i]);
+            draw_general(&call, &corners[i]);
         }
     }
 }
