@@ -195,13 +195,13 @@ const qtri_pipeline *qtri_draw_state_ask(const qtri_pipeline *generic, qtri_draw
 {
     qtri_options *o = &state->options;
     const bool asks[] = {
-        [QTRI_ASK_565] = qtri_stores_565(o),        [QTRI_ASK_ALPHA] = qtri_has_alpha(o),
-        [QTRI_ASK_ALPHA_USED] = qtri_uses_alpha(o), [QTRI_ASK_TWO_WORDS] = qtri_has_two_words(o),
-        [QTRI_ASK_PACKED] = qtri_is_packed_565(o),  [QTRI_ASK_TABLE] = qtri_uses_table(o),
-        [QTRI_ASK_TEST] = qtri_tests_depth(o),      [QTRI_ASK_WRITE] = qtri_writes_depth(o),
-        [QTRI_ASK_DEPTH] = qtri_needs_depth(o),     [QTRI_ASK_PLACE] = qtri_needs_place(o),
-        [QTRI_ASK_DISCARD] = qtri_discards(o),      [QTRI_ASK_READ] = qtri_reads_pixel(o),
-        [QTRI_ASK_PLAIN] = qtri_is_plain(o)};
+        [QTRI_ASK_565] = qtri_stores_565(o),          [QTRI_ASK_ALPHA] = qtri_has_alpha(o),
+        [QTRI_ASK_ALPHA_USED] = qtri_uses_alpha(o),   [QTRI_ASK_TWO_WORDS] = qtri_has_two_words(o),
+        [QTRI_ASK_PACKED] = qtri_is_packed_565(o),    [QTRI_ASK_TABLE] = qtri_uses_table(o),
+        [QTRI_ASK_TEST] = qtri_tests_depth(o),        [QTRI_ASK_WRITE] = qtri_writes_depth(o),
+        [QTRI_ASK_DEPTH] = qtri_needs_depth(o),       [QTRI_ASK_PLACE] = qtri_needs_place(o),
+        [QTRI_ASK_DISCARD] = qtri_discards(o),        [QTRI_ASK_READ] = qtri_reads_pixel(o),
+        [QTRI_ASK_PLAIN] = qtri_has_constant_color(o)};
     o->pixel_bytes = (uint8_t)qtri_pixel_bytes(o);
     o->depth_bytes = (uint8_t)qtri_depth_size(o, state->surface);
     o->asks = (uint16_t)qtri_kind_of(o);

@@ -21,12 +21,11 @@ static inline qtri_compare qtri_compare_of(const qtri_material *material)
 }
 
 /*
- * `shade`: what colours of the draw call do, before textures are looked at: QTRI_FLAT where all
- * triangles have material.color; QTRI_TINT, a colour a triangle; QTRI_LIGHT, material.color in
- * light that varies; QTRI_COLORS; QTRI_BY_PIXEL, these in light by pixel. `texture`: the
- * material's, NULL where vertices have no coordinates. Where a list has
- * nothing that fits, or nothing can be drawn, state->pipeline draws nothing; a checked build stops
- * at the former.
+ * `shade`: where colours come from, textures aside: QTRI_FLAT, material.color for all triangles;
+ * QTRI_TINT, a colour a triangle; QTRI_LIGHT, material.color in light that varies; QTRI_COLORS,
+ * vertices; QTRI_BY_PIXEL, vertices in light by pixel. `texture`: the material's, NULL where
+ * vertices have no coordinates. Where a list has nothing that fits, or nothing can be drawn,
+ * state->pipeline draws nothing; a checked build stops at the former.
  */
 void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
                           const qtri_pipeline *const *pipelines, const qtri_material *material,

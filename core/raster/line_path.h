@@ -54,7 +54,7 @@ QTRI_BODY uint32_t qtri_line_run_color(const qtri_options *o, const qtri_surface
     const uint32_t word = kind == QTRI_IN_GRAY  ? c
                           : kind == QTRI_IN_565 ? c << 11 | g << 5 | b
                                                 : c << 16 | g << 8 | b;
-    return qtri_is_plain(o) ? qtri_encode(o, surface, word) : word;
+    return qtri_has_constant_color(o) ? qtri_encode(o, surface, word) : word;
 }
 
 QTRI_BODY void qtri_line_run_draw(const qtri_options *o, const qtri_line_run *run)

@@ -39,7 +39,7 @@ bool qtri_small_set_curvature(qtri_curvature *c, const qtri_small_place *p, cons
     c->ex = ((int32_t)ramp.dx + round) >> down;
     c->ey = ((int32_t)ramp.dy + round) >> down;
     const uint32_t range = qtri_small_range(e[0], e[1]) >> 8; /* Q10, 3/4 at most */
-    const uint32_t q_mid = 1024u + (uint32_t)(qtri_small_min(e[0], e[1]) >> 8) + range / 2;
+    const uint32_t q_mid = 1024u + (uint32_t)(qtri_small_min0(e[0], e[1]) >> 8) + range / 2;
     c->ratio_q12 = (range * range >> 8) + 1;
     c->q_mid2_q10 = 35 * (q_mid * q_mid >> 10) >> 5;
     return c->bits >= 17;

@@ -22,7 +22,7 @@
 extern "C" {
 #endif
 
-/* What all curves of a triangle have in common. */
+/* What all curves of a triangle share. */
 typedef struct qtri_curvature {
     int32_t e_q18[2], k_q18[2];
     int32_t e, ex, ey;   /* E at the pixel of vertex 0, and its steps, below 2^13.1 */
@@ -58,7 +58,8 @@ void qtri_small_find_light(qtri_small_value *light, const qtri_small *t, const q
 void qtri_small_set_light_along(qtri_small_curves *curves, const qtri_curvature *c,
                                 const qtri_small_place *p, const qtri_small_value *light);
 
-static inline void qtri_small_divide_nothing(qtri_small_division *d)
+/* Curves then hold for the whole triangle, without qtri_small_divide(). */
+static inline void qtri_small_disable_division(qtri_small_division *d)
 {
     d->log2 = 0;
     d->goes_on = 0;
@@ -74,7 +75,7 @@ bool qtri_small_add_divided(qtri_small_division *d, qtri_small_curve *curve,
                             const qtri_small_place *p);
 void qtri_small_end_division(qtri_small_division *d);
 
-/* What 1/w has more at vertices 1 and 2, as a part of that of vertex 0. */
+/* 1/w at vertices 1 and 2 less that at vertex 0, divided by the latter. */
 void qtri_small_find_e(int32_t e_q18[2], const qtri_small_place *p, const qtri_small *t);
 
 /* f (1 + e), |f| <= 2^16, |e| <= 1/2. */

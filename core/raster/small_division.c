@@ -74,8 +74,8 @@ static bool is_near_parabola(uint32_t slope, int32_t unit_log2, uint32_t q_dx, u
 bool qtri_small_begin_division(qtri_small_division *d, uint32_t *piece, const qtri_curvature *c,
                                const qtri_small_place *p)
 {
-    const int32_t leftmost = qtri_small_min(p->dx1, p->dx2);
-    const uint32_t width = (uint32_t)(qtri_small_max(p->dx1, p->dx2) - leftmost) >> 8;
+    const int32_t leftmost = qtri_small_min0(p->dx1, p->dx2);
+    const uint32_t width = (uint32_t)(qtri_small_max0(p->dx1, p->dx2) - leftmost) >> 8;
     QTRI_SMALL_SETUP(ramp_set_at)
     (&d->q, p, p->x, p->y, 0, c->e_q18[0] >> 2, c->e_q18[1] >> 2, 0);
     d->goes_on = 0;
@@ -98,7 +98,7 @@ bool qtri_small_add_divided(qtri_small_division *d, qtri_small_curve *curve,
     qtri_small_divided *a = &d->a[d->count++];
     const int32_t *e = c->e_q18;
     const int32_t q_dx = (int32_t)d->q.dx, unit_log2 = value->unit_log2 + FRACTION;
-    const uint32_t q_least = 1024u + (uint32_t)(qtri_small_min(e[0], e[1]) >> 8);
+    const uint32_t q_least = 1024u + (uint32_t)(qtri_small_min0(e[0], e[1]) >> 8);
     const int32_t f[2] = {(value->f1 + p->wide) >> p->wide, (value->f2 + p->wide) >> p->wide};
     QTRI_SMALL_SETUP(ramp_set_at)
     (&a->s, p, p->x, p->y, 0, qtri_small_scaled(f[0], e[0]), qtri_small_scaled(f[1], e[1]),
@@ -137,7 +137,7 @@ void qtri_small_end_division(qtri_small_division *d)
     }
 }
 
-/* In a row so many below the first. */
+/* A ramp at column x, from vertex 0's, `row` rows below the triangle's first. */
 static uint32_t ramp_at(const qtri_small_ramp *r, uint32_t x, uint32_t row)
 {
     return r->at + x * r->dx + row * r->dy;
@@ -150,9 +150,9 @@ static int32_t reciprocal_at(const qtri_small_division *d, uint32_t x, uint32_t 
     return reciprocal_of(0x8000u + (uint32_t)(q >> 9));
 }
 
-/* What a value has more there. */
-static inline int32_t value_at(const qtri_small_divided *a, int32_t reciprocal, uint32_t x,
-                               uint32_t row)
+/* A value less that of vertex 0, f = s / (1 + q), at that point; reciprocal: 1 / (1 + q), Q16. */
+static inline int32_t difference_at(const qtri_small_divided *a, int32_t reciprocal, uint32_t x,
+                                    uint32_t row)
 {
     const int32_t s = (int32_t)ramp_at(&a->s, x, row);
     return s + qtri_small_product(s, (reciprocal - 0x10000) >> 1, 15);
@@ -182,7 +182,7 @@ uint32_t qtri_small_divide(qtri_small_division *d, uint32_t x, uint32_t end, uin
         x -= (x - (uint32_t)d->left) & (count - 1);
         d->reciprocal = reciprocal_at(d, x, row);
         for (qtri_small_divided *a = d->a; a != last; a++) {
-            a->point = value_at(a, d->reciprocal, x, row);
+            a->point = difference_at(a, d->reciprocal, x, row);
         }
     }
     const int32_t reciprocal = reciprocal_at(d, x + count, row);
@@ -191,7 +191,7 @@ uint32_t qtri_small_divide(qtri_small_division *d, uint32_t x, uint32_t end, uin
     eps -= (eps * eps >> 15) * eps >> 15; /* the mean of reciprocals is 1 + eps^2 too much */
     d->reciprocal = reciprocal;
     for (qtri_small_divided *a = d->a; a != last; a++) {
-        set_parabola(a, value_at(a, reciprocal, x + count, row), eps, x);
+        set_parabola(a, difference_at(a, reciprocal, x + count, row), eps, x);
         if (a->bend != 0) {
             chord_log2 = qtri_small_chord_log2(a->curve, chord_log2, a->bend);
             *d->piece = (uint32_t)1 << chord_log2;

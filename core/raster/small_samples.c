@@ -192,8 +192,8 @@ qtri_small_found qtri_small_samples_find(qtri_small_place *p, qtri_small_samples
     }
     const int32_t row = y0 >> 8, rest_y = y0 & 255, rest_x = x0 & 255;
     int32_t quarter[3] = {(rest_y + 31) >> 6, (rest_y + dy1 + 31) >> 6, (rest_y + dy2 + 31) >> 6};
-    int32_t first = quarter[0] + qtri_small_min(quarter[1] - quarter[0], quarter[2] - quarter[0]);
-    int32_t end = quarter[0] + qtri_small_max(quarter[1] - quarter[0], quarter[2] - quarter[0]);
+    int32_t first = quarter[0] + qtri_small_min0(quarter[1] - quarter[0], quarter[2] - quarter[0]);
+    int32_t end = quarter[0] + qtri_small_max0(quarter[1] - quarter[0], quarter[2] - quarter[0]);
     if (first == end) {
         return QTRI_SMALL_NOTHING;
     }

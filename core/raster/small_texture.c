@@ -135,6 +135,7 @@ bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
 
 /* Curves --------------------------------------------------------------------------------------- */
 
+/* Whether curves of u and v stray from perspective by 2^(by - 10) texel at most. */
 static bool are_near_curves(const qtri_curvature *c, const qtri_small_uv *f, uint32_t by,
                             const qtri_small *t, const qtri_options *o)
 {
@@ -193,7 +194,7 @@ bool qtri_small_set_curves(qtri_small_curves *curves, qtri_small_division *divis
         return true;
     }
     if (division != NULL) {
-        qtri_small_divide_nothing(division);
+        qtri_small_disable_division(division);
     }
     if (lit && is_lit_near) {
         qtri_small_set_light_along(curves, &c, p, &light);

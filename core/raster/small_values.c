@@ -18,7 +18,7 @@ bool qtri_small_are_linear(const int32_t differences[6], uint32_t inv_w, int32_t
                            uint32_t part)
 {
     const uint32_t q_range = qtri_small_range(q1, q2);
-    const uint32_t q_part = (inv_w + (uint32_t)qtri_small_min(q1, q2)) >> (part - 2);
+    const uint32_t q_part = (inv_w + (uint32_t)qtri_small_min0(q1, q2)) >> (part - 2);
     for (int i = 0; i < 6; i += 2) {
         const uint32_t range = qtri_small_range(differences[i], differences[i + 1]);
         if (!qtri_small_is_linear_by_range(range, q_range, q_part)) {
@@ -96,8 +96,8 @@ static bool keeps_field(const qtri_small_place *p, int32_t more_x, int32_t more_
 bool qtri_small_round_steps(qtri_small_ramp *r, const qtri_small_place *p, int32_t f0, int32_t f1,
                             int32_t f2, int down)
 {
-    const int32_t least = f0 + qtri_small_min(f1, f2) - 640;
-    const int32_t most = f0 + qtri_small_max(f1, f2) + 640;
+    const int32_t least = f0 + qtri_small_min0(f1, f2) - 640;
+    const int32_t most = f0 + qtri_small_max0(f1, f2) + 640;
     if (least >= 0 && most <= QTRI_SMALL_ONE) {
         return true;
     }
@@ -302,7 +302,7 @@ bool qtri_small_set_color_curves(qtri_small_color_curves *k, qtri_small_division
         is_near = is_near && qtri_small_is_near_curve(
                                  &c, qtri_small_range(channel[i][1], channel[i][2]), v->by);
     }
-    qtri_small_divide_nothing(division);
+    qtri_small_disable_division(division);
     return is_near ? set_color_curves(k, p, &c, value, is_packed)
                    : !textured && divide_colors(k, division, p, &c, value);
 }

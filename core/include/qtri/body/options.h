@@ -67,7 +67,7 @@ QTRI_BODY bool qtri_has_alpha(const qtri_options *o)
                          (o->texel == QTRI_OTHER_TEXEL && o->fetch != NULL));
 }
 
-/* Alpha of texels counts: without, their colours alone are filtered. */
+/* Texels are filtered with their alpha, which a test or a blend uses. */
 QTRI_BODY bool qtri_uses_alpha(const qtri_options *o)
 {
     return QTRI_ASKS(o, QTRI_ASK_ALPHA_USED,
@@ -85,9 +85,9 @@ QTRI_BODY uint32_t qtri_texture_height_log2(const qtri_options *o, const qtri_dr
     return o->mipmapped ? state->level_texture.height_log2 : state->height_log2;
 }
 
-/* In what pixels are computed. Fog, alpha of vertices, and blends that are mixed with what a stroke
-   leaves of a pixel, in 8 bits, and rounded once. On gray surfaces in gray, textures too where all
-   channels have the same light and none alone is full of what is added. */
+/* The format that pixels are computed in: that of RGB565 and gray surfaces, or 888. RGB565 needs
+   texels of RGB565 and no steps, as fog, of which 888 rounds all at once; gray with a texture needs
+   equal light in all channels, and no QTRI_ADD, which saturates each channel by itself. */
 QTRI_BODY qtri_color_kind qtri_kind_of(const qtri_options *o)
 {
 #if defined(QTRI_PIPELINE_IS_ANY_BY_ASKS)
@@ -115,7 +115,7 @@ QTRI_BODY bool qtri_is_lit(const qtri_options *o)
     return o->shade == QTRI_LIGHT || o->shade == QTRI_WHITE_LIGHT;
 }
 
-/* Light or colours vary. */
+/* Light or colours vary over a triangle. */
 QTRI_BODY bool qtri_varies(const qtri_options *o)
 {
     return o->shade >= QTRI_LIGHT;
@@ -149,7 +149,7 @@ QTRI_BODY bool qtri_tests_depth(const qtri_options *o)
     return QTRI_ASKS(o, QTRI_ASK_TEST, o->depth != QTRI_NO_DEPTH && o->compare != QTRI_DEPTH_OFF);
 }
 
-/* The material decides, which pixels look at. */
+/* The comparison is read from the material for each pixel. */
 QTRI_BODY bool qtri_compares_by_any(const qtri_options *o)
 {
 #ifdef QTRI_PIPELINE_IS_ANY
@@ -160,7 +160,7 @@ QTRI_BODY bool qtri_compares_by_any(const qtri_options *o)
 #endif
 }
 
-/* Where the material decides, pixels look at the walk besides. */
+/* Depth may be written; with QTRI_ANY the walk's keeps_depth tells. */
 QTRI_BODY bool qtri_writes_depth(const qtri_options *o)
 {
     return QTRI_ASKS(o, QTRI_ASK_WRITE,
@@ -186,7 +186,7 @@ QTRI_BODY bool qtri_discards(const qtri_options *o)
                          o->fragment != NULL);
 }
 
-/* The pixel under it is read. */
+/* The destination pixel is read. */
 QTRI_BODY bool qtri_reads_pixel(const qtri_options *o)
 {
     return QTRI_ASKS(o, QTRI_ASK_READ,
@@ -194,8 +194,8 @@ QTRI_BODY bool qtri_reads_pixel(const qtri_options *o)
                          o->keep || o->covered);
 }
 
-/* One colour a triangle, and nothing is done to it: it is encoded once. */
-QTRI_BODY bool qtri_is_plain(const qtri_options *o)
+/* All pixels of a triangle that are drawn get one colour, which is encoded once. */
+QTRI_BODY bool qtri_has_constant_color(const qtri_options *o)
 {
     return QTRI_ASKS(o, QTRI_ASK_PLAIN,
                      !qtri_is_textured(o) && !qtri_varies(o) && !o->fog && !qtri_reads_pixel(o) &&

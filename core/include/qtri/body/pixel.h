@@ -255,7 +255,7 @@ QTRI_BODY void qtri_pixel_put_samples(const qtri_options *o, const qtri_pixel_wa
         return;
     }
     if (!qtri_reads_pixel(o)) {
-        stored = qtri_is_plain(o) ? color : qtri_encode(o, surface, color);
+        stored = qtri_has_constant_color(o) ? color : qtri_encode(o, surface, color);
         qtri_pixel_store_samples(bytes, pixel, samples, stored);
         return;
     }
@@ -335,7 +335,8 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
                 qtri_save(depth_bytes, depth, z);
             }
             if (o->blend != QTRI_KEEP_PIXEL) {
-                qtri_save(bytes, pixel, qtri_is_plain(o) ? color : qtri_encode(o, surface, color));
+                qtri_save(bytes, pixel,
+                          qtri_has_constant_color(o) ? color : qtri_encode(o, surface, color));
             }
         }
     }
@@ -467,7 +468,7 @@ QTRI_BODY uint32_t qtri_walk_color(const qtri_options *o, const qtri_surface *su
     default:
         break;
     }
-    return qtri_is_plain(o) ? qtri_encode(o, surface, rgb) : rgb;
+    return qtri_has_constant_color(o) ? qtri_encode(o, surface, rgb) : rgb;
 }
 
 #endif

@@ -45,7 +45,8 @@ QTRI_BODY bool qtri_quads_vary(const qtri_options *o)
 /* All that is done with depths is the test. */
 QTRI_BODY bool qtri_draws_quads(const qtri_options *o)
 {
-    return QTRI_BODY_QUADS && (qtri_is_plain(o) || qtri_quads_vary(o)) && o->blend == QTRI_STORE &&
+    return QTRI_BODY_QUADS && (qtri_has_constant_color(o) || qtri_quads_vary(o)) &&
+           o->blend == QTRI_STORE &&
            qtri_pixel_bytes(o) == 2 && /* of one sample: loops of short pixels ask */
            (!qtri_tests_depth(o) ||
             (qtri_quads_compare(o) && o->depth == QTRI_LINEAR16 && o->read_only == 0));
@@ -201,6 +202,7 @@ QTRI_BODY int32_t qtri_quads_flat(const qtri_options *o, qtri_pixel_walk *w, uin
     return more;
 }
 
+/* Draws none: see qtri_quads_vary(). */
 QTRI_BODY int32_t qtri_quads_colors(const qtri_options *o, qtri_pixel_walk *w, int32_t more)
 {
     (void)o;

@@ -9,12 +9,12 @@
 #include "loop.h"
 #include "small_setup.h"
 
-/* What rows begin with. */
+/* The values that rows begin with. */
 typedef struct qtri_small_rows {
     qtri_small_ramp c, g, alpha, u, v;
 } qtri_small_rows;
 
-/* Goes on by n pixels. */
+/* Steps the values of the walk by n pixels, but not its pointers. */
 QTRI_BODY void qtri_small_step(const qtri_options *o, qtri_pixel_walk *w, uint32_t n, bool with_uv)
 {
     if (qtri_needs_depth(o)) {
@@ -41,14 +41,14 @@ QTRI_BODY void qtri_small_step(const qtri_options *o, qtri_pixel_walk *w, uint32
     }
 }
 
-/* The pixel that lies `apart` from its depth. */
+/* The pixel that belongs to w->depth, w->apart bytes from it. */
 QTRI_BODY uint8_t *qtri_small_pixel_of(const qtri_pixel_walk *w)
 {
     return (uint8_t *)((uintptr_t)w->depth + w->apart); /* NOLINT(performance-no-int-to-ptr) */
 }
 
-/* A row's pixels from a walk at the first one on; `count` is not 0. Paired: one pointer, which also
-   tells the end. Bent: texture coordinates follow curves. */
+/* Draws `count` pixels of a row, 1 or more, from the walk's on. Paired: depth's pointer serves
+   both, and tells the end. Bent: texture coordinates follow curves. */
 QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
                                  bool bent, int32_t count)
 {
@@ -60,7 +60,7 @@ QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_body *pixel, 
     const uint32_t bytes = qtri_pixel_bytes(o);
     /* By fours, or unrolled: flat quads of 40 pixels take 14 % less on a Cortex-M3, of 100 pixels
        31 %, 64 cubes (S14) 1.5 %. */
-    if (QTRI_SMALL_IN_PLACE && qtri_is_plain(o) && count >= 16) {
+    if (QTRI_SMALL_IN_PLACE && qtri_has_constant_color(o) && count >= 16) {
         w->pixel = paired ? qtri_small_pixel_of(w) : w->pixel;
         qtri_pixels_draw(o, pixel, w, bent, count);
         return;
@@ -322,7 +322,7 @@ QTRI_BODY bool qtri_small_has_two_loops(const qtri_options *o)
 #endif
 }
 
-/* Colours that are linear on the screen; false: perspective of them could be seen. */
+/* Sets colours, linear on the screen; false: the lack of perspective would show. */
 QTRI_BODY bool qtri_small_set_rows_colors(const qtri_options *o, qtri_small_rows *rows,
                                           const qtri_small_place *p, qtri_small_place *copy,
                                           const qtri_small *t)

@@ -65,22 +65,23 @@ QTRI_BODY uint32_t qtri_small_about(int32_t x)
     return (uint32_t)(x ^ qtri_small_sign(x));
 }
 
-QTRI_BODY int32_t qtri_small_min(int32_t a, int32_t b)
+/* The least, and the greatest, of 0, a and b. */
+QTRI_BODY int32_t qtri_small_min0(int32_t a, int32_t b)
 {
     a &= qtri_small_sign(a);
     return a < b ? a : b;
 }
 
-QTRI_BODY int32_t qtri_small_max(int32_t a, int32_t b)
+QTRI_BODY int32_t qtri_small_max0(int32_t a, int32_t b)
 {
     a &= ~qtri_small_sign(a);
     return a > b ? a : b;
 }
 
-/* Greatest less least of 0, a and b. */
+/* The greatest of 0, a and b less the least. */
 QTRI_SMALL_PART uint32_t qtri_small_range(int32_t a, int32_t b)
 {
-    return (uint32_t)qtri_small_max(a, b) - (uint32_t)qtri_small_min(a, b);
+    return (uint32_t)qtri_small_max0(a, b) - (uint32_t)qtri_small_min0(a, b);
 }
 
 QTRI_BODY int32_t qtri_small_clamp(int32_t x, int32_t low, int32_t high)

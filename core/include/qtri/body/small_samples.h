@@ -4,9 +4,9 @@
  * body (pipeline_make.h).
  *
  * Samples of a pixel are one below the other, a quarter of a pixel apart: edges are walked in
- * quarters of rows, and a row has the columns of its four as bytes of two words. What such words
- * have less than a column's, lane by lane with bit 7 set before, tells by that bit which samples
- * begin at or before the column: four comparisons in one subtraction.
+ * quarters of rows, and a row has the first and end columns of its four as bytes of two words. A
+ * pixel's column in all four lanes with bit 7 set, less such a word, leaves bit 7 of the samples
+ * whose column is at or before it: four comparisons in one subtraction.
  */
 #ifndef QTRI_BODY_SMALL_SAMPLES_H
 #define QTRI_BODY_SMALL_SAMPLES_H
@@ -21,14 +21,14 @@ enum { QTRI_SMALL_ROWS = 2 * QTRI_SMALL_MIDDLE + 1 };
 
 #define QTRI_SMALL_LANES 0x01010101u
 
-/* Rows, and what depth has more at samples. */
+/* Columns of rows, and depth at samples 3 and 1 less that at the centre. */
 typedef struct qtri_small_samples {
     uint32_t left[QTRI_SMALL_ROWS], right[QTRI_SMALL_ROWS]; /* sample k: bits 8 k.. */
     int32_t first, rows;
     uint32_t z_p, z_q;
 } qtri_small_samples;
 
-/* A ramp, and what it has more at samples. */
+/* A ramp at centres, and its values at samples 3 and 1 less that at the centre. */
 typedef struct qtri_small_sampled {
     qtri_small_ramp r;
     uint32_t p, q;
@@ -55,7 +55,7 @@ QTRI_BODY void qtri_small_move(qtri_small_place *p, int to)
     p->y += to == 1 ? 96 : to == 2 ? -128 : 0;
 }
 
-/* What a ramp that is set at these three has more at samples. */
+/* Takes a ramp that is set at the centre (at 0), at sample 3 (1) or at sample 1 (2), in order. */
 QTRI_BODY void qtri_small_set_more(qtri_small_sampled *r, int at, const qtri_small_ramp *there)
 {
     if (at == 0) {
@@ -77,7 +77,7 @@ QTRI_BODY uint32_t qtri_samples_least(uint32_t word)
     return a < b ? a : b;
 }
 
-/* Whether what is drawn depends on where in a pixel it is found. */
+/* Whether a pixel's colour depends on where in the pixel it is found. */
 QTRI_BODY bool qtri_small_has_places(const qtri_options *o)
 {
     return qtri_is_textured(o) || qtri_varies(o) || o->vertex_alpha || o->fog ||
@@ -125,7 +125,7 @@ QTRI_BODY void qtri_small_go(const qtri_options *o, qtri_pixel_walk *w,
     }
 }
 
-/* The sample that lies opposite: what a ramp has more there, it has less here. */
+/* The sample on the other side of the centre, where a ramp differs from it by as much less. */
 QTRI_BODY int32_t qtri_small_opposite(int32_t place)
 {
     return 3 - place;
@@ -198,8 +198,8 @@ QTRI_BODY uint32_t qtri_small_curve_at_place(const qtri_small_curve *c, uint32_t
                              (uint32_t)(3 * a - b + ((3 * r - s) >> 2)));
 }
 
-/* Curved: texture coordinates, or light, follow curves, which are found anew for each pixel: with
-   four samples that is little of it. */
+/* Draws all rows. Curved: texture coordinates, or light, follow curves, which are evaluated for
+   each pixel: that is little of the work of four samples. */
 QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_body *pixel,
                                        qtri_pixel_walk *w, const qtri_small_place *p,
                                        const qtri_small_samples *s,
@@ -279,7 +279,7 @@ QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_body *p
     }
 }
 
-/* Colours that vary; false: perspective of them could be seen. */
+/* Sets colours, linear on the screen; false: the lack of perspective would show. */
 QTRI_BODY bool qtri_small_samples_colors(const qtri_options *o, qtri_small_sampled_values *v,
                                          const qtri_small_place *p, const qtri_small *t)
 {

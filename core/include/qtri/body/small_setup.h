@@ -168,8 +168,8 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
     int32_t a_row = 0;
     int32_t b_row = (rest + dy1) >> 8;
     int32_t c_row = (rest + dy2) >> 8;
-    int32_t first = qtri_small_min(b_row, c_row);
-    int32_t end = qtri_small_max(b_row, c_row);
+    int32_t first = qtri_small_min0(b_row, c_row);
+    int32_t end = qtri_small_max0(b_row, c_row);
     if (first == end) {
         return QTRI_SMALL_NOTHING;
     }
@@ -186,8 +186,8 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
         if (p->wide || (uint32_t)x0 - state->inner.x >= state->inner.width) {
             p->left = bounds->x0 - column + QTRI_SMALL_REACH;
             p->right = bounds->x1 - column + QTRI_SMALL_REACH;
-            p->cut = (x0 + qtri_small_min(dx1, dx2)) >> 8 < bounds->x0 ||
-                     (x0 + qtri_small_max(dx1, dx2)) >> 8 >= bounds->x1;
+            p->cut = (x0 + qtri_small_min0(dx1, dx2)) >> 8 < bounds->x0 ||
+                     (x0 + qtri_small_max0(dx1, dx2)) >> 8 >= bounds->x1;
         }
         if (row + first < bounds->y0 || row + end > bounds->y1) {
             const int32_t least = bounds->y0 - row;
@@ -240,23 +240,23 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
 
 /* Light and colours ---------------------------------------------------------------------------- */
 
-/* What linear light and colours may be off by, as a power of two: half a step of 255, or of 63 over
-   a texture, a quarter of one without. */
+/* Linear light and colours may be off by 2^-part of full: half a step of 255, or of 63 over a
+   texture and a quarter of one without. */
 QTRI_BODY uint32_t qtri_small_part_of(const qtri_options *o)
 {
     return qtri_stores_565(o) ? 8u - qtri_is_textured(o) : 9u;
 }
 
-/* And along a chord of a curve: a quarter of a step, as curves may pass the values of vertices. */
+/* A curve may be off by 2^-part of full: a quarter of a step, as it may pass vertices' values. */
 QTRI_BODY uint32_t qtri_small_curve_part_of(const qtri_options *o)
 {
     return qtri_stores_565(o) ? 8u : 10u;
 }
 
 /*
- * Whether what differs by f1 and f2, Q15, strays by 2^-part of full at most. By Gruess's bound of a
- * covariance, range (q_max - q_min) / (4 q_min); q_min is 3/4 2^30 or more, and a range not more
- * than the sum of magnitudes: true of most.
+ * Whether a value that differs from vertex 0's by f1 and f2, Q15, strays by 2^-part of full at most
+ * if it is linear on the screen: by Gruess's bound of a covariance, range (q_max - q_min) / (4
+ * q_min). The first test, q_min >= 3/4 2^30 and range <= the sum of magnitudes, does for most.
  */
 QTRI_BODY bool qtri_small_is_linear(const qtri_small_place *p, const qtri_small *t, int32_t f1,
                                     int32_t f2, uint32_t part)
@@ -265,7 +265,7 @@ QTRI_BODY bool qtri_small_is_linear(const qtri_small_place *p, const qtri_small 
     if (sum * ((p->q_about >> 15) + 1) <= (uint32_t)3 << (29 - part)) {
         return true;
     }
-    const uint32_t q_min = t->v[0]->inv_w + (uint32_t)qtri_small_min(p->q1, p->q2);
+    const uint32_t q_min = t->v[0]->inv_w + (uint32_t)qtri_small_min0(p->q1, p->q2);
     return qtri_small_is_linear_by_range(qtri_small_range(f1, f2), qtri_small_range(p->q1, p->q2),
                                          q_min >> (part - 2));
 }
@@ -287,7 +287,7 @@ QTRI_BODY void qtri_setup_set_light(qtri_small_ramp *c, const qtri_small_place *
                         t->v[2]->intensity_q15 - i0, 1);
 }
 
-/* Channels of a vertex, Q15 of full, in light. */
+/* Lit channels of a vertex, Q15. */
 typedef struct qtri_small_channels {
     int32_t r, g, b;
 } qtri_small_channels;
@@ -304,7 +304,7 @@ QTRI_SMALL_PART qtri_small_channels qtri_small_channels_of(const qtri_small *t, 
     return f;
 }
 
-/* Those of vertex 0, and what the others have more. */
+/* Channels of vertex 0, and those of vertices 1 and 2 less these. */
 typedef struct qtri_small_colors {
     qtri_small_channels at, d1, d2;
 } qtri_small_colors;
@@ -333,7 +333,7 @@ QTRI_BODY void qtri_small_colors_of(qtri_small_colors *f, const qtri_small_place
     f->d2.b -= f->at.b;
 }
 
-/* False: perspective of them could be seen. */
+/* Finds the vertices' colours; false: on the screen the lack of perspective would show. */
 QTRI_BODY bool qtri_small_colors_find(qtri_small_colors *f, const qtri_small_place *p,
                                       const qtri_small *t, const qtri_options *o)
 {
@@ -481,7 +481,7 @@ QTRI_BODY bool qtri_small_is_texture_curved(const qtri_small_uv *f, const qtri_s
     const uint32_t v = qtri_small_range(f->v[1], f->v[2]) >> (10 - height_log2);
     const uint32_t range = u > v ? u : v;                          /* 2^-6 of a texel */
     const uint32_t q_range = qtri_small_range(p->q1, p->q2) >> 16; /* < 2^14.6 */
-    const uint32_t q_min = (t->v[0]->inv_w + (uint32_t)qtri_small_min(p->q1, p->q2)) >> 16;
+    const uint32_t q_min = (t->v[0]->inv_w + (uint32_t)qtri_small_min0(p->q1, p->q2)) >> 16;
     return range >> 17 != 0 || (range + 1) * (q_range + 1) > q_min << (8 - QTRI_SMALL_TEXEL_LOG2);
 }
 

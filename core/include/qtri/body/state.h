@@ -148,7 +148,7 @@ void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level);
 /* state->table, when a triangle first needs it. */
 void qtri_draw_state_set_table(qtri_draw_state *state);
 
-/* For formats that are an application's own, in own_formats.c. */
+/* A pixel, depth or texel by the callbacks of a user-defined format, in own_formats.c. */
 uint32_t qtri_encode_other(const qtri_format *format, uint32_t color_888);
 uint32_t qtri_depth_encode_other(const qtri_depth_format *format, uint32_t z_16p16);
 uint32_t qtri_texel_other(const qtri_texture *texture, uint32_t stored);

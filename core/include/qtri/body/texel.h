@@ -17,13 +17,13 @@ QTRI_BODY uint32_t qtri_texel_column(const qtri_pixel_walk *w, uint32_t u)
     return qtri_body_shift(u, w->rows);
 }
 
-/* The row's first texel. */
+/* The index of the first texel in v's row. */
 QTRI_BODY uint32_t qtri_texel_row(const qtri_options *o, const qtri_pixel_walk *w, uint32_t v)
 {
     return o->large_texture ? v >> w->v_shift << w->width_log2 : (v & w->rows) >> 16;
 }
 
-/* Of a checker's texel: which of both colours its field has. */
+/* Which of a checker's two colours texel `number` has: 0 or 1. */
 QTRI_BODY uint32_t qtri_checker_field(const qtri_texture *texture, uint32_t width_log2,
                                       uint32_t number)
 {
@@ -54,7 +54,7 @@ QTRI_BODY uint32_t qtri_texel_stored(const qtri_options *o, const qtri_pixel_wal
     }
 }
 
-/* A colour of texels as one of the kind, another one. */
+/* An RGB565 colour in the format pixels are computed in, which is gray or 888. */
 QTRI_BODY_PART uint32_t qtri_texel_from_565(qtri_color_kind kind, uint32_t c)
 {
     return kind == QTRI_IN_GRAY ? qtri_pixel_565_to_luma(c) : qtri_pixel_565_to_888(c);
@@ -95,8 +95,8 @@ QTRI_BODY uint32_t qtri_texel_color(const qtri_options *o, const qtri_pixel_walk
 }
 
 /*
- * Four texels by weights of 11 bits, which sum up to 2^11 in lanes of RGB565 (31 2^11 < 2^16), to
- * 2^22 of each channel in 888. What the coordinates count is from texels' centres.
+ * The bilinear mean of four texels, the upper two first, by fractions in Q11. Weights sum up to
+ * 2^11 in lanes of RGB565 (31 2^11 < 2^16), to 2^22 of each channel in 888.
  */
 QTRI_BODY uint32_t qtri_texel_mean(qtri_color_kind kind, const uint32_t t[4], uint32_t along,
                                    uint32_t across)
@@ -132,7 +132,7 @@ QTRI_BODY uint32_t qtri_texel_mean(qtri_color_kind kind, const uint32_t t[4], ui
     return kind == QTRI_IN_GRAY ? b >> 22 : r >> 22 << 16 | g >> 22 << 8 | b >> 22;
 }
 
-/* 11 bits of a coordinate's fraction. */
+/* The fraction, Q11, of a texture coordinate that has `shift` fraction bits. */
 QTRI_BODY uint32_t qtri_texel_fraction(uint32_t at, uint32_t shift)
 {
     return (shift > 11 ? at >> (shift - 11) : at << (11 - shift)) & 2047;
@@ -144,7 +144,7 @@ QTRI_BODY uint32_t qtri_texel_bilinear(const qtri_options *o, const qtri_pixel_w
     const uint32_t across = qtri_texel_fraction(w->v, w->v_shift);
     const uint32_t column = qtri_texel_column(w, w->u);
     const uint32_t row = qtri_texel_row(o, w, w->v);
-    /* A texel on: of a texture one texel wide none. */
+    /* The next texel; in a texture one texel wide, the same. */
     const uint32_t next_column =
         qtri_texel_column(w, w->u + ((uint32_t)2 << ((31 - w->width_log2) & 31)));
     const uint32_t next_row = qtri_texel_row(o, w, w->v + ((uint32_t)1 << w->v_shift));
