@@ -102,8 +102,8 @@ static inline bool qtri_line_misses(const qtri_line_job *job, int32_t y0_24p8, i
 /* A corner lies at most sqrt(2) radii from an end. */
 #define QTRI_STROKE_LINE_REACH 512 /* 24.8 */
 
-/* Lets the job, of surface and material, draw smooth lines. The rows in which it looks for
-   triangles reach further then than those of the surface. */
+/* Makes a job of surface and material draw smooth lines of a style. As their corners lie beyond the
+   vertices, qtri_line_misses() then looks at more rows than the surface has. */
 static inline void qtri_stroke_line_choose(qtri_line_job *job, const qtri_surface *surface,
                                            const qtri_material *material,
                                            const qtri_stroke_line *style, qtri_line_draws draw)

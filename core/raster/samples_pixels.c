@@ -52,7 +52,7 @@ uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record)
     return qtri_mean_of(format, stored);
 }
 
-/* Records from `record` on. */
+/* Clears records of any format, from `record` on. */
 QTRI_INLINE void clear_any(uint8_t *record, int32_t count, uint32_t stored, int32_t bytes,
                            int32_t size)
 {
@@ -68,9 +68,8 @@ QTRI_INLINE void clear_any(uint8_t *record, int32_t count, uint32_t stored, int3
 }
 
 /*
- * Of RGB565 every other record begins with a word, and two of them are seven words: halves are
- * c c, c c, d d, d c, c c, c d, d d. To clear and to resolve by words saves a lit mesh in RGB565 4
- * %.
+ * Every other record of RGB565 begins with a word, and two of them are seven words, of colours and
+ * depths: c c, c c, d d, d c, c c, c d, d d. Clearing and resolving by words saves a lit mesh 4 %.
  */
 enum { PAIR = 2 * QTRI_RGB565_X4_BYTES, PAIR_WORDS = PAIR / 4 };
 
@@ -160,25 +159,21 @@ void qtri_samples_clear_depth(const qtri_surface *surface, q16 depth)
     }
 }
 
-/* Pixels of RGB565. */
-QTRI_INLINE uint32_t resolved_565(const uint8_t *record)
+/* The mean of an RGB565 record's samples. */
+QTRI_INLINE uint32_t record_mean_565(const uint8_t *record)
 {
     const uint16_t *color = (const uint16_t *)(const void *)record;
-    const uint32_t first = color[0];
-    const uint32_t second = color[1];
-    const uint32_t third = color[2];
-    const uint32_t fourth = color[3];
-    return first == second && first == third && first == fourth
-               ? first
-               : qtri_mean_565(first, second, third, fourth);
+    const uint32_t a = color[0], b = color[1], c = color[2], d = color[3];
+    return a == b && a == c && a == d ? a : qtri_mean_565(a, b, c, d);
 }
 
-/* Most pixels have one colour, which is that of the one before: two are seen to by their words. */
+/* Records to pixels. Fast case: two records whose samples all have the colour of the pixel before,
+   as most have, are recognised by their words. */
 static void resolve_565(const uint8_t *record, uint16_t *to, int32_t count)
 {
     uint32_t color = 0;
     if (!begins_with_word(record)) {
-        *to++ = (uint16_t)resolved_565(record);
+        *to++ = (uint16_t)record_mean_565(record);
         record += QTRI_RGB565_X4_BYTES;
         count--;
     }
@@ -191,13 +186,13 @@ static void resolve_565(const uint8_t *record, uint16_t *to, int32_t count)
             to[0] = (uint16_t)color;
             to[1] = (uint16_t)color;
         } else {
-            to[0] = (uint16_t)resolved_565(record);
-            color = resolved_565(record + QTRI_RGB565_X4_BYTES);
+            to[0] = (uint16_t)record_mean_565(record);
+            color = record_mean_565(record + QTRI_RGB565_X4_BYTES);
             to[1] = (uint16_t)color;
         }
     }
     if (count > 0) {
-        *to = (uint16_t)resolved_565(record);
+        *to = (uint16_t)record_mean_565(record);
     }
 }
 

@@ -63,7 +63,7 @@ static void cover_hard(qtri_stroker *stroker)
     }
 }
 
-/* Notes which columns have a part, and which several. */
+/* Gives each column a part that touches it, and marks columns that several touch. */
 static void find_parts(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;
@@ -99,7 +99,7 @@ static void draw_span(qtri_stroker *stroker, const qtri_stroke_shape *s, int32_t
     qtri_stroke_target_draw(&stroker->to, &span);
 }
 
-/* The part that is nearest to each pixel that several touch. */
+/* Gives each pixel that several parts touch the nearest one. */
 QTRI_NOINLINE static void find_nearest(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;

@@ -75,7 +75,7 @@ QTRI_INLINE void add_side(int32_t *cell, int32_t dx, int32_t ya, int32_t yb, int
     qtri_coverage_add_piece(&cell[k], dx < 0 ? done - size : size - done, y + yb - k * 256);
 }
 
-/* An end of the rectangle, from its near corner to the far one, as far as it lies in the column. */
+/* An end of the rectangle, near to far corner, in the column at x, whose cell 0 is at `first`. */
 QTRI_INLINE void add_end(int32_t *cell, const wire *w, int end, int32_t x, int32_t first)
 {
     const int32_t near_x = w->x[end] + w->offset_x;
@@ -96,8 +96,8 @@ QTRI_INLINE void add_end(int32_t *cell, const wire *w, int end, int32_t x, int32
     add_side(cell, dx, ya, yb, (int32_t)(w->slope_q30 >> 22));
 }
 
-/* One of the long sides in a column where the line ends: `y` at the column's start. */
-QTRI_INLINE void add_part(int32_t *cell, const wire *w, int32_t sign, int32_t x, int32_t y)
+/* A long side, near (sign 1) or far (-1), in a column where the line ends; y: at x, in cell 0. */
+QTRI_INLINE void add_long_side(int32_t *cell, const wire *w, int32_t sign, int32_t x, int32_t y)
 {
     const int32_t offset = sign * w->offset_x;
     const int32_t left = qtri_greatest32(w->x[0] + offset, x);
@@ -108,13 +108,13 @@ QTRI_INLINE void add_part(int32_t *cell, const wire *w, int32_t sign, int32_t x,
     }
 }
 
-/* All sides of a column where the line ends; `y` is the near side at its start, in cell 0. */
-QTRI_NOINLINE static void add_ends(int32_t *cell, const wire *w, int32_t column, int32_t first,
-                                   int32_t y, int32_t wide)
+/* All sides in a column where the line ends; y: the near side at its start, in cell 0. */
+QTRI_NOINLINE static void add_end_column(int32_t *cell, const wire *w, int32_t column,
+                                         int32_t first, int32_t y, int32_t wide)
 {
     const int32_t x = column * 256;
-    add_part(cell, w, 1, x, y);
-    add_part(cell, w, -1, x, y + wide);
+    add_long_side(cell, w, 1, x, y);
+    add_long_side(cell, w, -1, x, y + wide);
     if (column < w->inner) {
         add_end(cell, w, 0, x, first);
     }
@@ -163,7 +163,7 @@ static void draw_any(const wire *w, const cells *c)
     qtri_stroke_target_draw(to, &span);
 }
 
-/* The same where pixels are RGB565 with a table of tints. */
+/* Pixels of a column, RGB565 with a table of tints. */
 QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
 {
     const int32_t *cell = c->cell;
@@ -178,12 +178,12 @@ QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
         if (sum >= LEAST) {
             const uint32_t share = qtri_stroke_share(qtri_stroke_held_share(share_q24));
             uint16_t *at = (uint16_t *)(void *)depth;
-            const uint32_t z = (qtri_stroke_look_depth(&w->look, share) + 0x8000u) >> 16;
+            const uint32_t z = (qtri_stroke_depth_at(&w->look, share) + 0x8000u) >> 16;
             if (!has_depth || z < *at) {
                 uint16_t *to = (uint16_t *)(void *)pixel;
                 const uint32_t cover = (uint32_t)qtri_least32(sum, QTRI_COVERAGE_FULL);
                 const uint32_t weight = qtri_stroke_weight(cover, 65536) & 0x1FFu;
-                const uint32_t word = qtri_stroke_look_tint(&w->look, share);
+                const uint32_t word = qtri_stroke_tint_at(&w->look, share);
                 if (has_depth && sum >= QTRI_COVERAGE_FULL / 2) {
                     *at = (uint16_t)z;
                 }
@@ -227,7 +227,7 @@ static void walk(const wire *w, int32_t column, int32_t end, int32_t low_q16, in
             add_side(cell, 256, near_a, near_b, w->inverse_q8);
             add_side(cell, -256, near_a + wide, near_b + wide, w->inverse_q8);
         } else {
-            add_ends(cell, w, c.along, first, near_a, wide);
+            add_end_column(cell, w, c.along, first, near_a, wide);
         }
         /* From the line at the column's middle to the first cell's: 1/256 pixel. */
         const int32_t middle = (low_q16 + (slope >> 1) + w->half_q16) >> 8;

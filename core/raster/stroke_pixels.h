@@ -20,20 +20,20 @@ typedef struct qtri_stroke_end {
     int32_t color_8p16[3];
 } qtri_stroke_end;
 
-/* From a part's first end to its last, at shares of 16 bits. */
+/* Depth and colour along a part, by a point's share of its length, Q16, from the first end on. */
 typedef struct qtri_stroke_look {
     uint32_t z_16p16, z_low; /* the difference: z_high 2^16 + z_low, 0 <= z_low < 2^16 */
     int32_t z_high;
     int32_t color_8p8[3], color_delta[3];
     bool is_even;  /* one colour */
     bool is_level; /* and one depth */
-    /* Not NULL: colours of RGB565 by light, 129 of them, in place of those above: light in Q29, and
-       what of it 2^14 shares of its own add. */
+    /* Not NULL: 129 RGB565 colours by light, in place of those above; light at the first end, Q29,
+       and the difference of that at the last, Q15. */
     const uint16_t *tints;
     int32_t light_q29, light_step;
 } qtri_stroke_look;
 
-/* Added to a weight: half of the pixel or more is covered, so that its depth is written. */
+/* Added to a weight where half of the pixel or more is covered: its depth is written. */
 #define QTRI_STROKE_WRITES 0x8000u
 
 typedef struct qtri_stroke_span {
@@ -81,7 +81,7 @@ void qtri_stroke_sample_end(const qtri_stroke_sample *sample, const qtri_stroke_
 /* span->state is the target's. */
 void qtri_stroke_target_draw(qtri_stroke_target *to, const qtri_stroke_span *span);
 
-/* Of a part with these ends. */
+/* Sets the look of a part with these ends. */
 void qtri_stroke_look_init(qtri_stroke_look *look, const qtri_stroke_end end[2]);
 
 /* Strokes whose pixels are covered in part, or wholly: what draws them, by the draw state's
@@ -108,34 +108,36 @@ static inline void qtri_stroke_look_set_level(qtri_stroke_look *look, uint32_t d
     look->tints = NULL;
 }
 
-/* A share as it is used: that of the last end is 2^16. */
+/* A share 0..65535 as 0..2^16, so that the last end has all of its own depth and colour. */
 QTRI_BODY uint32_t qtri_stroke_share(uint32_t share_q16)
 {
     return share_q16 + (share_q16 >> 15);
 }
 
-/* `from` + delta share / 2^16, modulo 2^32. */
-QTRI_BODY uint32_t qtri_stroke_look_depth(const qtri_stroke_look *look, uint32_t share_q16)
+/* Depth, 16.16, at a share: `from` + delta share / 2^16, modulo 2^32. */
+QTRI_BODY uint32_t qtri_stroke_depth_at(const qtri_stroke_look *look, uint32_t share_q16)
 {
     return look->z_16p16 + (uint32_t)look->z_high * share_q16 + ((look->z_low * share_q16) >> 16);
 }
 
-/* |delta| < 2^16; shares are cut off to 15 bits. */
-QTRI_BODY uint32_t qtri_stroke_look_channel(const qtri_stroke_look *look, int i, uint32_t share_q16)
+/* Channel i, 0..255, at a share, of which 15 bits count; |delta| < 2^16. */
+QTRI_BODY uint32_t qtri_stroke_channel_at(const qtri_stroke_look *look, int i, uint32_t share_q16)
 {
     const int32_t more = look->color_delta[i] * (int32_t)(share_q16 >> 1);
     const int32_t c = look->color_8p8[i] + ((more + (1 << 14)) >> 15) + 128;
     return (uint32_t)c >> 8;
 }
 
-QTRI_BODY uint32_t qtri_stroke_look_color(const qtri_stroke_look *look, uint32_t share_q16)
+/* 0xRRGGBB at a share. */
+QTRI_BODY uint32_t qtri_stroke_color_at(const qtri_stroke_look *look, uint32_t share_q16)
 {
-    return qtri_stroke_look_channel(look, 0, share_q16) << 16 |
-           qtri_stroke_look_channel(look, 1, share_q16) << 8 |
-           qtri_stroke_look_channel(look, 2, share_q16);
+    return qtri_stroke_channel_at(look, 0, share_q16) << 16 |
+           qtri_stroke_channel_at(look, 1, share_q16) << 8 |
+           qtri_stroke_channel_at(look, 2, share_q16);
 }
 
-QTRI_BODY uint32_t qtri_stroke_look_tint(const qtri_stroke_look *look, uint32_t share_q16)
+/* RGB565 at a share, by the light there. */
+QTRI_BODY uint32_t qtri_stroke_tint_at(const qtri_stroke_look *look, uint32_t share_q16)
 {
     const int32_t light = look->light_q29 + look->light_step * (int32_t)(share_q16 >> 2);
     return look->tints[((uint32_t)light + ((uint32_t)1 << 21)) >> 22];
@@ -147,11 +149,11 @@ QTRI_BODY uint32_t qtri_stroke_pixel_look(const qtri_options *o, qtri_pixel_walk
 {
     const uint32_t at = qtri_stroke_share(share_q16);
     if (look->tints != NULL) {
-        w->color = qtri_stroke_look_tint(look, at);
+        w->color = qtri_stroke_tint_at(look, at);
     } else if (!look->is_even) {
-        w->color = qtri_walk_color(o, w->state->surface, qtri_stroke_look_color(look, at));
+        w->color = qtri_walk_color(o, w->state->surface, qtri_stroke_color_at(look, at));
     }
-    return qtri_stroke_look_depth(look, at);
+    return qtri_stroke_depth_at(look, at);
 }
 
 /* From the walk's pixel on. A pipeline has a loop of its own for parts that are level. */
@@ -218,7 +220,7 @@ QTRI_BODY void qtri_stroke_span_draw(const qtri_options *o, const qtri_stroke_sp
     w.x = span->x;
     w.y = span->y;
     if (look->is_even) {
-        w.color = qtri_walk_color(o, surface, qtri_stroke_look_color(look, 0));
+        w.color = qtri_walk_color(o, surface, qtri_stroke_color_at(look, 0));
     }
 #if !defined(QTRI_PIPELINE_IS_ANY)
     if (look->is_level) {

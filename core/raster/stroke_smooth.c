@@ -14,7 +14,7 @@ typedef struct span {
     int32_t left_sum, right_sum; /* of both: twice what they are at the middle */
 } span;
 
-/* Those of a slice are disjoint, and sorted. Windows with more parts are a few columns wide. */
+/* A slice's spans are disjoint and sorted. Windows with more parts are a few columns wide. */
 enum { SPANS = 8 };
 
 typedef struct spans {
@@ -23,7 +23,7 @@ typedef struct spans {
     int32_t min_x, max_x; /* of all slices of the row */
 } spans;
 
-/* Takes the sides that are further out at the middle. */
+/* The union of two spans: of their sides, those further out at the middle. */
 static inline void widen(span *s, const span *by)
 {
     if (by->left_sum < s->left_sum) {
@@ -56,14 +56,15 @@ QTRI_NOINLINE static int32_t crossing(const int32_t a[2], const int32_t b[2], in
     return qtri_hold32(at, 1, height - 1);
 }
 
-QTRI_INLINE int32_t up_to_crossing(const int32_t a[2], const int32_t b[2], int32_t height)
+/* The height of the slice's upper part in which the sides a and b do not cross. */
+QTRI_INLINE int32_t height_to_crossing(const int32_t a[2], const int32_t b[2], int32_t height)
 {
     return ((a[0] - b[0]) ^ (a[1] - b[1])) >= 0 ? height
                                                 : qtri_least32(height, crossing(a, b, height));
 }
 
-/* The level up to which a span's sides cross none of the others. */
-static int32_t up_to_crossings(const spans *all, const span *more, int32_t height)
+/* The height of the slice's upper part in which a span's sides cross none of the others. */
+static int32_t height_to_crossings(const spans *all, const span *more, int32_t height)
 {
     for (int i = 0; i < all->count; i++) {
         const span *other = &all->of[i];
@@ -71,10 +72,10 @@ static int32_t up_to_crossings(const spans *all, const span *more, int32_t heigh
             ((more->right[0] - other->left[0]) & (more->right[1] - other->left[1])) < 0) {
             continue; /* one lies left of the other */
         }
-        height = up_to_crossing(other->left, more->left, height);
-        height = up_to_crossing(other->right, more->right, height);
-        height = up_to_crossing(other->left, more->right, height);
-        height = up_to_crossing(other->right, more->left, height);
+        height = height_to_crossing(other->left, more->left, height);
+        height = height_to_crossing(other->right, more->right, height);
+        height = height_to_crossing(other->left, more->right, height);
+        height = height_to_crossing(other->right, more->left, height);
     }
     return height;
 }
@@ -176,7 +177,7 @@ static int32_t find_spans(spans *all, qtri_stroker *stroker, int32_t y0, int32_t
         if (!set_span(&more, all, s, &stroker->window.coverage, y0, y1)) {
             continue;
         }
-        const int32_t height = up_to_crossings(all, &more, y1 - y0);
+        const int32_t height = height_to_crossings(all, &more, y1 - y0);
         if (height < y1 - y0) {
             y1 = y0 + height; /* sides are others: once more */
             all->count = 0;

@@ -18,8 +18,8 @@ static inline bool qtri_differences_are_short(int32_t a, int32_t b, int32_t c, i
             ((uint32_t)d + half)) < 2 * half;
 }
 
-/* qtri_triangle_area where products are long, which is rare: in one place. */
-int64_t qtri_triangle_area_far(const qtri_point *a, const qtri_point *b, const qtri_point *c);
+/* qtri_triangle_area where products need 64 bits, which is rare: out of line. */
+int64_t qtri_triangle_area_long(const qtri_point *a, const qtri_point *b, const qtri_point *c);
 #endif
 
 /* Twice the area in 1/256 pixel squared; y points down: negative is front. |x|, |y| <= 2^22.
@@ -28,15 +28,13 @@ int64_t qtri_triangle_area(const qtri_point *a, const qtri_point *b, const qtri_
 static inline int64_t qtri_triangle_area_in_place(const qtri_point *a, const qtri_point *b,
                                                   const qtri_point *c)
 {
-    int32_t dx1 = b->x_24p8 - a->x_24p8;
-    int32_t dy1 = b->y_24p8 - a->y_24p8;
-    int32_t dx2 = c->x_24p8 - a->x_24p8;
-    int32_t dy2 = c->y_24p8 - a->y_24p8;
+    int32_t dx1 = b->x_24p8 - a->x_24p8, dy1 = b->y_24p8 - a->y_24p8;
+    int32_t dx2 = c->x_24p8 - a->x_24p8, dy2 = c->y_24p8 - a->y_24p8;
 #if !QTRI_LONG_MULTIPLY
     if (qtri_differences_are_short(dx1, dy1, dx2, dy2)) {
         return dx1 * dy2 - dx2 * dy1;
     }
-    return qtri_triangle_area_far(a, b, c);
+    return qtri_triangle_area_long(a, b, c);
 #else
     return qtri_mul_s32(dx1, dy2) - qtri_mul_s32(dx2, dy1);
 #endif
@@ -65,19 +63,19 @@ static inline bool qtri_triangle_is_back(const qtri_point *a, const qtri_point *
     if (far < 2 * half) {
         return dx1 * dy2 >= dx2 * dy1;
     }
-    return qtri_triangle_area_far(a, b, c) >= 0;
+    return qtri_triangle_area_long(a, b, c) >= 0;
 #else
     return qtri_triangle_area(a, b, c) >= 0;
 #endif
 }
 
-/* Whether triangles of one side are turned away; by a number that is no qtri_cull none are. */
+/* Whether triangles of one side are culled; a number that is no qtri_cull culls none. */
 static inline bool qtri_culls(qtri_cull cull)
 {
     return cull == QTRI_CULL_BACK || cull == QTRI_CULL_FRONT;
 }
 
-/* Whether a triangle of this area is turned away; without area it is, from either side. */
+/* Whether a triangle of this signed area is culled; one without area is, from either side. */
 static inline bool qtri_is_culled(qtri_cull cull, int64_t area)
 {
     return (cull == QTRI_CULL_BACK && area >= 0) || (cull == QTRI_CULL_FRONT && area <= 0);
