@@ -187,7 +187,7 @@ uint64_t qtri_mul_high64(uint64_t a, uint64_t b);
  */
 uint64_t qtri_divide64(uint64_t n, uint64_t divisor, int32_t more, bool *half);
 
-/* Nearest integer to the square root; exact halves cannot occur. */
+/* The square root, rounded down, x = root^2 + *remainder, and to nearest: halves cannot occur. */
 uint32_t qtri_sqrt64_floor(uint64_t x, uint64_t *remainder);
 uint64_t qtri_sqrt64_round(uint64_t x);
 

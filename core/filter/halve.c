@@ -44,7 +44,7 @@ static void halve_any(const qtri_surface *band, const qtri_surface *half)
     }
 }
 
-/* Of two pixels above each other, as two words: low and high half are next to each other. */
+/* The mean of two by two RGB565 pixels, a word of two from the upper and one from the lower row. */
 static inline uint32_t mean_of_pairs(uint32_t upper, uint32_t lower)
 {
     if (upper == lower && upper == (upper << 16 | upper >> 16)) {
@@ -53,6 +53,7 @@ static inline uint32_t mean_of_pairs(uint32_t upper, uint32_t lower)
     return qtri_mean_565(qtri_low16(upper), upper >> 16, qtri_low16(lower), lower >> 16);
 }
 
+/* Two rows of `count` words into `count` pixels. */
 QTRI_NOINLINE static void halve_pairs(const qtri_word *upper, const qtri_word *lower, uint16_t *to,
                                       int32_t count)
 {

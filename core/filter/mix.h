@@ -24,7 +24,7 @@ static inline uint32_t qtri_lanes_565(uint32_t color)
     return (color | color << 16) & QTRI_LANES_565;
 }
 
-/* Back, from the channels in their lanes; what else is in the word does not matter. */
+/* RGB565 from channels in their lanes; other bits are ignored. */
 static inline uint32_t qtri_packed_565(uint32_t lanes)
 {
     lanes &= QTRI_LANES_565;
@@ -32,7 +32,7 @@ static inline uint32_t qtri_packed_565(uint32_t lanes)
 }
 
 /*
- * (1 - share / 32) a + share / 32 b, share 0..32, to nearest, halves up. In each lane
+ * a + (b - a) share / 32 of RGB565 colours, share 0..32, to nearest, halves up. In each lane
  * 32 a + (b - a) share + 16 lies in 0..32 * 63 + 16 < 2^11, and lanes are 10 and 11 bits apart:
  * what a difference borrows from the next lane it gives back.
  */
@@ -43,7 +43,7 @@ static inline uint32_t qtri_lerp_565(uint32_t a, uint32_t b, uint32_t share)
     return qtri_packed_565(((p << 5) + (q - p) * share + 0x02008010u) >> 5);
 }
 
-/* The mean of four, to nearest. In each lane four channels and 2: less than 2^8. */
+/* The mean of four RGB565 colours, to nearest. Lanes have four channels and 2: below 2^8. */
 static inline uint32_t qtri_mean_565(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
 {
     const uint32_t sum =
@@ -74,7 +74,7 @@ static inline bool qtri_begins_with_words(const qtri_surface *surface)
     return (((uintptr_t)surface->pixels | (uintptr_t)surface->pitch) & 3) == 0;
 }
 
-/* Bits of the kind's channels red, green and blue, in place, of a colour. */
+/* Where a colour of a kind has its red, green and blue. */
 typedef struct qtri_masks {
     uint32_t mask[3];
     uint8_t shift[3];

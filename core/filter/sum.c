@@ -60,6 +60,7 @@ static inline uint16_t mean_of(uint32_t sum, uint32_t half, uint32_t log2, uint3
     return (uint16_t)(mean | mean >> 16);
 }
 
+/* Stores the means of 2^log2 frames. */
 QTRI_NOINLINE static void store_row_565(uint16_t *pixel, const uint32_t *sum, int32_t count,
                                         uint32_t log2)
 {

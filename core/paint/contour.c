@@ -180,7 +180,7 @@ static void find_stops(stops *s, const qtri_contour *contour, int32_t row, int32
     }
 }
 
-/* Where the contour has turned around in sum, inside. */
+/* Paints the pixels whose winding number is not 0. */
 void qtri_hard_row(const qtri_painter *painter, const qtri_contour *contour, int32_t row)
 {
     stops s;
@@ -219,8 +219,7 @@ void qtri_paint_contour(const qtri_surface *surface, const qtri_contour *contour
                         const qtri_brush *brush)
 {
     qtri_painter painter;
-    int32_t row;
-    int32_t end;
+    int32_t row, end;
     if (!qtri_painter_begin(&painter, surface, brush)) {
         return;
     }

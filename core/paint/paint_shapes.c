@@ -341,9 +341,9 @@ void qtri_paint_arc(const qtri_surface *surface, const qtri_point *center, int32
 
 /* ---- Polygons and lines ---- */
 
-/* Of few points: sides that are made ready once, and not in every row. */
-static void paint_few(const qtri_surface *surface, const qtri_point *point, int32_t count,
-                      const qtri_brush *brush)
+/* Up to QTRI_PATH_EDGES points: edges are set up once, not in every row. */
+static void paint_small_polygon(const qtri_surface *surface, const qtri_point *point, int32_t count,
+                                const qtri_brush *brush)
 {
     qtri_path path;
     qtri_path_init(&path);
@@ -360,7 +360,7 @@ static void paint_polygon(const qtri_surface *surface, const qtri_point *point, 
                           const qtri_brush *brush)
 {
     if (count >= 3 && count <= QTRI_PATH_EDGES) {
-        paint_few(surface, point, count, brush);
+        paint_small_polygon(surface, point, count, brush);
     } else if (count >= 3) {
         const qtri_contour contour = {NULL, point, count};
         qtri_paint_contour(surface, &contour, brush);

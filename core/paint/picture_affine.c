@@ -125,7 +125,7 @@ static void axis_init(axis *x, int64_t start, int32_t step, int32_t row, int32_t
     }
 }
 
-/* The columns *first .. *end-1 of what is inside of those. */
+/* Cuts columns *first .. *end-1 to those where the coordinate is inside the picture. */
 static void axis_clip(const axis *x, int32_t *first, int32_t *end)
 {
     if (x->step == 0) {

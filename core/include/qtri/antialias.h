@@ -117,8 +117,8 @@ typedef struct qtri_outline {
      2u * (((uint32_t)(height) + (uint32_t)(rows)-1u) / (uint32_t)(rows)))
 
 /*
- * For a mesh, whose data must stay as it is while the outline is in use. Words beyond those for
- * facing and sums are for lists.
+ * Divides memory[0..words - 1] for the outline of a mesh, whose data must stay as it is while the
+ * outline is in use. Words beyond QTRI_OUTLINE_WORDS and SUMS are for lists.
  * QTRI_ERROR_SIZE: the mesh has more than 65535 triangles, or neighbours above their number.
  * QTRI_ERROR_MEMORY: too few words. After an error the outline has no edges.
  */

@@ -109,7 +109,7 @@ typedef enum qtri_euler {
     QTRI_EULER_ZYX = 0x012
 } qtri_euler;
 
-/* An order that is none of these turns about the axes its digits name, modulo 3. */
+/* The rotation by these angles. Other orders turn about the axes their digits name, modulo 3. */
 qtri_mat4 qtri_mat4_rotate_euler_deg(qtri_vec3 degrees, qtri_euler order);
 
 /* The linear part, and the transform that has it and moves nothing. */
@@ -120,10 +120,10 @@ qtri_mat4 qtri_mat4_from_linear(const qtri_mat3 *linear);
 qtri_mat4 qtri_mat4_mul(const qtri_mat4 *a, const qtri_mat4 *b); /* first b, then a */
 qtri_mat4 qtri_mat4_transpose(const qtri_mat4 *a);
 
-/* M v; out is not v. */
+/* M v, v as a column; out is not v. */
 void qtri_mat4_times(q16 out[4], const qtri_mat4 *m, const q16 v[4]);
 
-/* M v. */
+/* M v, v as a column. */
 static inline qtri_vec4 qtri_mat4_vec4(const qtri_mat4 *m, qtri_vec4 v)
 {
     const q16 column[4] = {v.x, v.y, v.z, v.w};

@@ -61,15 +61,15 @@ static inline qtri_brush qtri_brush_of(qtri_rgb color)
 void qtri_paint_rect(const qtri_surface *surface, const qtri_area *box, const qtri_brush *brush);
 
 /*
- * Its outline, `width_24p8` wide, inside the rectangle; half of a side or more fills it, 0 or less
- * paints nothing. No pixel is painted twice.
+ * The outline of a rectangle, `width_24p8` wide, inside of it; half of a side or more fills it, 0
+ * or less paints nothing. No pixel is painted twice.
  */
 void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, int32_t width_24p8,
                              const qtri_brush *brush);
 
 /*
- * With round corners: radius_24p8 is held to 0 .. half the shorter side. The outline's inner
- * corners have what the width leaves of the radius.
+ * A filled rectangle with round corners, and its outline, `width_24p8` wide. radius_24p8 is clamped
+ * to 0 .. half the shorter side; the outline's inner corners have the radius less the width.
  */
 void qtri_paint_round_rect(const qtri_surface *surface, const qtri_area *box, int32_t radius_24p8,
                            const qtri_brush *brush);

@@ -49,7 +49,7 @@ void qtri_transform_to_mat4(const qtri_transform *a, qtri_mat4 *out);
 /* out = a b. out may be a or b. */
 void qtri_transform_mul(qtri_transform *out, const qtri_transform *a, const qtri_transform *b);
 
-/* t = t * builder: */
+/* t = t * a translation, a scale or a rotation: points are moved by the latter first. */
 void qtri_transform_translate(qtri_transform *t, qtri_vec3 offset);
 void qtri_transform_scale(qtri_transform *t, qtri_vec3 factor);
 void qtri_transform_rotate_x(qtri_transform *t, q16 degrees);

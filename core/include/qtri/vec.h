@@ -307,8 +307,8 @@ static inline qtri_vec4 qtri_vec4_reflect(qtri_vec4 a, qtri_vec4 normal)
 }
 
 /*
- * The angle between a and b, of any lengths, in 0..180 degrees: the error of q16_atan2_deg and
- * .01 ULP more. 0 where one of them is zero. (For a signed angle in the plane:
+ * The angle between a and b, of any lengths, in degrees, 0..180: the error of q16_atan2_deg and .01
+ * ULP more. 0 where a or b is zero. (For a signed angle in the plane:
  * q16_atan2_deg(qtri_vec2_cross(a, b), qtri_vec2_dot(a, b)).)
  */
 static inline q16 qtri_vec2_angle_deg(qtri_vec2 a, qtri_vec2 b)
