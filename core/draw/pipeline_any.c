@@ -26,7 +26,8 @@ QTRI_BODY void draw_pixels(const qtri_options *o, qtri_pixel_walk *w, bool bent,
     } while (--count != 0);
 }
 
-/* With 16 bits of depth, by a copy of the walk, which the compiler keeps in registers. */
+/* With 16 bits of depth, by a copy of the walk, which the compiler keeps in registers; what rows go
+   on with is copied back. */
 QTRI_BODY void draw_shaded(qtri_options o, qtri_pixel_walk *w, bool bent, int32_t count)
 {
     const qtri_options *all = &w->state->options;
@@ -52,10 +53,6 @@ QTRI_BODY void draw_shaded(qtri_options o, qtri_pixel_walk *w, bool bent, int32_
     }
     if (qtri_has_two_words(&o)) {
         w->g = own.g;
-    }
-    if (qtri_is_packed_565(&o)) {
-        w->c_step = own.c_step;
-        w->c_other = own.c_other;
     }
 }
 
@@ -84,8 +81,7 @@ QTRI_BODY_ALONE void draw_flat(qtri_pixel_walk *w, bool bent, int32_t count)
 
 QTRI_BODY_ALONE void draw_smooth(qtri_pixel_walk *w, bool bent, int32_t count)
 {
-    qtri_options o =
-        of_any(w, 1u << QTRI_ASK_TWO_WORDS | 1u << QTRI_ASK_PACKED | 1u << QTRI_ASK_TABLE);
+    qtri_options o = of_any(w, 1u << QTRI_ASK_TWO_WORDS);
     o.texel = QTRI_NO_TEXEL;
     draw_shaded(o, w, bent, count);
 }
