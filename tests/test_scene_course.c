@@ -9,7 +9,7 @@
 
 #include "support/test.h"
 #include "reference/reference.h"
-#include "tools/accuracy.h"
+#include "support/accuracy.h"
 #include "tools/scene_draw.h"
 
 static void render_at(const char *name, double time, struct scene *scene, struct picture *picture)

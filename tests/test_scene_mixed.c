@@ -15,7 +15,7 @@
 #include "support/test.h"
 #include "reference/reference.h"
 #include "support/scene_random.h"
-#include "tools/accuracy.h"
+#include "support/accuracy.h"
 #include "tools/scene_draw.h"
 
 static unsigned number_of(const char *name, unsigned otherwise)

@@ -10,7 +10,7 @@
 #include "support/test.h"
 #include "reference/reference.h"
 #include "support/scene_random.h"
-#include "tools/accuracy.h"
+#include "support/accuracy.h"
 #include "tools/scene_draw.h"
 
 static unsigned scene_count(void)

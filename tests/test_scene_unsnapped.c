@@ -11,7 +11,7 @@
 
 #include "support/test.h"
 #include "reference/reference.h"
-#include "tools/accuracy.h"
+#include "support/accuracy.h"
 #include "tools/scene_draw.h"
 
 enum { TEXT_MAX = 4096 };

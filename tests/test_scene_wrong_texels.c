@@ -11,7 +11,7 @@
 #include "support/core.h"
 
 #include "reference/reference.h"
-#include "tools/accuracy.h"
+#include "support/accuracy.h"
 #include "tools/scene_draw.h"
 
 enum { EVERY = IS_SANITIZED ? 6 : 1 }; /* of the views, as the others take too long */

@@ -22,7 +22,7 @@
    coordinates, and more vertices for it; wall is a grid of 16 x 8 cells with coordinates; a torus
    has the number of triangles in its name, and coordinates. */
 extern const qtri_mesh bench_mesh_spot, bench_mesh_spot_uv, bench_mesh_teapot, bench_mesh_knot,
-    bench_mesh_knot_uv, bench_mesh_wall;
+    bench_mesh_knot_uv;
 extern const qtri_mesh bench_mesh_spot_compact, bench_mesh_spot_uv_compact,
     bench_mesh_teapot_compact, bench_mesh_knot_compact, bench_mesh_knot_uv_compact,
     bench_mesh_wall_compact;

@@ -37,7 +37,8 @@ int system_make_folder(const char *path);
 /* The path of this program without links; false where nobody tells. */
 bool system_program(char *path, size_t size);
 
-/* An empty file without a name, gone when it is closed; NULL where there is no room. */
+/* Windows alone: an empty file without a name, gone when it is closed; NULL where there is no room.
+ */
 FILE *system_temporary(void);
 
 /* What `write` writes for a name, with a zero behind it; free() it. NULL where there is no room. */

@@ -63,11 +63,6 @@ bool system_program(char *path, size_t size)
     return length > 0;
 }
 
-FILE *system_temporary(void)
-{
-    return tmpfile();
-}
-
 /* Signals that are ignored stay ignored, as nohup wants it. */
 void system_on_end(void (*end)(int number))
 {

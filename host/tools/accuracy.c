@@ -4,11 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-double accuracy_per_100k(uint64_t count, uint64_t of)
-{
-    return of == 0 ? 0.0 : 1e5 * (double)count / (double)of;
-}
-
 static void add_color(struct accuracy *sum, const uint8_t rgb[3], const double color[3],
                       const double least[3], const double greatest[3], bool textured)
 {

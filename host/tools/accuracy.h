@@ -27,7 +27,4 @@ struct accuracy {
 void accuracy_add(struct accuracy *sum, const struct picture *picture,
                   const struct reference_image *reference, bool textured);
 
-/* 100,000 count / of, 0 for nothing of nothing. */
-double accuracy_per_100k(uint64_t count, uint64_t of);
-
 #endif

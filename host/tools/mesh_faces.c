@@ -54,6 +54,9 @@ static void position(const qtri_mesh *mesh, uint32_t index, double out[3])
 /* Of a wide mesh: the middle of its bounding box, and the box's largest half. */
 static void set_extent(qtri_mesh *mesh)
 {
+    if (mesh->positions16 != NULL) {
+        return;
+    }
     double low[3] = {INFINITY, INFINITY, INFINITY};
     double high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
@@ -242,9 +245,18 @@ static uint32_t above(double value, double most)
     return (uint32_t)fmin(floor(value) + 1.0, most);
 }
 
-static double fill(qtri_mesh *mesh, qtri_face8 *planes, const struct face *faces)
+double mesh_faces_fill(qtri_mesh *mesh, qtri_face8 *planes)
 {
     const uint32_t count = mesh->triangle_count;
+    struct face *faces = malloc((count + (size_t)1) * sizeof *faces);
+    mesh->faces.planes = NULL;
+    if (faces == NULL) {
+        return 0.0;
+    }
+    set_extent(mesh);
+    for (uint32_t i = 0; i < count; i++) {
+        set_face(&faces[i], mesh, i);
+    }
     const double median = median_radius(faces, count);
     double share[ERRORS][LENGTHS] = {{0}};
     double best = 0.0;
@@ -271,6 +283,7 @@ static double fill(qtri_mesh *mesh, qtri_face8 *planes, const struct face *faces
         error = fmax(error, plane.error);
         thin = plane.length > 0.0 ? fmax(thin, plane.length / faces[i].radius) : thin;
     }
+    free(faces);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         double p[3];
         position(mesh, i, p);
@@ -284,52 +297,30 @@ static double fill(qtri_mesh *mesh, qtri_face8 *planes, const struct face *faces
     return best;
 }
 
-static struct face *find_faces(qtri_mesh *mesh)
-{
-    if (mesh->positions16 == NULL) {
-        set_extent(mesh);
-    }
-    struct face *faces = malloc((mesh->triangle_count + (size_t)1) * sizeof *faces);
-    for (uint32_t i = 0; faces != NULL && i < mesh->triangle_count; i++) {
-        set_face(&faces[i], mesh, i);
-    }
-    return faces;
-}
-
-double mesh_faces_fill(qtri_mesh *mesh, qtri_face8 *planes)
-{
-    struct face *faces = find_faces(mesh);
-    mesh->faces.planes = NULL;
-    const double worth = faces == NULL ? 0.0 : fill(mesh, planes, faces);
-    free(faces);
-    return worth;
-}
-
 /* 0 for a closed mesh, 1 for a plane. */
-static double openness(const struct face *faces, uint32_t count)
+static double openness(const qtri_mesh *mesh)
 {
     double sum[3] = {0.0, 0.0, 0.0};
     double area = 0.0;
-    for (uint32_t i = 0; i < count; i++) {
-        for (int axis = 0; axis < 3 && faces[i].radius > 0.0; axis++) {
-            sum[axis] += faces[i].normal[axis] * faces[i].twice_area;
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        struct face face;
+        set_face(&face, mesh, i);
+        for (int axis = 0; axis < 3 && face.radius > 0.0; axis++) {
+            sum[axis] += face.normal[axis] * face.twice_area;
         }
-        area += faces[i].twice_area;
+        area += face.twice_area;
     }
     return area > 0.0 ? sqrt(dot(sum, sum)) / area : 1.0;
 }
 
 bool mesh_faces_make(qtri_mesh *mesh, qtri_face8 *planes)
 {
-    struct face *faces = find_faces(mesh);
-    mesh->faces.planes = NULL;
-    const bool made = faces != NULL && mesh->triangle_count >= WORTH_TRIANGLES &&
-                      openness(faces, mesh->triangle_count) < .5 &&
-                      fill(mesh, planes, faces) >= WORTH_SHARE;
+    set_extent(mesh);
+    const bool made = mesh->triangle_count >= WORTH_TRIANGLES && openness(mesh) < .5 &&
+                      mesh_faces_fill(mesh, planes) >= WORTH_SHARE;
     if (!made) {
         mesh->faces.planes = NULL;
     }
-    free(faces);
     return made;
 }
 
