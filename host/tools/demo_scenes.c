@@ -8,6 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../io/file.h"
 #include "../io/obj.h"
 #include "../io/system.h"
 #include "demo_waves.h"
@@ -98,52 +99,40 @@ const char *demo_generated_scene(size_t i)
 }
 
 /* Opens folder/name for writing. */
-static FILE *create(const char *folder, const char *name, struct text_error *error)
+static bool create(struct file_output *out, const char *folder, const char *name,
+                   struct text_error *error)
 {
     char path[1024];
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
-    if (file == NULL) {
-        text_error_set(error, path, 0, "cannot be written");
-    }
-    return file;
-}
-
-static bool finish(FILE *file, const char *name, struct text_error *error)
-{
-    bool ok = !ferror(file);
-    if (fclose(file) != 0 || !ok) {
-        return text_error_set(error, name, 0, "writing failed");
-    }
-    return true;
+    return file_output_open(out, path, error);
 }
 
 static bool write_mesh(const char *folder, const char *mesh, struct text_error *error)
 {
     char name[64];
+    struct file_output out;
     snprintf(name, sizeof name, "%s.obj", mesh);
-    FILE *file = create(folder, name, error);
-    if (file == NULL) {
+    if (!create(&out, folder, name, error)) {
         return false;
     }
-    (void)mesh_generate(mesh, file);
-    return finish(file, name, error);
+    (void)mesh_generate(mesh, out.stream);
+    return file_output_commit(&out, error);
 }
 
 bool demo_write_generated_scene(const char *folder, size_t i, struct text_error *error)
 {
     const struct generated *scene = &scenes[i];
-    const bool has_meshes = scene->mesh != NULL ? write_mesh(folder, scene->mesh, error)
-                                                : demo_write_waves(folder, error);
-    FILE *file = has_meshes ? create(folder, scene->name, error) : NULL;
-    if (file == NULL) {
+    struct file_output out;
+    if (!(scene->mesh != NULL ? write_mesh(folder, scene->mesh, error)
+                              : demo_write_waves(folder, error)) ||
+        !create(&out, folder, scene->name, error)) {
         return false;
     }
-    fprintf(file, "# %s\n%s%s%s%s", scene->shows, stage, scene->state, camera, scene->pose);
+    fprintf(out.stream, "# %s\n%s%s%s%s", scene->shows, stage, scene->state, camera, scene->pose);
     if (scene->mesh != NULL) {
-        fprintf(file, "mesh %s.obj color 1 .75 .4\n", scene->mesh);
+        fprintf(out.stream, "mesh %s.obj color 1 .75 .4\n", scene->mesh);
     }
-    return finish(file, scene->name, error);
+    return file_output_commit(&out, error);
 }
 
 /* Centre and half the largest side of the bounding box. */
@@ -193,17 +182,20 @@ bool demo_write_model_scene(const char *folder, const char *models, const char *
     int stem = (int)(strlen(file) - strlen(".obj"));
     snprintf(name, name_size, "model-%.*s.scene", stem, file);
     snprintf(texture, sizeof texture, "%.*s_texture.ppm", (int)(strlen(absolute) - 4), absolute);
-    FILE *out = create(folder, name, error);
-    if (out != NULL) {
-        fprintf(out, "# The model %s.\n%s", file, stage);
+    struct file_output out;
+    const bool ok = create(&out, folder, name, error);
+    if (ok) {
+        fprintf(out.stream, "# The model %s.\n%s", file, stage);
         if (has_uvs && access(texture, R_OK) == 0) {
-            fprintf(out, "texture %s\n", texture);
+            fprintf(out.stream, "texture %s\n", texture);
         }
-        double scale = 1.2 / half;
-        fprintf(out, "%srotate %d  0 1 0\nscale %.6f %.6f %.6f\ntranslate %.6f %.6f %.6f\n", camera,
-                degrees_to_face(file), scale, scale, scale, -center[0], -center[1], -center[2]);
-        fprintf(out, "mesh %s color 1 1 1\n", absolute);
+        const double scale = 1.2 / half;
+        fprintf(out.stream,
+                "%srotate %d  0 1 0\nscale %.6f %.6f %.6f\ntranslate %.6f %.6f %.6f\n"
+                "mesh %s color 1 1 1\n",
+                camera, degrees_to_face(file), scale, scale, scale, -center[0], -center[1],
+                -center[2], absolute);
     }
     free(absolute);
-    return out != NULL && finish(out, name, error);
+    return ok && file_output_commit(&out, error);
 }
