@@ -12,6 +12,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "tools/commands.h"
 #include "tools/compare.h"
 
 enum { WIDTH = 20, HEIGHT = 10, PIXELS = WIDTH * HEIGHT };
@@ -231,7 +232,7 @@ static void write_pair(struct picture pair[2], bool with_dump)
     }
 }
 
-/* compare_main with its output, both streams, in `printed`. */
+/* `qtri compare` with its output, both streams, in `printed`. */
 static int run_captured(int argc, char **argv)
 {
     fflush(stdout);
@@ -240,7 +241,7 @@ static int run_captured(int argc, char **argv)
     FILE *file = fopen(path[3], "wb+");
     assert_non_null(file);
     assert_true(dup2(fileno(file), 1) == 1 && dup2(fileno(file), 2) == 2);
-    int status = compare_main(argc, argv);
+    int status = options_run(&compare_command, argc, argv);
     fflush(stdout);
     fflush(stderr);
     assert_true(dup2(old_stdout, 1) == 1 && dup2(old_stderr, 2) == 2);

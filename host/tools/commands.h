@@ -1,18 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The commands of `qtri`. Each takes its own arguments, argv[0] being its name, and returns the
- * exit status: 0 done, 1 bad input, 2 wrong usage; messages go to stderr.
+ * The commands of `qtri`.
  */
 #ifndef QTRI_HOST_TOOLS_COMMANDS_H
 #define QTRI_HOST_TOOLS_COMMANDS_H
 
-int render_main(int argc, char **argv);
-int pipelines_main(int argc, char **argv);
-int demo_main(int argc, char **argv);
-int model_main(int argc, char **argv);
-int mesh_main(int argc, char **argv);
-int texture_main(int argc, char **argv);
-int neighbours_main(int argc, char **argv);
-int font_main(int argc, char **argv);
+#include "options.h"
+
+extern const struct option_command render_command, pipelines_command, compare_command, demo_command,
+    model_command, mesh_command, texture_command, neighbours_command, font_command;
 
 #endif

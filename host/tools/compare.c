@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Measures of difference between two pictures. The command that prints them is compare_main.c.
+ * Measures of difference between two pictures. The command that prints them is compare_command.c.
  */
 #include "compare.h"
 

@@ -51,8 +51,4 @@ bool compare_difference(const struct picture *a, const struct picture *b, struct
 /* How many pixels have a colour error above `max_color`. */
 uint64_t compare_pixels_above(const struct comparison *comparison, int max_color);
 
-/* The command `qtri compare`; argv[0] is "compare". Returns the exit status: 0 the same within the
-   thresholds, 1 different or unreadable, 2 wrong usage. */
-int compare_main(int argc, char **argv);
-
 #endif

@@ -44,8 +44,8 @@ static const char usage[] =
 enum { PATH_SIZE = 1024 };
 
 struct demo {
-    const char *out, *scenes, *models;
-    const char *only;   /* a part of the names of what is drawn; NULL: all */
+    const char *out, *scenes, *models; /* folders; models NULL: none */
+    const char *only;                  /* a part of the names of what is drawn; NULL: all */
     const char *report; /* where the sections of the accuracy report go; NULL: nowhere */
     struct html gallery, sections;
 };
@@ -235,82 +235,74 @@ static bool make_folder(const char *path)
     return true;
 }
 
-/* The folder of this program without links and the slash behind it; false where nobody tells. */
-static bool program_folder(char *folder, size_t size)
-{
-    char *slash = system_program(folder, size) ? strrchr(folder, '/') : NULL;
-    if (slash == NULL) {
-        return false;
-    }
-    *slash = '\0';
-    return true;
-}
-
 /*
- * Scenes and pictures where nothing is said: those here, or those beside the program, which is
- * built in build/ or below.
+ * The folder of the sources, with a slash behind it, or "" for the one that we are in: it has the
+ * scenes, or a folder has them where the program lies, which is built in build/ or below.
  */
-static void set_folders(struct demo *demo, char scenes[PATH_SIZE], char out[PATH_SIZE])
+static void find_root(char root[PATH_SIZE])
 {
-    char folder[PATH_SIZE];
-    if (access("host/scenes", R_OK) == 0 || !program_folder(folder, sizeof folder)) {
-        return;
-    }
-    char *end = folder + strlen(folder);
-    while (end != NULL && end != folder) {
-        *end = '\0';
-        const int length = snprintf(scenes, PATH_SIZE, "%s/host/scenes", folder);
-        if (length < PATH_SIZE && access(scenes, R_OK) == 0) {
-            (void)snprintf(out, PATH_SIZE, "%s/build/demo", folder);
-            demo->scenes = scenes;
-            demo->out = out;
-            return;
+    char scenes[PATH_SIZE + 16] = "host/scenes";
+    char *slash = NULL;
+    if (access(scenes, R_OK) != 0 && system_program(root, PATH_SIZE)) {
+        while ((slash = strrchr(root, '/')) != NULL) {
+            slash[1] = '\0';
+            (void)snprintf(scenes, sizeof scenes, "%shost/scenes", root);
+            if (access(scenes, R_OK) == 0) {
+                return;
+            }
+            *slash = '\0';
         }
-        end = strrchr(folder, '/');
     }
+    root[0] = '\0';
 }
 
-int demo_main(int argc, char **argv)
+/* ---- The command ---- */
+
+#define AT(member) offsetof(struct demo, member)
+
+static const struct option all[] = {
+    {"-o", OPTION_TEXT, AT(out), {NULL}},          {"--scenes", OPTION_TEXT, AT(scenes), {NULL}},
+    {"--models", OPTION_TEXT, AT(models), {NULL}}, {"--only", OPTION_TEXT, AT(only), {NULL}},
+    {"--report", OPTION_TEXT, AT(report), {NULL}},
+};
+
+static bool run(void *given, struct text_error *error)
 {
-    struct demo demo = {.out = "build/demo", .scenes = "host/scenes"};
-    char scenes[PATH_SIZE], out[PATH_SIZE];
-    set_folders(&demo, scenes, out);
-    for (int i = 1; i < argc; i++) {
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
-            fputs(usage, stdout);
-            return 0;
-        }
-        const char **value = strcmp(argv[i], "-o") == 0         ? &demo.out
-                             : strcmp(argv[i], "--scenes") == 0 ? &demo.scenes
-                             : strcmp(argv[i], "--models") == 0 ? &demo.models
-                             : strcmp(argv[i], "--only") == 0   ? &demo.only
-                             : strcmp(argv[i], "--report") == 0 ? &demo.report
-                                                                : NULL;
-        if (value == NULL || i + 1 == argc) {
-            fprintf(stderr, "qtri demo: '%s' is not understood\n%s", argv[i], usage);
-            return 2;
-        }
-        *value = argv[++i];
-    }
-    if (!make_folder(demo.out)) {
-        fprintf(stderr, "qtri demo: %s: %s\n", demo.out, strerror(errno));
-        return 1;
+    struct demo *demo = given;
+    char root[PATH_SIZE], scenes[PATH_SIZE + 16], out[PATH_SIZE + 16], page[PATH_SIZE];
+    find_root(root);
+    (void)snprintf(scenes, sizeof scenes, "%shost/scenes", root);
+    (void)snprintf(out, sizeof out, "%sbuild/demo", root);
+    demo->scenes = demo->scenes != NULL ? demo->scenes : scenes;
+    demo->out = demo->out != NULL ? demo->out : out;
+    if (!make_folder(demo->out)) {
+        return text_error_set(error, demo->out, 0, "%s", strerror(errno));
     }
     fputs(header, stdout);
-    bool ok = for_each(&demo, demo.scenes, ".scene", run_file);
-    ok = run_generated(&demo) && ok;
-    if (demo.models != NULL) {
-        ok = for_each(&demo, demo.models, ".obj", run_model) && ok;
+    bool ok = for_each(demo, demo->scenes, ".scene", run_file);
+    ok = run_generated(demo) && ok;
+    if (demo->models != NULL) {
+        ok = for_each(demo, demo->models, ".obj", run_model) && ok;
     }
-    char page[PATH_SIZE];
-    struct text_error error;
-    (void)snprintf(page, sizeof page, "%s/index.html", demo.out);
-    ok = (gallery_write(&demo.gallery, page, &error) || complain(&error)) && ok;
-    if (demo.report != NULL) {
-        ok = (html_write(&demo.sections, demo.report, &error) || complain(&error)) && ok;
+    (void)snprintf(page, sizeof page, "%s/index.html", demo->out);
+    ok = (gallery_write(&demo->gallery, page, error) || complain(error)) && ok;
+    if (demo->report != NULL) {
+        ok = (html_write(&demo->sections, demo->report, error) || complain(error)) && ok;
     }
     printf("\nPictures are in %s, all of them in index.html. mismatch: pixels covered in one of\n"
            "picture and reference only.\n",
-           demo.out);
-    return ok ? 0 : 1;
+           demo->out);
+    error->message[0] = '\0'; /* what went wrong has been told */
+    return ok;
 }
+
+const struct option_command demo_command = {
+    .name = "demo",
+    .summary = "render the demo scenes beside their references",
+    .is_unlimited = true,
+    .size = sizeof(struct demo),
+    .options = all,
+    .count = sizeof all / sizeof all[0],
+    .usage = usage,
+    .run = run,
+};

@@ -7,7 +7,6 @@
 #include "../io/file.h"
 #include "commands.h"
 #include "font_build.h"
-#include "options.h"
 
 static const char usage[] =
     "usage: qtri font IN -o OUT.h [OPTION ...]\n"
@@ -157,8 +156,10 @@ static bool run(void *given, struct text_error *error)
     return ok;
 }
 
-static const struct option_command command = {
+const struct option_command font_command = {
     .name = "font",
+    .summary = "make a font for the core of a BDF file",
+    .size = sizeof(struct options),
     .input = "font",
     .needs = "a font and -o are needed",
     .input_at = AT(in),
@@ -169,9 +170,3 @@ static const struct option_command command = {
     .check = check,
     .run = run,
 };
-
-int font_main(int argc, char **argv)
-{
-    struct options options = {0};
-    return options_run(&command, &options, argc, argv);
-}

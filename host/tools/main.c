@@ -6,37 +6,18 @@
 #include "../io/file_inputs.h"
 #include "../io/system.h"
 #include "commands.h"
-#include "compare.h"
-#include "options.h"
 #include "watch.h"
 
-struct command {
-    const char *name;
-    int (*run)(int argc, char **argv);
-    const char *summary;
-    long seconds; /* it may take, where --seconds says nothing */
-};
-
-static const struct command commands[] = {
-    {"render", render_main, "draw a scene file to a picture, PNG or PPM", WATCH_SECONDS},
-    {"pipelines", pipelines_main, "print the pipelines that a scene file asks for, as C",
-     WATCH_SECONDS},
-    {"compare", compare_main, "compare two pictures", WATCH_SECONDS},
-    {"demo", demo_main, "render the demo scenes beside their references", 0},
-    {"model", model_main, "make C data of a whole model: meshes, textures, materials, motion",
-     WATCH_SECONDS},
-    {"mesh", mesh_main, "make C data of a model, or of a mesh that it generates", WATCH_SECONDS},
-    {"texture", texture_main, "make C data of a picture", WATCH_SECONDS},
-    {"neighbours", neighbours_main, "write a mesh's neighbours as C, for smooth outlines",
-     WATCH_SECONDS},
-    {"font", font_main, "make a font for the core of a BDF file", WATCH_SECONDS},
+static const struct option_command *const commands[] = {
+    &render_command, &pipelines_command, &compare_command,    &demo_command, &model_command,
+    &mesh_command,   &texture_command,   &neighbours_command, &font_command,
 };
 
 static void help(FILE *out)
 {
     fputs("usage: qtri COMMAND [ARGUMENT ...]\n\n", out);
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
-        fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].summary);
+        fprintf(out, "  %-10s  %s\n", commands[i]->name, commands[i]->summary);
     }
     fputs("\n`qtri COMMAND --help` tells more, `qtri --version` which one it is.\n"
           "A command that reads files ends with a message when it is not done after 300 seconds;\n"
@@ -77,9 +58,12 @@ static int run(int argc, char **argv)
         return 0;
     }
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
-        if (strcmp(argv[1], commands[i].name) == 0) {
-            watch_begin(commands[i].name, seconds < 0 ? commands[i].seconds : seconds);
-            return commands[i].run(argc - 1, argv + 1);
+        const struct option_command *command = commands[i];
+        if (strcmp(argv[1], command->name) == 0) {
+            watch_begin(command->name, seconds >= 0            ? seconds
+                                       : command->is_unlimited ? 0
+                                                               : WATCH_SECONDS);
+            return options_run(command, argc - 1, argv + 1);
         }
     }
     fprintf(stderr, "qtri: unknown command '%s'; `qtri --help` lists them\n", argv[1]);

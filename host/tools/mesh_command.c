@@ -6,7 +6,6 @@
 
 #include "../assets/asset.h"
 #include "../io/file.h"
-#include "commands.h"
 #include "mesh_faces.h"
 #include "mesh_generate.h"
 #include "mesh_make.h"
@@ -102,7 +101,7 @@ static bool write_output(const struct mesh_options *options, const struct asset 
     return options->is_obj ? write_obj(options, asset, error) : write_c(options, asset, error);
 }
 
-static bool run(void *given, struct text_error *error)
+bool mesh_run(void *given, struct text_error *error)
 {
     struct mesh_options *options = given;
     struct asset asset;
@@ -123,9 +122,4 @@ static bool run(void *given, struct text_error *error)
     }
     asset_free(&asset);
     return ok;
-}
-
-int mesh_main(int argc, char **argv)
-{
-    return mesh_options_run(argc, argv, false, run);
 }

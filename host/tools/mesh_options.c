@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-#include "../io/file.h"
 #include "mesh_options.h"
 
 #include <string.h>
 
 #include "../assets/asset.h"
+#include "../io/file.h"
 #include "../io/obj.h"
+#include "commands.h"
 #include "mesh_generate.h"
-#include "options.h"
 
 static const char mesh_usage[] =
     "usage: qtri mesh IN -o NAME.h [OPTION ...]\n"
@@ -201,28 +201,34 @@ static bool check(const struct option_command *command, void *given)
     return true;
 }
 
-int mesh_options_run(int argc, char **argv, bool is_model, mesh_command *run)
-{
-    const int first = is_model ? MESH_ONLY : 0, others = is_model ? 0 : MODEL_ONLY;
-    const struct option_command command = {
-        .name = is_model ? "model" : "mesh",
-        .input = "model",
-        .needs = "a model and -o NAME.h are needed",
-        .input_at = AT(input),
-        .output_at = AT(output),
-        .options = all_options + first,
-        .count = (size_t)(ALL_OPTIONS - first - others),
-        .usage = is_model ? model_usage : mesh_usage,
-        .print_more = print_more,
-        .check = check,
-        .run = run,
-    };
-    struct mesh_options options = {
-        .panel_width = 320,
-        .panel_height = 240,
-        .rows = 16,
-        .is_model = is_model,
-        .most = {.width = 256},
-    };
-    return options_run(&command, &options, argc, argv);
-}
+static const struct mesh_options mesh_defaults = {
+    .panel_width = 320, .panel_height = 240, .rows = 16};
+static const struct mesh_options model_defaults = {
+    .panel_width = 320, .panel_height = 240, .rows = 16, .is_model = true, .most = {.width = 256}};
+
+#define OF_BOTH                                                                                    \
+    .input = "model", .needs = "a model and -o NAME.h are needed", .input_at = AT(input),          \
+    .output_at = AT(output), .size = sizeof(struct mesh_options), .print_more = print_more,        \
+    .check = check
+
+const struct option_command mesh_command = {
+    OF_BOTH,
+    .name = "mesh",
+    .summary = "make C data of a model, or of a mesh that it generates",
+    .defaults = &mesh_defaults,
+    .options = all_options,
+    .count = ALL_OPTIONS - MODEL_ONLY,
+    .usage = mesh_usage,
+    .run = mesh_run,
+};
+
+const struct option_command model_command = {
+    OF_BOTH,
+    .name = "model",
+    .summary = "make C data of a whole model: meshes, textures, materials, motion",
+    .defaults = &model_defaults,
+    .options = all_options + MESH_ONLY,
+    .count = ALL_OPTIONS - MESH_ONLY,
+    .usage = model_usage,
+    .run = model_run,
+};

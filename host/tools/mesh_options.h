@@ -34,10 +34,8 @@ struct mesh_options {
     struct texture_options most; /* width and height: the most of a texture */
 };
 
-/* Carries out what was asked for, a struct mesh_options; false with *error set. */
-typedef bool mesh_command(void *options, struct text_error *error);
-
-/* `qtri mesh`, or `qtri model`, with these words: `run` does it. Returns the exit status. */
-int mesh_options_run(int argc, char **argv, bool is_model, mesh_command *run);
+/* What `qtri mesh` and `qtri model` do with a struct mesh_options; false with *error set. */
+bool mesh_run(void *options, struct text_error *error);
+bool model_run(void *options, struct text_error *error);
 
 #endif

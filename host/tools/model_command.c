@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "../assets/asset_model.h"
-#include "commands.h"
 #include "mesh_make.h"
 #include "model_make.h"
 
@@ -42,7 +41,7 @@ static void report(const struct mesh_options *options, const struct asset *asset
     }
 }
 
-static bool run(void *given, struct text_error *error)
+bool model_run(void *given, struct text_error *error)
 {
     struct mesh_options *options = given;
     struct asset asset;
@@ -60,9 +59,4 @@ static bool run(void *given, struct text_error *error)
     }
     asset_free(&asset);
     return ok;
-}
-
-int model_main(int argc, char **argv)
-{
-    return mesh_options_run(argc, argv, true, run);
 }

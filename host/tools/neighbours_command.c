@@ -9,7 +9,6 @@
 #include "../io/obj.h"
 #include "commands.h"
 #include "mesh_neighbours.h"
-#include "options.h"
 
 static const char usage[] =
     "usage: qtri neighbours MESH.obj -o FILE [--name NAME]\n"
@@ -91,8 +90,10 @@ static bool run(void *given, struct text_error *error)
     return ok;
 }
 
-static const struct option_command command = {
+const struct option_command neighbours_command = {
     .name = "neighbours",
+    .summary = "write a mesh's neighbours as C, for smooth outlines",
+    .size = sizeof(struct options),
     .input = "mesh",
     .needs = "an OBJ file and -o FILE are needed",
     .input_at = AT(in),
@@ -103,9 +104,3 @@ static const struct option_command command = {
     .check = check,
     .run = run,
 };
-
-int neighbours_main(int argc, char **argv)
-{
-    struct options options = {0};
-    return options_run(&command, &options, argc, argv);
-}

@@ -123,6 +123,9 @@ static bool take_input(const struct option_command *command, void *options, cons
     const char **first = (const char **)(void *)((char *)options + command->input_at);
     const char **second = (const char **)(void *)((char *)options + command->output_at);
     const char **input = *first != NULL && command->has_pair ? second : first;
+    if (command->input == NULL) {
+        return options_complain(command, "unknown argument ", word);
+    }
     if (*input != NULL) {
         fprintf(stderr, "qtri %s: one %s at a time, please: %s\n", command->name, command->input,
                 word);
@@ -158,23 +161,16 @@ static const char *text_at(const void *options, size_t at)
 
 static bool check(const struct option_command *command, void *options)
 {
-    if (text_at(options, command->input_at) == NULL ||
-        text_at(options, command->output_at) == NULL) {
+    if (command->input != NULL && (text_at(options, command->input_at) == NULL ||
+                                   text_at(options, command->output_at) == NULL)) {
         return options_complain(command, command->needs, "");
     }
     return command->check == NULL || command->check(command, options);
 }
 
-int options_run(const struct option_command *command, void *options, int argc, char **argv)
+static int run(const struct option_command *command, void *options, int argc, char **argv)
 {
     struct text_error error = {""};
-    if (asks_help(argc, argv)) {
-        fputs(command->usage, stdout);
-        if (command->print_more != NULL) {
-            command->print_more();
-        }
-        return 0;
-    }
     if (!parse(command, options, argc, argv) || !check(command, options)) {
         fprintf(stderr, "Try `qtri %s --help`.\n", command->name);
         return 2;
@@ -186,6 +182,28 @@ int options_run(const struct option_command *command, void *options, int argc, c
         fprintf(stderr, "qtri %s: %s\n", command->name, error.message);
     }
     return 1;
+}
+
+int options_run(const struct option_command *command, int argc, char **argv)
+{
+    if (asks_help(argc, argv)) {
+        fputs(command->usage, stdout);
+        if (command->print_more != NULL) {
+            command->print_more();
+        }
+        return 0;
+    }
+    void *options = calloc(1, command->size);
+    if (options == NULL) {
+        (void)options_complain(command, "out of memory", "");
+        return 1;
+    }
+    if (command->defaults != NULL) {
+        memcpy(options, command->defaults, command->size);
+    }
+    const int status = run(command, options, argc, argv);
+    free(options);
+    return status;
 }
 
 bool option_whole(const char *text, long least, long most, long *out)

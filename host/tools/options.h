@@ -52,9 +52,13 @@ struct option {
     } of;
 };
 
-/* A command of one input and, mostly, one output; or of a pair of inputs. */
+/* A command of one input and, mostly, one output; or of a pair of inputs, or of options alone. */
 struct option_command {
-    const char *name, *input;   /* input: what it is called in messages */
+    const char *name, *summary;
+    bool is_unlimited;          /* it may take any time, where `qtri --seconds` says nothing */
+    size_t size;                /* of its options */
+    const void *defaults;       /* its options where nothing is said; NULL: all zero */
+    const char *input;          /* what it is called in messages; NULL: there is none */
     const char *needs;          /* the message where input or output is missing */
     size_t input_at, output_at; /* where in the options they stand: each a const char * */
     bool has_pair;              /* output_at is where the second input stands */
@@ -67,8 +71,9 @@ struct option_command {
     bool (*run)(void *options, struct text_error *error); /* with "" in *error: told before */
 };
 
-/* Parses, checks and runs, or helps. Returns the exit status; messages go to standard error. */
-int options_run(const struct option_command *command, void *options, int argc, char **argv);
+/* Parses, checks and runs, or helps; argv[0] is the command's name. Returns the exit status, 0
+ * done, 1 bad input, 2 wrong usage; messages go to standard error. */
+int options_run(const struct option_command *command, int argc, char **argv);
 
 /* Values: a whole number, a real one, WxH with sides 1..most. False: it is none. */
 bool option_whole(const char *text, long least, long most, long *out);

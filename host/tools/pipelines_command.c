@@ -12,7 +12,6 @@
 #include "../../core/raster/draw_state.h"
 #include "../../core/raster/samples.h"
 #include "commands.h"
-#include "options.h"
 #include "scene_draw.h"
 
 #include <qtri/body/large.h>
@@ -295,8 +294,13 @@ static bool run(void *given, struct text_error *error)
     return true;
 }
 
-static const struct option_command command = {
+static const struct options defaults = {.name = "scene"};
+
+const struct option_command pipelines_command = {
     .name = "pipelines",
+    .summary = "print the pipelines that a scene file asks for, as C",
+    .size = sizeof(struct options),
+    .defaults = &defaults,
     .input = "scene",
     .needs = "a scene file is needed",
     .input_at = AT(scene),
@@ -306,9 +310,3 @@ static const struct option_command command = {
     .usage = usage,
     .run = run,
 };
-
-int pipelines_main(int argc, char **argv)
-{
-    struct options options = {.name = "scene"};
-    return options_run(&command, &options, argc, argv);
-}

@@ -15,7 +15,6 @@
 #include "../io/file_inputs.h"
 #include "../io/system.h"
 #include "commands.h"
-#include "options.h"
 #include "scene_draw.h"
 
 static const char usage[] =
@@ -354,8 +353,13 @@ static bool run(void *given, struct text_error *error)
     return ok;
 }
 
-static const struct option_command command = {
+static const struct options defaults = {.per_second = 25};
+
+const struct option_command render_command = {
     .name = "render",
+    .summary = "draw a scene file to a picture, PNG or PPM",
+    .size = sizeof(struct options),
+    .defaults = &defaults,
     .input = "scene",
     .needs = "a scene file and -o PICTURE are needed",
     .input_at = AT(scene),
@@ -367,9 +371,3 @@ static const struct option_command command = {
     .check = check,
     .run = run,
 };
-
-int render_main(int argc, char **argv)
-{
-    struct options options = {.per_second = 25};
-    return options_run(&command, &options, argc, argv);
-}

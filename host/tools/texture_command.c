@@ -8,7 +8,6 @@
 #include "../assets/texture.h"
 #include "../io/file.h"
 #include "commands.h"
-#include "options.h"
 
 static const char usage[] =
     "usage: qtri texture IN -o NAME.h [OPTION ...]\n"
@@ -185,8 +184,10 @@ static bool run(void *given, struct text_error *error)
     return ok;
 }
 
-static const struct option_command command = {
+const struct option_command texture_command = {
     .name = "texture",
+    .summary = "make C data of a picture",
+    .size = sizeof(struct options),
     .input = "picture",
     .needs = "a picture and -o NAME.h are needed",
     .input_at = AT(input),
@@ -197,9 +198,3 @@ static const struct option_command command = {
     .check = check,
     .run = run,
 };
-
-int texture_main(int argc, char **argv)
-{
-    struct options options = {0};
-    return options_run(&command, &options, argc, argv);
-}

@@ -39,7 +39,7 @@ static int complain(const char *what)
 
 int web_model(int argc, char **argv)
 {
-    const int status = model_main(argc, argv);
+    const int status = options_run(&model_command, argc, argv);
     (void)fflush(stdout);
     return status;
 }

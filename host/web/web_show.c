@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "../assets/asset_model.h"
+#include "../tools/commands.h"
 #include "../tools/model_make.h"
 #include "web.h"
 
@@ -107,5 +108,7 @@ static bool run(void *given, struct text_error *error)
 
 int web_show(int argc, char **argv)
 {
-    return mesh_options_run(argc, argv, true, run);
+    struct option_command command = model_command;
+    command.run = run;
+    return options_run(&command, argc, argv);
 }

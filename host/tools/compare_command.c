@@ -4,8 +4,8 @@
  */
 #include "../assets/image.h"
 #include "../io/file.h"
+#include "commands.h"
 #include "compare.h"
-#include "options.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -202,8 +202,10 @@ static bool run(void *given, struct text_error *error)
     return ok;
 }
 
-static const struct option_command command = {
+const struct option_command compare_command = {
     .name = "compare",
+    .summary = "compare two pictures",
+    .size = sizeof(struct options),
     .input = "pair of pictures",
     .needs = "two pictures are needed",
     .input_at = AT(path[0]),
@@ -215,9 +217,3 @@ static const struct option_command command = {
     .check = check,
     .run = run,
 };
-
-int compare_main(int argc, char **argv)
-{
-    struct options options = {.max_color = 0};
-    return options_run(&command, &options, argc, argv);
-}
