@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "assets/asset_header.h"
 #include "assets/asset_model.h"
 #include "assets/model.h"
 #include "assets/texture.h"
@@ -52,8 +53,8 @@ static void write_nowhere(const struct asset *asset)
         nowhere = fopen("/dev/null", "w");
     }
     if (nowhere != NULL) {
-        asset_write_c(asset, "x", "x.h", nowhere, NULL);
-        asset_write_model(asset, "x", "x.h", nowhere, NULL);
+        asset_header_write(&asset_header_mesh, asset, "x", "x.h", nowhere, NULL);
+        asset_header_write(&asset_header_model, asset, "x", "x.h", nowhere, NULL);
         asset_write_obj(asset, nowhere);
     }
 }

@@ -10,7 +10,6 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "../io/file.h"
 #include "../io/picture.h"
 #include "../io/text_error.h"
 #include "model.h"
@@ -95,14 +94,6 @@ struct asset_memory {
 struct asset_memory asset_ram(const struct asset *asset, int32_t width, int32_t height,
                               int32_t rows);
 
-/*
- * C source, as C99 and C++11: the data and `const qtri_mesh NAME`, or `NAME[NAME_MESHES]` with the
- * materials' colours beside it. To `header` alone, or, where `source` is not NULL, declarations to
- * `header` and the data to `source`, which includes `header_name`.
- */
-void asset_write_c(const struct asset *asset, const char *name, const char *header_name,
-                   FILE *header, FILE *source);
-
 /* Wavefront OBJ, of what the meshes hold after quantisation. */
 void asset_write_obj(const struct asset *asset, FILE *out);
 
@@ -110,18 +101,6 @@ void asset_write_obj(const struct asset *asset, FILE *out);
    out. *drawn: pixels that show something. */
 bool asset_preview(const struct asset *asset, int width, int height, struct picture *picture,
                    size_t *drawn);
-
-/*
- * The files that C is written to: NAME.h, "-" for standard output, and with `split` NAME.c, whose
- * stream is NULL else. Both appear or, where one of them cannot be written, neither.
- */
-struct asset_files {
-    struct file_output header, source;
-    const char *header_name; /* without its folder */
-};
-bool asset_files_open(struct asset_files *files, const char *path, bool split,
-                      struct text_error *error);
-bool asset_files_commit(struct asset_files *files, struct text_error *error);
 
 /* A name for C made of a file's: "my-part 2.glb" gives "my_part_2". */
 void asset_identifier(const char *path, char *out, size_t size);

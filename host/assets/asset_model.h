@@ -28,12 +28,4 @@ void asset_pose(const struct asset *asset, const qtri_transform *pose, q16 time,
 void asset_weights(const struct asset *asset, q16 time, q16 *weights);
 bool asset_shape(const struct asset_part *part, const q16 *weights, qtri_position16 *out);
 
-/*
- * C source, as C99 and C++11: textures, meshes and materials as `const qtri_part NAME[NAME_PARTS]`,
- * the keys of what moves, and at the top, as a comment, a program that draws all of it. As
- * asset_write_c, which writes meshes alone.
- */
-void asset_write_model(const struct asset *asset, const char *name, const char *header_name,
-                       FILE *header, FILE *source);
-
 #endif

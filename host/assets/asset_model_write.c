@@ -2,6 +2,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 
+#include "asset_header.h"
 #include "asset_model.h"
 #include "asset_write.h"
 
@@ -159,9 +160,10 @@ static void write_part_line(const struct asset *asset, size_t i, const char *nam
     fputs("\n", out);
 }
 
-static void write_summary(const struct asset *asset, const char *name, const char *capitals,
-                          FILE *out)
+static void write_summary(FILE *out, const void *thing, const struct asset_names *names)
 {
+    const struct asset *asset = thing;
+    const char *name = names->name, *capitals = names->capitals;
     fprintf(out,
             "/*\n * %s: %" PRIu32 " vertices, %" PRIu32
             " triangles, %zu bytes of flash. Made by `qtri model`.\n",
@@ -199,8 +201,10 @@ static void write_bytes(const struct asset *asset, const char *capitals, FILE *o
     fputs(")\n\n", out);
 }
 
-static void write_sizes(const struct asset *asset, const char *capitals, FILE *out)
+static void write_sizes(FILE *out, const void *thing, const struct asset_names *names)
 {
+    const struct asset *asset = thing;
+    const char *capitals = names->capitals;
     const qtri_vec3 c = asset->center;
     fprintf(out, "#define %s_PARTS %zu\n\n", capitals, asset->count);
     write_bytes(asset, capitals, out);
@@ -306,9 +310,10 @@ static void write_material(const struct asset_part *part, const char *name, FILE
     fputs("         0, 0, NULL, NULL, NULL, NULL, 0, NULL}, /* material */\n", out);
 }
 
-static void write_data(const struct asset *asset, const char *name, const char *capitals,
-                       const char *linkage, FILE *out)
+static void write_data(FILE *out, const void *thing, const struct asset_names *names)
 {
+    const struct asset *asset = thing;
+    const char *name = names->name, *linkage = names->linkage, *capitals = names->capitals;
     for (size_t i = 0; i < asset->texture_count; i++) {
         char texture[100];
         (void)snprintf(texture, sizeof texture, "%s_texture_%zu", name, i);
@@ -342,10 +347,10 @@ static void write_data(const struct asset *asset, const char *name, const char *
     fputs("};\n", out);
 }
 
-static void write_declarations(const struct asset *asset, const char *name, const char *capitals,
-                               FILE *out)
+static void write_declarations(FILE *out, const void *thing, const struct asset_names *names)
 {
-    fputs("#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n", out);
+    const struct asset *asset = thing;
+    const char *name = names->name, *capitals = names->capitals;
     fprintf(out, "extern const qtri_part %s[%s_PARTS];\n", name, capitals);
     if (asset->node_count > 0) {
         fprintf(out,
@@ -362,24 +367,11 @@ static void write_declarations(const struct asset *asset, const char *name, cons
                 "extern const int32_t %s_first_weights[%s_PARTS];\n",
                 name, name, capitals, name, capitals);
     }
-    fputs("\n#ifdef __cplusplus\n}\n#endif\n", out);
 }
 
-void asset_write_model(const struct asset *asset, const char *name, const char *header_name,
-                       FILE *header, FILE *source)
-{
-    char capitals[100];
-    asset_capitals(name, capitals, sizeof capitals);
-    write_summary(asset, name, capitals, header);
-    fprintf(header, "#ifndef %s_MODEL_H\n#define %s_MODEL_H\n\n", capitals, capitals);
-    fputs("#include <qtri.h>\n#include <stddef.h>\n\n", header);
-    write_sizes(asset, capitals, header);
-    if (source == NULL) {
-        write_data(asset, name, capitals, "static ", header);
-    } else {
-        write_declarations(asset, name, capitals, header);
-        fprintf(source, "#include \"%s\"\n\n", header_name);
-        write_data(asset, name, capitals, "", source);
-    }
-    fputs("\n#endif\n", header);
-}
+/*
+ * Textures, meshes and materials as `const qtri_part NAME[NAME_PARTS]`, the keys of what moves, and
+ * at the top, as a comment, a program that draws all of it.
+ */
+const struct asset_header asset_header_model = {"MODEL", write_summary, write_sizes, write_data,
+                                                write_declarations};

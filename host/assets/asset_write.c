@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "asset_header.h"
 #include "mesh_arrays.h"
 
 enum { COLUMNS = 100 };
@@ -162,21 +163,14 @@ void asset_write_mesh(const struct asset_writer *writer, const qtri_mesh *mesh)
     }
 }
 
-void asset_capitals(const char *name, char *out, size_t size)
+static void write_summary(FILE *out, const void *thing, const struct asset_names *names)
 {
-    size_t i = 0;
-    for (; name[i] != '\0' && i + 1 < size; i++) {
-        out[i] = (char)(name[i] >= 'a' && name[i] <= 'z' ? name[i] - 'a' + 'A' : name[i]);
-    }
-    out[i] = '\0';
-}
-
-static void write_summary(const struct asset *asset, const char *name, FILE *out)
-{
+    const struct asset *asset = thing;
     fprintf(out,
             "/*\n * %s: %" PRIu32 " vertices, %" PRIu32
             " triangles, %zu bytes of flash. Made by `qtri mesh`.\n",
-            name, asset_vertex_count(asset), asset_triangle_count(asset), asset_flash_bytes(asset));
+            names->name, asset_vertex_count(asset), asset_triangle_count(asset),
+            asset_flash_bytes(asset));
     for (size_t i = 0; i < asset->count; i++) {
         const struct asset_part *part = &asset->parts[i];
         const uint8_t *c = part->material.color;
@@ -195,10 +189,10 @@ static void write_summary(const struct asset *asset, const char *name, FILE *out
     fputs(" */\n", out);
 }
 
-static void write_data(const struct asset *asset, const char *name, const char *linkage, FILE *out)
+static void write_data(FILE *out, const void *thing, const struct asset_names *names)
 {
-    char capitals[100];
-    asset_capitals(name, capitals, sizeof capitals);
+    const struct asset *asset = thing;
+    const char *name = names->name, *linkage = names->linkage, *capitals = names->capitals;
     for (size_t i = 0; i < asset->count; i++) {
         const struct asset_writer writer = {out, name, i, asset->count};
         asset_write_arrays(&writer, &asset->parts[i].mesh);
@@ -225,22 +219,22 @@ static void write_data(const struct asset *asset, const char *name, const char *
     fputs("};\n", out);
 }
 
-static void write_declarations(const struct asset *asset, const char *name, const char *capitals,
-                               FILE *out)
+static void write_declarations(FILE *out, const void *thing, const struct asset_names *names)
 {
-    fputs("#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n", out);
+    const struct asset *asset = thing;
+    const char *name = names->name, *capitals = names->capitals;
     if (asset->count == 1) {
         fprintf(out, "extern const qtri_mesh %s;\n", name);
     } else {
         fprintf(out, "extern const qtri_mesh %s[%s_MESHES];\n", name, capitals);
         fprintf(out, "extern const qtri_rgb %s_materials[%s_MESHES];\n", name, capitals);
     }
-    fputs("\n#ifdef __cplusplus\n}\n#endif\n", out);
 }
 
-/* Sizes of memory. */
-static void write_counts(const struct asset *asset, const char *capitals, FILE *out)
+static void write_sizes(FILE *out, const void *thing, const struct asset_names *names)
 {
+    const struct asset *asset = thing;
+    const char *capitals = names->capitals;
     uint32_t vertices = 0, triangles = 0;
     for (size_t i = 0; i < asset->count; i++) {
         const qtri_mesh *mesh = &asset->parts[i].mesh;
@@ -257,29 +251,14 @@ static void write_counts(const struct asset *asset, const char *capitals, FILE *
             "#define %s_BYTES(height, rows) \\\n"
             "    QTRI_PREPARED_BYTES(%s_VERTICES, %s_TRIANGLES, height, rows)\n\n",
             capitals, capitals, capitals, capitals);
+    if (asset->count > 1) {
+        fprintf(out, "#define %s_MESHES %zu /* one a material */\n\n", capitals, asset->count);
+    }
 }
 
-void asset_write_c(const struct asset *asset, const char *name, const char *header_name,
-                   FILE *header, FILE *source)
-{
-    char capitals[100];
-    asset_capitals(name, capitals, sizeof capitals);
-    write_summary(asset, name, header);
-    fprintf(header, "#ifndef %s_MESH_H\n#define %s_MESH_H\n\n", capitals, capitals);
-    fputs("#include <qtri.h>\n#include <stddef.h>\n\n", header);
-    write_counts(asset, capitals, header);
-    if (asset->count > 1) {
-        fprintf(header, "#define %s_MESHES %zu /* one a material */\n\n", capitals, asset->count);
-    }
-    if (source == NULL) {
-        write_data(asset, name, "static ", header);
-    } else {
-        write_declarations(asset, name, capitals, header);
-        fprintf(source, "#include \"%s\"\n\n", header_name);
-        write_data(asset, name, "", source);
-    }
-    fputs("\n#endif\n", header);
-}
+/* `const qtri_mesh NAME`, or `NAME[NAME_MESHES]` with the materials' colours beside it. */
+const struct asset_header asset_header_mesh = {"MESH", write_summary, write_sizes, write_data,
+                                               write_declarations};
 
 /* ---- OBJ ---- */
 

@@ -28,7 +28,4 @@ void asset_write_mesh(const struct asset_writer *writer, const qtri_mesh *mesh);
 /* Text from a file as a comment may hold it. */
 void asset_write_comment(FILE *out, const char *text);
 
-/* A name in capitals, as macros have it. */
-void asset_capitals(const char *name, char *out, size_t size);
-
 #endif

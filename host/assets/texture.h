@@ -81,11 +81,7 @@ size_t texture_level_at(const struct texture *texture, int level);
 /* Bytes of constant data on a machine with 32-bit pointers. */
 size_t texture_flash_bytes(const struct texture *texture);
 
-/* C source, as C99 and C++11: the texels and `const qtri_texture NAME`; as asset_write_c. */
-void texture_write_c(const struct texture *texture, const char *name, const char *header_name,
-                     FILE *header, FILE *source);
-
-/* The texels and the qtri_texture alone, without a header around them. */
+/* C source: the texels and `const qtri_texture NAME`. */
 void texture_write_data(const struct texture *texture, const char *name, const char *linkage,
                         FILE *out);
 

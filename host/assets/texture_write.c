@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../io/mipmap.h"
-#include "asset_write.h"
+#include "asset_header.h"
+#include "texture.h"
 
 #include <inttypes.h>
 
@@ -85,25 +86,25 @@ void texture_write_data(const struct texture *texture, const char *name, const c
             texture->level_count);
 }
 
-void texture_write_c(const struct texture *texture, const char *name, const char *header_name,
-                     FILE *header, FILE *source)
+static void write_summary(FILE *out, const void *thing, const struct asset_names *names)
 {
-    char capitals[100];
-    asset_capitals(name, capitals, sizeof capitals);
-    fprintf(header,
+    const struct texture *texture = thing;
+    fprintf(out,
             "/*\n * %s: %d x %d texels, %s, %zu bytes of flash. Made by `qtri texture`.\n */\n",
-            name, texture->width, texture->height, texture_format_names[texture->format],
+            names->name, texture->width, texture->height, texture_format_names[texture->format],
             texture_flash_bytes(texture));
-    fprintf(header, "#ifndef %s_TEXTURE_H\n#define %s_TEXTURE_H\n\n", capitals, capitals);
-    fputs("#include <qtri.h>\n#include <stddef.h>\n\n", header);
-    if (source == NULL) {
-        texture_write_data(texture, name, "static ", header);
-    } else {
-        fputs("#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n", header);
-        fprintf(header, "extern const qtri_texture %s;\n", name);
-        fputs("\n#ifdef __cplusplus\n}\n#endif\n", header);
-        fprintf(source, "#include \"%s\"\n\n", header_name);
-        texture_write_data(texture, name, "", source);
-    }
-    fputs("\n#endif\n", header);
 }
+
+static void write_data(FILE *out, const void *thing, const struct asset_names *names)
+{
+    texture_write_data(thing, names->name, names->linkage, out);
+}
+
+static void write_declarations(FILE *out, const void *thing, const struct asset_names *names)
+{
+    (void)thing;
+    fprintf(out, "extern const qtri_texture %s;\n", names->name);
+}
+
+const struct asset_header asset_header_texture = {"TEXTURE", write_summary, NULL, write_data,
+                                                  write_declarations};

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../assets/asset.h"
+#include "../assets/asset_header.h"
 #include "../io/file.h"
 #include "mesh_faces.h"
 #include "mesh_generate.h"
@@ -49,18 +50,6 @@ static bool make(struct mesh_options *options, struct asset *asset, struct text_
 
 /* ---- Files ---- */
 
-static bool write_c(const struct mesh_options *options, const struct asset *asset,
-                    struct text_error *error)
-{
-    struct asset_files files;
-    if (!asset_files_open(&files, options->output, options->split, error)) {
-        return false;
-    }
-    asset_write_c(asset, options->name, files.header_name, files.header.stream,
-                  files.source.stream);
-    return asset_files_commit(&files, error);
-}
-
 static bool write_obj(const struct mesh_options *options, const struct asset *asset,
                       struct text_error *error)
 {
@@ -98,7 +87,9 @@ static bool write_output(const struct mesh_options *options, const struct asset 
     if (only_text) {
         return write_generated(options, error);
     }
-    return options->is_obj ? write_obj(options, asset, error) : write_c(options, asset, error);
+    return options->is_obj ? write_obj(options, asset, error)
+                           : asset_header_save(&asset_header_mesh, asset, options->name,
+                                               options->output, options->split, error);
 }
 
 bool mesh_run(void *given, struct text_error *error)

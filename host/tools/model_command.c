@@ -3,21 +3,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "../assets/asset_header.h"
 #include "../assets/asset_model.h"
 #include "mesh_make.h"
 #include "model_make.h"
-
-static bool write_c(const struct mesh_options *options, const struct asset *asset,
-                    struct text_error *error)
-{
-    struct asset_files files;
-    if (!asset_files_open(&files, options->output, options->split, error)) {
-        return false;
-    }
-    asset_write_model(asset, options->name, files.header_name, files.header.stream,
-                      files.source.stream);
-    return asset_files_commit(&files, error);
-}
 
 static void report(const struct mesh_options *options, const struct asset *asset, FILE *out)
 {
@@ -49,7 +38,9 @@ bool model_run(void *given, struct text_error *error)
         return false;
     }
     const bool ok = mesh_check_budget(options, &asset, error) &&
-                    mesh_write_preview(options, &asset, error) && write_c(options, &asset, error);
+                    mesh_write_preview(options, &asset, error) &&
+                    asset_header_save(&asset_header_model, &asset, options->name, options->output,
+                                      options->split, error);
     if (ok && asset.blended_count > 0) {
         fprintf(stderr, "%s: left out: partial opacity of %zu picture%s\n", options->input,
                 asset.blended_count, asset.blended_count == 1 ? "" : "s");

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../assets/asset.h"
+#include "../assets/asset_header.h"
 #include "../assets/model.h"
 #include "../assets/texture.h"
 #include "../io/file.h"
@@ -110,18 +111,6 @@ static bool write_picture(const struct options *options, const struct texture *t
     return ok;
 }
 
-static bool write_c(const struct options *options, const struct texture *texture,
-                    struct text_error *error)
-{
-    struct asset_files files;
-    if (!asset_files_open(&files, options->output, options->split, error)) {
-        return false;
-    }
-    texture_write_c(texture, options->name, files.header_name, files.header.stream,
-                    files.source.stream);
-    return asset_files_commit(&files, error);
-}
-
 /* width, height: of the picture. */
 static void report(const struct options *options, const struct texture *texture, int width,
                    int height, FILE *out)
@@ -174,7 +163,8 @@ static bool run(void *given, struct text_error *error)
     image_free(&image);
     if (ok) {
         ok = options->is_picture ? write_picture(options, &texture, error)
-                                 : write_c(options, &texture, error);
+                                 : asset_header_save(&asset_header_texture, &texture, options->name,
+                                                     options->output, options->split, error);
         if (ok) {
             report(options, &texture, width, height,
                    strcmp(options->output, "-") == 0 ? stderr : stdout);
