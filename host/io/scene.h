@@ -300,7 +300,7 @@ struct scene {
     bool texture_clamp[2];  /* `texwrap`, u and v; otherwise repeated */
     bool texture_bilinear;  /* `texfilter` */
     bool texture_mipmapped; /* its second word */
-    bool texture_keyed;     /* `texkey`: texels stored as texture_key would be are not drawn */
+    uint8_t texture_keyed;  /* `texkey`: texels stored as texture_key would be are not drawn */
     uint8_t texture_key[3]; /* 8 bits a channel */
     int least_alpha;        /* `alphatest`: texels of less are not drawn, 0..255 */
     enum scene_texel_format

@@ -38,31 +38,6 @@ void scene_brush_defaults(struct scene_brush *brush)
     paint->color[0] = paint->color[1] = paint->color[2] = paint->alpha = SCENE_ONE;
 }
 
-/* ---- Brush ---- */
-
-bool scene_statement_ink(struct scene_parser *parser, const int32_t *value)
-{
-    memcpy(parser->brush.paint.color, value, sizeof parser->brush.paint.color);
-    parser->brush.paint.alpha = parser->argument_count == 4 ? value[3] : SCENE_ONE;
-    return true;
-}
-
-bool scene_statement_edges(struct scene_parser *parser, const int32_t *value)
-{
-    parser->brush.paint.is_smooth = value[0] == 1;
-    return true;
-}
-
-bool scene_statement_imagekey(struct scene_parser *parser, const int32_t *value)
-{
-    struct scene_paint *paint = &parser->brush.paint;
-    for (int i = 0; i < 3; i++) {
-        paint->key[i] = (uint8_t)value[i];
-    }
-    paint->has_key = parser->statement->into != 0;
-    return true;
-}
-
 /* ---- Files: each is read once ---- */
 
 static bool read_font(struct scene_parser *parser, const char *path, uint16_t *index)

@@ -84,7 +84,7 @@ struct scene_parser {
     const char *line_text;                   /* where the line begins */
     const struct scene_statement *statement; /* the one being parsed */
     struct token arguments[SCENE_MAX_ARGUMENTS];
-    int argument_count;
+    int argument_count, value_count; /* the statement's values are those left out, too */
     bool any_statement;
     size_t op_capacity;
     int32_t mode; /* 0 projection, 1 modelview */
@@ -93,8 +93,7 @@ struct scene_parser {
     struct scene_mesh_file *mesh_files; /* beside scene->meshes */
     size_t mesh_file_capacity;
     struct scene_stroke stroke; /* of the next line; of the next point but for: */
-    int32_t point_size;
-    bool point_in_space;
+    int32_t point_size, point_in_space;
     struct scene_op *polyline; /* the last statement was about this one: vertices join it */
     size_t stroke_vertex_capacity;
     size_t key_capacity;
@@ -114,8 +113,9 @@ struct scene_parser {
 
 /*
  * Takes a statement's values: numbers and fractions in Q16.16, whole numbers, of a word its rank
- * among those of the usage text, 0 for a token that the handler reads itself. Values that were left
- * out are 0; argument_count says which. False with the error set.
+ * among those of the usage text, from 1 where it may be left out, 0 for a token that the handler
+ * reads itself. Values that were left out are there, too; argument_count says which. False with the
+ * error set.
  */
 typedef bool scene_handler(struct scene_parser *parser, const int32_t *value);
 
@@ -153,17 +153,16 @@ bool scene_word(struct scene_parser *parser, int argument, const char *word);
 
 /* ---- Handlers ---- */
 
-/* Store into scene + into, or parser + into. */
-scene_handler scene_store, scene_store_flags, scene_store_in_parser;
+/* Store values where `into` says: as they are; as flags, set by all words but the first, or by the
+   first alone; as one byte that says whether there is a colour, and the colour's. */
+scene_handler scene_store, scene_store_flags, scene_store_on, scene_store_key;
 
 /* scene_state.c */
-scene_handler scene_statement_viewport, scene_statement_depth, scene_statement_depthmask,
-    scene_statement_depthbias, scene_statement_shade, scene_statement_texwrap,
-    scene_statement_texfilter, scene_statement_texformat, scene_statement_texkey,
-    scene_statement_alphatest, scene_statement_polygon, scene_statement_blend,
+scene_handler scene_statement_viewport, scene_statement_depth, scene_statement_depthbias,
+    scene_statement_shade, scene_statement_texwrap, scene_statement_texformat,
+    scene_statement_texkey, scene_statement_alphatest, scene_statement_polygon,
     scene_statement_vertexalpha, scene_statement_fog, scene_statement_one_light,
-    scene_statement_light, scene_statement_ambient, scene_statement_material,
-    scene_statement_linesmooth, scene_statement_pointsize;
+    scene_statement_light, scene_statement_ambient, scene_statement_material;
 
 /* scene_geometry.c */
 scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_push,
@@ -177,8 +176,8 @@ scene_handler scene_statement_mode, scene_statement_numbers, scene_statement_pus
 scene_handler scene_statement_texture, scene_statement_texalpha;
 
 /* scene_paint.c */
-scene_handler scene_statement_ink, scene_statement_edges, scene_statement_font,
-    scene_statement_imagekey, scene_statement_paint, scene_statement_text, scene_statement_image;
+scene_handler scene_statement_font, scene_statement_paint, scene_statement_text,
+    scene_statement_image;
 
 /* White. */
 void scene_brush_defaults(struct scene_brush *brush);

@@ -7,13 +7,6 @@
 /* Words and numbers are stored into enumerations as they are read. */
 typedef char an_enumeration_has_the_size_of_a_value[sizeof(enum scene_cull) == 4 ? 1 : -1];
 
-/* The value of an argument that may be left out. */
-static int32_t value_or(const struct scene_parser *parser, const int32_t *value, int argument,
-                        int32_t otherwise)
-{
-    return parser->argument_count > argument ? value[argument] : otherwise;
-}
-
 bool scene_statement_viewport(struct scene_parser *parser, const int32_t *value)
 {
     if (parser->any_statement) { /* a second viewport is not the first statement either */
@@ -35,12 +28,6 @@ bool scene_statement_depth(struct scene_parser *parser, const int32_t *value)
     return true;
 }
 
-bool scene_statement_depthmask(struct scene_parser *parser, const int32_t *value)
-{
-    parser->scene->depth_write = value[0] == 0;
-    return true;
-}
-
 bool scene_statement_depthbias(struct scene_parser *parser, const int32_t *value)
 {
     if (value[0] < -SCENE_ONE || value[0] > SCENE_ONE) {
@@ -56,7 +43,7 @@ bool scene_statement_shade(struct scene_parser *parser, const int32_t *value)
 {
     parser->scene->flat = value[0] == 1;
     parser->scene->by_pixel = value[0] == 2;
-    parser->scene->provoking = value_or(parser, value, 1, 1) == 0 ? 0 : 2;
+    parser->scene->provoking = value[1] == 1 ? 0 : 2;
     return true;
 }
 
@@ -74,20 +61,7 @@ bool scene_statement_polygon(struct scene_parser *parser, const int32_t *value)
     scene->hidden_lines = value[0] == HIDDEN;
     scene->wide_lines = value[0] == WIDE;
     scene->wide = value[0] == SMOOTH ? thin : parser->stroke;
-    scene->hidden_bias = value_or(parser, value, 1, 131); /* .002 */
-    return true;
-}
-
-bool scene_statement_linesmooth(struct scene_parser *parser, const int32_t *value)
-{
-    parser->stroke.smooth = value[0] == 0;
-    return true;
-}
-
-bool scene_statement_pointsize(struct scene_parser *parser, const int32_t *value)
-{
-    parser->point_size = value[0];
-    parser->point_in_space = parser->argument_count == 2;
+    scene->hidden_bias = parser->argument_count == 2 ? value[1] : 131; /* .002 */
     return true;
 }
 
@@ -97,35 +71,23 @@ bool scene_statement_pointsize(struct scene_parser *parser, const int32_t *value
 bool scene_statement_texwrap(struct scene_parser *parser, const int32_t *value)
 {
     parser->scene->texture_clamp[0] = value[0] == 1;
-    parser->scene->texture_clamp[1] = value_or(parser, value, 1, value[0]) == 1;
-    return true;
-}
-
-bool scene_statement_texfilter(struct scene_parser *parser, const int32_t *value)
-{
-    parser->scene->texture_bilinear = value[0] == 1;
-    parser->scene->texture_mipmapped = parser->argument_count == 2;
+    parser->scene->texture_clamp[1] = (value[1] > 0 ? value[1] - 1 : value[0]) == 1;
     return true;
 }
 
 bool scene_statement_texformat(struct scene_parser *parser, const int32_t *value)
 {
-    parser->scene->texel_format = (enum scene_texel_format)value[0];
     parser->texformat_line = parser->line;
-    return true;
+    return scene_store(parser, value);
 }
 
-/* `into`: whether there is one, here and below. */
 bool scene_statement_texkey(struct scene_parser *parser, const int32_t *value)
 {
-    parser->scene->texture_keyed = parser->statement->into != 0;
-    parser->texkey_line = parser->scene->texture_keyed ? parser->line : 0;
-    for (int i = 0; i < 3; i++) {
-        parser->scene->texture_key[i] = (uint8_t)value[i];
-    }
-    return true;
+    parser->texkey_line = parser->line;
+    return scene_store_key(parser, value);
 }
 
+/* `into`: whether there is one. */
 bool scene_statement_alphatest(struct scene_parser *parser, const int32_t *value)
 {
     parser->scene->least_alpha = value[0]; /* of `off` 0 */
@@ -133,14 +95,7 @@ bool scene_statement_alphatest(struct scene_parser *parser, const int32_t *value
     return true;
 }
 
-/* ---- Blends, alpha and fog ---- */
-
-bool scene_statement_blend(struct scene_parser *parser, const int32_t *value)
-{
-    parser->scene->blend = (enum scene_blend)value[0];
-    parser->scene->alpha = value_or(parser, value, 1, SCENE_ONE);
-    return true;
-}
+/* ---- Alpha and fog ---- */
 
 bool scene_statement_vertexalpha(struct scene_parser *parser, const int32_t *value)
 {

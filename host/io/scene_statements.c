@@ -16,7 +16,7 @@
 /*
  * Kinds of values. Besides these: `w` a word of the usage text, `t` a token that the handler reads.
  * A number in front repeats what follows; behind `?` values may be left out, all up to the next
- * `?`; behind `*` the handler reads as many as there are.
+ * `?`, and are 0 then, or 1.0 of `g`; behind `*` the handler reads as many as there are.
  */
 static const struct kind {
     char letter;
@@ -26,6 +26,7 @@ static const struct kind {
 } kinds[] = {
     {'n', false, INT16_MIN, 32768, ""},
     {'f', false, 0, 1, "does not lie in 0..1"},
+    {'g', false, 0, 1, "does not lie in 0..1"},
     {'l', false, 0, 16, "does not lie in 0..16"},
     {'e', false, 1, 1024, "does not lie in 1..1024"},
     {'z', false, 0, 32768, "must not be below 0"},
@@ -38,8 +39,10 @@ static const struct kind {
     {'k', true, 3, 1024, NULL},
 };
 
+/* Where a value is stored: in the pass, or in the parser. */
 #define SCENE(field)  offsetof(struct scene, field)
-#define PARSER(field) offsetof(struct scene_parser, field)
+#define IN_PARSER     ((size_t)1 << 30)
+#define PARSER(field) (offsetof(struct scene_parser, field) | IN_PARSER)
 
 /* clang-format off */
 static const struct scene_statement statements[] = {
@@ -49,10 +52,10 @@ static const struct scene_statement statements[] = {
     {"cleardepth",  "Z", "f", scene_store, SCENE(clear_depth)},
     {"depth",       "off|less|lequal|greater|gequal|always|equal|notequal|never", "w", scene_statement_depth, 0},
     {"depthformat", "linear16|float16|linear24|linear32", "w", scene_store, SCENE(depth_format)},
-    {"depthmask",   "on|off", "w", scene_statement_depthmask, 0},
+    {"depthmask",   "on|off", "w", scene_store_on, SCENE(depth_write)},
     {"depthrange",  "NEAR FAR", "2f", scene_store, SCENE(depth_near)},
     {"depthbias",   "B", "n", scene_statement_depthbias, 0},
-    {"depthslope",  "S", "n", scene_store_in_parser, PARSER(depth_slope)},
+    {"depthslope",  "S", "n", scene_store, PARSER(depth_slope)},
     {"cull",        "none|back|front", "w", scene_store, SCENE(cull)},
     {"frustumcull", "off|box|ball", "w", scene_store, SCENE(frustum_cull)},
     {"shade",       "smooth|flat|pixel [first|last]", "w?w", scene_statement_shade, 0},
@@ -61,18 +64,18 @@ static const struct scene_statement statements[] = {
     {"texture",     "W H CELLS r g b r g b", "2it6b", scene_statement_texture, SCENE_OF_CHECKERS},
     {"texmode",     "replace|modulate", "w", scene_store, SCENE(texture_mode)},
     {"texwrap",     "repeat|clamp [repeat|clamp]", "w?w", scene_statement_texwrap, 0},
-    {"texfilter",   "nearest|bilinear [mipmaps]", "w?w", scene_statement_texfilter, 0},
-    {"texformat",   "xrgb8888|rgb565|palette|gray8|palette565|argb4444|argb1555|argb8888|alpha8", "w", scene_statement_texformat, 0},
+    {"texfilter",   "nearest|bilinear [mipmaps]", "w?w", scene_store_flags, SCENE(texture_bilinear)},
+    {"texformat",   "xrgb8888|rgb565|palette|gray8|palette565|argb4444|argb1555|argb8888|alpha8", "w", scene_statement_texformat, SCENE(texel_format)},
     {"texalpha",    "off", "w", scene_statement_texalpha, SCENE_OF_NOTHING},
     {"texalpha",    "FILE.ppm", "t", scene_statement_texalpha, SCENE_OF_FILE},
     {"texalpha",    "A B", "2b", scene_statement_texalpha, SCENE_OF_CHECKERS},
     {"alphatest",   "off", "w", scene_statement_alphatest, 0},
     {"alphatest",   "LEAST", "b", scene_statement_alphatest, 1},
-    {"texkey",      "off", "w", scene_statement_texkey, 0},
-    {"texkey",      "r g b", "3b", scene_statement_texkey, 1},
+    {"texkey",      "off", "w", scene_statement_texkey, SCENE(texture_keyed)},
+    {"texkey",      "r g b", "3b", scene_statement_texkey, SCENE(texture_keyed)},
     {"texgen",      "off|sphere", "w", scene_store_flags, SCENE(texture_sphere)},
     {"interpolate", "perspective|linear", "w", scene_store_flags, SCENE(screen_linear)},
-    {"blend",       "off|alpha|add|multiply|none|replace|screendoor [ALPHA]", "w?f", scene_statement_blend, 0},
+    {"blend",       "off|alpha|add|multiply|none|replace|screendoor [ALPHA]", "w?g", scene_store, SCENE(blend)},
     {"colormask",   "on|off on|off on|off", "3w", scene_store_flags, SCENE(keep)},
     {"vertexalpha", "off", "w", scene_statement_vertexalpha, 0},
     {"vertexalpha", "A0 A1 A2", "3f", scene_statement_vertexalpha, 0},
@@ -124,14 +127,14 @@ static const struct scene_statement statements[] = {
     {"trit",        "(x y z w r g b u v) x3", "4n3f2n4n3f2n4n3f2n", scene_statement_triangle, 0},
     {"trin",        "(x y z w r g b nx ny nz) x3", "4n3f3n4n3f3n4n3f3n", scene_statement_triangle, 0},
     {"tritn",       "(x y z w r g b u v nx ny nz) x3", "4n3f5n4n3f5n4n3f5n", scene_statement_triangle, 0},
-    {"linewidth",   "PIXELS", "n", scene_store_in_parser, PARSER(stroke.width)},
-    {"linesmooth",  "on|off", "w", scene_statement_linesmooth, 0},
-    {"linecap",     "round|butt|square", "w", scene_store_in_parser, PARSER(stroke.cap)},
-    {"linealpha",   "A", "f", scene_store_in_parser, PARSER(stroke.alpha)},
+    {"linewidth",   "PIXELS", "n", scene_store, PARSER(stroke.width)},
+    {"linesmooth",  "on|off", "w", scene_store_on, PARSER(stroke.smooth)},
+    {"linecap",     "round|butt|square", "w", scene_store, PARSER(stroke.cap)},
+    {"linealpha",   "A", "f", scene_store, PARSER(stroke.alpha)},
     {"line",        "(x y z w r g b) x2", "4n3f4n3f", scene_statement_line, 0},
     {"polyline",    "open|closed", "w", scene_statement_polyline, 0},
     {"vertex",      "x y z w r g b", "4n3f", scene_statement_vertex, 0},
-    {"pointsize",   "SIZE [space]", "n?w", scene_statement_pointsize, 0},
+    {"pointsize",   "SIZE [space]", "n?w", scene_store, PARSER(point_size)},
     {"point",       "x y z w r g b", "4n3f", scene_statement_point, 0},
     {"mesh",        "FILE.obj [fit SIZE | scale FACTOR] [color r g b]", "t*", scene_statement_mesh, 0},
     {"shape",       "box HX HY HZ [color r g b]", "w3n?w3f", scene_statement_shape, SCENE_BOX},
@@ -143,8 +146,8 @@ static const struct scene_statement statements[] = {
     {"morph",       "T FROM.obj TO.obj [color r g b]", "f2t?w3f", scene_statement_morph, 0},
     {"frames",      "AT FILE.obj x2 to x16 [color r g b]", "n2t*", scene_statement_frames, 0},
     {"targets",     "BASE.obj (WEIGHT FILE.obj) x1 to x15 [color r g b]", "tnt*", scene_statement_targets, 0},
-    {"ink",         "R G B [ALPHA]", "3f?f", scene_statement_ink, 0},
-    {"edges",       "hard|smooth", "w", scene_statement_edges, 0},
+    {"ink",         "R G B [ALPHA]", "3f?g", scene_store, PARSER(brush.paint.color)},
+    {"edges",       "hard|smooth", "w", scene_store_flags, PARSER(brush.paint.is_smooth)},
     {"rect",        "x0 y0 x1 y1 [WIDTH]", "4n?n", scene_statement_paint, SCENE_PAINT_RECT},
     {"roundrect",   "x0 y0 x1 y1 RADIUS [WIDTH]", "5n?n", scene_statement_paint, SCENE_PAINT_ROUNDRECT},
     {"circle",      "x y RADIUS [WIDTH]", "3n?n", scene_statement_paint, SCENE_PAINT_CIRCLE},
@@ -153,8 +156,8 @@ static const struct scene_statement statements[] = {
     {"stroke",      "x0 y0 x1 y1 WIDTH", "5n", scene_statement_paint, SCENE_PAINT_STROKE},
     {"font",        "FILE.bdf", "t", scene_statement_font, 0},
     {"text",        "x y WORD ...", "2nt*", scene_statement_text, 0},
-    {"imagekey",    "off", "w", scene_statement_imagekey, 0},
-    {"imagekey",    "r g b", "3b", scene_statement_imagekey, 1},
+    {"imagekey",    "off", "w", scene_store_key, PARSER(brush.paint.has_key)},
+    {"imagekey",    "r g b", "3b", scene_store_key, PARSER(brush.paint.has_key)},
     {"image",       "FILE.ppm x y [DEGREES SCALE]", "t2n?2n", scene_statement_image, 0},
 };
 /* clang-format on */
@@ -307,7 +310,8 @@ bool scene_word(struct scene_parser *parser, int argument, const char *word)
     return token_equals(&parser->arguments[argument], word) || fail_word(parser, argument);
 }
 
-/* The rank of a token among the choices of word `index` of the usage text, or -1. */
+/* The rank of a token among the choices of word `index` of the usage text, from 1 where it may be
+   left out; or -1. */
 static int32_t find_word(const char *usage, int index, const struct token *token)
 {
     const char *at = usage;
@@ -315,7 +319,7 @@ static int32_t find_word(const char *usage, int index, const struct token *token
         at += strcspn(at, " ");
         at += strspn(at, " ");
     }
-    for (int32_t rank = 0; *at != '\0' && *at != ' '; rank++) {
+    for (int32_t rank = *at == '['; *at != '\0' && *at != ' '; rank++) {
         at += strspn(at, "[|");
         const size_t length = strcspn(at, "|] ");
         if (token->length == length && memcmp(token->text, at, length) == 0) {
@@ -365,22 +369,22 @@ static int take_repeat(const char **values)
     return repeat > 0 ? repeat : 1;
 }
 
+/* Those that may be left out, too. */
 static bool read_values(struct scene_parser *parser, int32_t *value)
 {
     int next = 0;
-    for (const char *at = parser->statement->values; next < parser->argument_count; at++) {
-        if (*at == '*') {
-            return true;
-        }
+    for (const char *at = parser->statement->values; *at != '\0' && *at != '*'; at++) {
         if (*at == '?') {
             continue;
         }
         for (int repeat = take_repeat(&at); repeat > 0; repeat--, next++) {
-            if (!read_value(parser, next, *at, &value[next])) {
+            value[next] = *at == 'g' ? SCENE_ONE : 0;
+            if (next < parser->argument_count && !read_value(parser, next, *at, &value[next])) {
                 return false;
             }
         }
     }
+    parser->value_count = next;
     return true;
 }
 
@@ -453,30 +457,44 @@ bool scene_parse_statement(struct scene_parser *parser, const struct token *keyw
 
 /* ---- Handlers that store ---- */
 
-static void store(void *into, const struct scene_parser *parser, const int32_t *value)
+static void *destination(struct scene_parser *parser)
 {
-    memcpy((char *)into + parser->statement->into, value,
-           (size_t)parser->argument_count * sizeof *value);
+    const size_t into = parser->statement->into;
+    return (into & IN_PARSER) != 0 ? (char *)parser + (into & ~IN_PARSER)
+                                   : (char *)parser->scene + into;
 }
 
 bool scene_store(struct scene_parser *parser, const int32_t *value)
 {
-    store(parser->scene, parser, value);
+    memcpy(destination(parser), value, (size_t)parser->value_count * sizeof *value);
     return true;
 }
 
-bool scene_store_in_parser(struct scene_parser *parser, const int32_t *value)
+static bool store_flags(struct scene_parser *parser, const int32_t *value, bool of_first)
 {
-    store(parser, parser, value);
+    bool *flags = destination(parser);
+    for (int i = 0; i < parser->value_count; i++) {
+        flags[i] = (value[i] == 0) == of_first;
+    }
     return true;
 }
 
 bool scene_store_flags(struct scene_parser *parser, const int32_t *value)
 {
-    for (int i = 0; i < parser->argument_count; i++) {
-        const bool flag = value[i] != 0;
-        memcpy((char *)parser->scene + parser->statement->into + (size_t)i * sizeof flag, &flag,
-               sizeof flag);
+    return store_flags(parser, value, false);
+}
+
+bool scene_store_on(struct scene_parser *parser, const int32_t *value)
+{
+    return store_flags(parser, value, true);
+}
+
+bool scene_store_key(struct scene_parser *parser, const int32_t *value)
+{
+    uint8_t *key = destination(parser);
+    *key++ = parser->value_count == 3;
+    for (int i = 0; i < 3; i++) {
+        key[i] = (uint8_t)value[i];
     }
     return true;
 }
