@@ -55,7 +55,7 @@ static void write_nowhere(const struct asset *asset)
     if (nowhere != NULL) {
         asset_header_write(&asset_header_mesh, asset, "x", "x.h", nowhere, NULL);
         asset_header_write(&asset_header_model, asset, "x", "x.h", nowhere, NULL);
-        asset_write_obj(asset, nowhere);
+        asset_write_obj(asset, false, nowhere);
     }
 }
 

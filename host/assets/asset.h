@@ -94,8 +94,9 @@ struct asset_memory {
 struct asset_memory asset_ram(const struct asset *asset, int32_t width, int32_t height,
                               int32_t rows);
 
-/* Wavefront OBJ, of what the meshes hold after quantisation. */
-void asset_write_obj(const struct asset *asset, FILE *out);
+/* Wavefront OBJ, of what the meshes hold after quantisation: `is_exact` with all digits of numbers,
+   but of compact ones, which readers round to Q16.16. */
+void asset_write_obj(const struct asset *asset, bool is_exact, FILE *out);
 
 /* Draws the meshes with the core, lit, from a little above: all of them fit. False when memory runs
    out. *drawn: pixels that show something. */

@@ -274,12 +274,13 @@ static void position_of(const qtri_mesh *mesh, uint32_t i, double out[3])
     }
 }
 
-static void write_obj_vertex(const qtri_mesh *mesh, uint32_t i, FILE *out)
+/* 16 decimals hold a Q16.16, 14 a Q2.14. */
+static void write_obj_vertex(const qtri_mesh *mesh, uint32_t i, bool is_exact, FILE *out)
 {
     double at[3];
     int32_t n[3];
     position_of(mesh, i, at);
-    fprintf(out, "v %.9g %.9g %.9g", at[0], at[1], at[2]);
+    fprintf(out, is_exact ? "v %.16f %.16f %.16f" : "v %.9g %.9g %.9g", at[0], at[1], at[2]);
     if (mesh->colors != NULL) {
         const qtri_rgb c = mesh->colors[i];
         fprintf(out, " %.4g %.4g %.4g", c.r / 255.0, c.g / 255.0, c.b / 255.0);
@@ -289,17 +290,21 @@ static void write_obj_vertex(const qtri_mesh *mesh, uint32_t i, FILE *out)
         const bool wide = mesh->normals != NULL;
         const double one = wide ? 16384.0 : 127.0;
         mesh_array_get(mesh, wide ? MESH_NORMALS : MESH_NORMALS8, i, n);
-        fprintf(out, wide ? "vn %.7g %.7g %.7g\n" : "vn %.4g %.4g %.4g\n", n[0] / one, n[1] / one,
-                n[2] / one);
+        fprintf(out,
+                is_exact ? "vn %.14f %.14f %.14f\n"
+                : wide   ? "vn %.7g %.7g %.7g\n"
+                         : "vn %.4g %.4g %.4g\n",
+                n[0] / one, n[1] / one, n[2] / one);
     }
     if (mesh->uvs != NULL || mesh->uvs16 != NULL) {
         const double one = mesh->uvs != NULL ? 65536.0 : 16384.0;
         mesh_array_get(mesh, mesh->uvs != NULL ? MESH_UVS : MESH_UVS16, i, n);
-        fprintf(out, "vt %.9g %.9g\n", n[0] / one, 1.0 - n[1] / one);
+        fprintf(out, is_exact ? "vt %.16f %.16f\n" : "vt %.9g %.9g\n", n[0] / one,
+                1.0 - n[1] / one);
     }
 }
 
-void asset_write_obj(const struct asset *asset, FILE *out)
+void asset_write_obj(const struct asset *asset, bool is_exact, FILE *out)
 {
     uint32_t first = 1;
     fputs("# made by qtri mesh\n", out);
@@ -308,7 +313,7 @@ void asset_write_obj(const struct asset *asset, FILE *out)
         bool uvs = mesh->uvs != NULL || mesh->uvs16 != NULL;
         bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
         for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-            write_obj_vertex(mesh, i, out);
+            write_obj_vertex(mesh, i, is_exact, out);
         }
         if (asset->count > 1) {
             fprintf(out, "g material_%zu\n", part);

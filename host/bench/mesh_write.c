@@ -142,47 +142,19 @@ void mesh_write_empty(FILE *out, const char *name)
 
 /* ---- As OBJ ---- */
 
-/*
- * Numbers of a wide mesh exactly: 16 decimals hold a Q16.16, 14 a Q2.14. Readers round those of a
- * compact one to Q16.16.
- */
-static void write_vertex(FILE *out, const qtri_mesh *mesh, uint32_t i)
-{
-    const bool wide = mesh->positions != NULL;
-    int32_t p[MESH_NUMBERS], n[MESH_NUMBERS], uv[MESH_NUMBERS];
-    const double unit = wide ? 1.0 : (double)mesh->extent, steps = wide ? 1.0 : 32768.0;
-    const double one = wide ? 16384.0 : 127.0, uv_one = mesh->uvs != NULL ? ONE : 16384.0;
-    mesh_array_get(mesh, wide ? MESH_POSITIONS : MESH_POSITIONS16, i, p);
-    mesh_array_get(mesh, wide ? MESH_NORMALS : MESH_NORMALS8, i, n);
-    fprintf(out, "v %.16f %.16f %.16f\nvn %.14f %.14f %.14f\n", p[0] * unit / steps / ONE,
-            p[1] * unit / steps / ONE, p[2] * unit / steps / ONE, n[0] / one, n[1] / one,
-            n[2] / one);
-    if (mesh->uvs != NULL || mesh->uvs16 != NULL) {
-        mesh_array_get(mesh, mesh->uvs != NULL ? MESH_UVS : MESH_UVS16, i, uv);
-        fprintf(out, "vt %.16f %.16f\n", uv[0] / uv_one, 1.0 - uv[1] / uv_one);
-    }
-}
-
 static bool write_obj(const char *folder, const char *name, const char *suffix,
                       const qtri_mesh *mesh)
 {
     char path[1024];
+    struct asset_part part = {.mesh = *mesh};
+    const struct asset asset = {.parts = &part, .count = 1};
     snprintf(path, sizeof path, "%s/%s%s.obj", folder, name, suffix);
     FILE *out = fopen(path, "w");
     if (out == NULL) {
         perror(path);
         return false;
     }
-    const bool has_uvs = mesh->uvs != NULL || mesh->uvs16 != NULL;
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        write_vertex(out, mesh, i);
-    }
-    for (uint32_t i = 0; i < 3 * mesh->triangle_count; i++) {
-        const int vertex = mesh->triangles[i / 3][i % 3] + 1;
-        fprintf(out, i % 3 == 0 ? "f" : "");
-        fprintf(out, has_uvs ? " %d/%d/%d" : " %d//%d", vertex, vertex, vertex);
-        fprintf(out, i % 3 == 2 ? "\n" : "");
-    }
+    asset_write_obj(&asset, true, out);
     return fclose(out) == 0;
 }
 

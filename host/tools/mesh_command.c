@@ -57,7 +57,7 @@ static bool write_obj(const struct mesh_options *options, const struct asset *as
     if (!file_output_open(&output, options->output, error)) {
         return false;
     }
-    asset_write_obj(asset, output.stream);
+    asset_write_obj(asset, false, output.stream);
     return file_output_commit(&output, error);
 }
 

@@ -29,7 +29,7 @@ static bool write_part(const struct asset *asset, size_t i, const q16 *weights)
     }
     const bool ok = file_output_open(&output, path, &error);
     if (ok) {
-        asset_write_obj(&one, output.stream);
+        asset_write_obj(&one, false, output.stream);
     }
     free(positions);
     return ok && file_output_commit(&output, &error);
