@@ -201,7 +201,7 @@ static bool add_triangles(struct draft *draft, const struct packing *packing,
             uint32_t *triangle = draft->triangles[draft->triangle_count++];
             for (int j = 0; ok && j < 3; j++) {
                 measure(packing, &model->vertices[corner[j]], &packed[j], error);
-                ok = unique_add(vertices, &packed[j], &triangle[j]);
+                triangle[j] = unique_add(vertices, &packed[j]);
             }
         }
     }

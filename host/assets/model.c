@@ -172,7 +172,7 @@ bool model_weld(struct model *model)
         const uint32_t *t = model->triangles[i];
         const bool is_kept = has_area(model, t);
         for (int j = 0; ok && is_kept && j < 3; j++) {
-            ok = unique_add(&kept, &model->vertices[t[j]], &model->triangles[count][j]);
+            model->triangles[count][j] = unique_add(&kept, &model->vertices[t[j]]);
         }
         count += is_kept ? 1 : 0;
     }

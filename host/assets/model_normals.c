@@ -65,7 +65,6 @@ static bool corners_make(struct corners *corners, const struct model *model)
         corners->places =
             unique_numbers(model->vertices[0].position, model->vertex_count,
                            sizeof *model->vertices, sizeof model->vertices->position, place_of);
-        ok = corners->places != SIZE_MAX;
     }
     if (ok) {
         for (uint32_t i = 0; i < count; i++) {

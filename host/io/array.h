@@ -8,14 +8,12 @@
 #include <stddef.h>
 
 /*
- * Makes room for one more item behind the `count` there are, at least doubling what it enlarges.
- * Returns where the items are now, or NULL when memory runs out: then `items` stays as it was.
+ * Makes room for one more item behind the `count` there are, doubling what it enlarges. Returns
+ * where the items are now.
  */
 void *array_grow(void *items, size_t count, size_t *capacity, size_t item_size);
 
-/*
- * Adds an item of zeros behind the *count items that the pointer at `items` names, and counts it.
- * NULL when memory runs out: then nothing has changed.
+/* Adds an item of zeros behind the *count items that the pointer at `items` names, and counts it.
  */
 void *array_add(void *items, size_t *count, size_t *capacity, size_t item_size);
 

@@ -62,9 +62,6 @@ static bool append(struct parser *p, uint8_t byte)
         return fail(p, "the font has more than 65535 bytes of rows");
     }
     uint8_t *added = array_add(&font->rows, &font->row_bytes, &p->row_capacity, 1);
-    if (added == NULL) {
-        return fail(p, "out of memory");
-    }
     *added = byte;
     return true;
 }
@@ -174,9 +171,6 @@ static bool end_glyph(struct parser *p)
     }
     struct bdf_glyph *glyph =
         array_add(&font->glyphs, &font->glyph_count, &p->glyph_capacity, sizeof *glyph);
-    if (glyph == NULL) {
-        return fail(p, "out of memory");
-    }
     *glyph = p->glyph;
     return true;
 }

@@ -14,6 +14,7 @@
 #include "file_identity.h"
 #include "file_inputs.h"
 #include "system.h"
+#include "xalloc.h"
 
 #define FIRST_READ ((size_t)1 << 16)
 
@@ -60,8 +61,8 @@ bool file_read(const char *path, struct file_content *content, struct text_error
     if (descriptor < 0) {
         return text_error_set(error, path, 0, "cannot be opened: %s", strerror(errno));
     }
-    int failure = file_inputs_add(descriptor);
-    failure = failure != 0 ? failure : read_all(descriptor, content);
+    file_inputs_add(descriptor);
+    const int failure = read_all(descriptor, content);
     if (!standard) {
         (void)close(descriptor); /* only read from */
     }
@@ -80,11 +81,9 @@ static char *temporary_name(const char *path, int attempt)
     const char *slash = strrchr(path, '/');
     size_t folder = slash == NULL ? 0 : (size_t)(slash - path) + 1;
     size_t size = folder + 64;
-    char *name = malloc(size);
-    if (name != NULL) {
-        memcpy(name, path, folder);
-        (void)snprintf(name + folder, size - folder, ".qtri-%ld-%d.part", (long)getpid(), attempt);
-    }
+    char *name = xcalloc(size, 1);
+    memcpy(name, path, folder);
+    (void)snprintf(name + folder, size - folder, ".qtri-%ld-%d.part", (long)getpid(), attempt);
     return name;
 }
 
@@ -98,6 +97,13 @@ void file_remove_unfinished(void)
     if (is_unfinished) {
         (void)unlink(unfinished);
     }
+}
+
+void xalloc_die(void)
+{
+    file_remove_unfinished();
+    fputs("qtri: out of memory\n", stderr);
+    _exit(1);
 }
 
 static void remove_and_end(int number)
@@ -123,13 +129,11 @@ static int open_temporary(struct file_output *output)
 {
     for (int attempt = 0;; attempt++) {
         output->temporary = temporary_name(output->path, attempt);
-        if (output->temporary == NULL) {
-            return ENOMEM;
-        }
         remember(output->temporary);
         int descriptor = system_create(output->temporary);
         if (descriptor >= 0) {
-            output->stream = file_inputs_except(descriptor) == 0 ? fdopen(descriptor, "wb") : NULL;
+            file_inputs_except(descriptor);
+            output->stream = fdopen(descriptor, "wb");
             if (output->stream != NULL) {
                 return 0;
             }
@@ -190,9 +194,9 @@ bool file_output_open(struct file_output *output, const char *path, struct text_
     /* Behind a link: it is the picture that is replaced, not the link. */
     const bool is_stream = file_is_stream(path);
     char *target = is_stream ? NULL : system_real_path(path);
-    output->path = target != NULL ? target : strdup(path);
-    int failure = output->path == NULL ? ENOMEM : 0;
-    if (failure == 0 && !is_stream && file_inspect(output->path, NULL) == FILE_OTHER) {
+    output->path = target != NULL ? target : xstrdup(path);
+    int failure = 0;
+    if (!is_stream && file_inspect(output->path, NULL) == FILE_OTHER) {
         failure = EISDIR;
     }
     if (failure == 0) {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "file_inputs.h"
 
-#include <errno.h>
-#include <stdlib.h>
+#include <stddef.h>
 
+#include "array.h"
 #include "file_identity.h"
 
 /* Files, and whether the program made them itself. */
@@ -31,34 +31,25 @@ static const struct known *find(const struct file_identity *identity)
     return NULL;
 }
 
-static int add(int descriptor, bool is_own)
+static void add(int descriptor, bool is_own)
 {
     struct known file = {{0, 0}, is_own};
     if (!is_guarded || file_inspect_open(descriptor, &file.identity) != FILE_REGULAR ||
         find(&file.identity) != NULL) {
-        return 0;
+        return;
     }
-    if (file_count == file_room) {
-        const size_t room = file_room == 0 ? 16 : 2 * file_room;
-        struct known *larger = realloc(files, room * sizeof *larger);
-        if (larger == NULL) {
-            return ENOMEM;
-        }
-        files = larger;
-        file_room = room;
-    }
+    files = array_grow(files, file_count, &file_room, sizeof *files);
     files[file_count++] = file;
-    return 0;
 }
 
-int file_inputs_add(int descriptor)
+void file_inputs_add(int descriptor)
 {
-    return add(descriptor, false);
+    add(descriptor, false);
 }
 
-int file_inputs_except(int descriptor)
+void file_inputs_except(int descriptor)
 {
-    return add(descriptor, true);
+    add(descriptor, true);
 }
 
 bool file_inputs_has(const char *path)

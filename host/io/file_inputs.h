@@ -12,12 +12,11 @@
 /* From now on file_read() remembers files, and file_output_open() refuses them. */
 void file_inputs_guard(void);
 
-/* Remembers the file behind an open descriptor, unless it is a pipe or a device. Returns 0, or
-   ENOMEM; 0 as well where nothing is guarded. */
-int file_inputs_add(int descriptor);
+/* Remembers the file behind an open descriptor, unless it is a pipe or a device. */
+void file_inputs_add(int descriptor);
 
 /* What the program makes itself is no input, though it reads it again: it may make it anew. */
-int file_inputs_except(int descriptor);
+void file_inputs_except(int descriptor);
 
 /* Whether this is a file that was read, by whatever name. */
 bool file_inputs_has(const char *path);

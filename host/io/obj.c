@@ -10,6 +10,7 @@
 #include "lines.h"
 #include "number.h"
 #include "obj_source.h"
+#include "xalloc.h"
 
 #define ONE 65536
 
@@ -99,19 +100,14 @@ static int read_numbers(struct obj_parser *parser, struct line *line, enum obj_a
     return count;
 }
 
-static bool append(struct obj_list *list, const double numbers[3])
+static void append(struct obj_list *list, const double numbers[3])
 {
-    double(*item)[3] = list->count < OBJ_MAX_COUNT
-                           ? array_add(&list->items, &list->count, &list->capacity, sizeof *item)
-                           : NULL;
-    if (item != NULL) {
-        memcpy(item, numbers, sizeof *item);
-    }
-    return item != NULL;
+    double(*item)[3] = array_add(&list->items, &list->count, &list->capacity, sizeof *item);
+    memcpy(item, numbers, sizeof *item);
 }
 
 /* v x y z r g b and v x y z w r g b: the last three of six or seven numbers. */
-static bool append_color(struct obj_source *source, const double *numbers, int count)
+static void append_color(struct obj_source *source, const double *numbers, int count)
 {
     double color[3] = {1.0, 1.0, 1.0};
     if (count >= 6) {
@@ -121,7 +117,7 @@ static bool append_color(struct obj_source *source, const double *numbers, int c
         }
         source->has_colors = true;
     }
-    return append(&source->colors, color);
+    append(&source->colors, color);
 }
 
 static bool parse_numbers(struct obj_parser *parser, struct line *line,
@@ -142,9 +138,9 @@ static bool parse_numbers(struct obj_parser *parser, struct line *line,
             return fail(parser, "1 - v does not fit Q16.16");
         }
     }
-    if (!append(&source->lists[attribute], numbers) ||
-        (attribute == OBJ_POSITION && !append_color(source, numbers, count))) {
-        return fail(parser, "out of memory");
+    append(&source->lists[attribute], numbers);
+    if (attribute == OBJ_POSITION) {
+        append_color(source, numbers, count);
     }
     return true;
 }
@@ -207,30 +203,20 @@ static bool add_triangle(struct obj_parser *parser, uint32_t a, uint32_t b, uint
     if (source->full && source->triangle_count >= OBJ_MAX_TRIANGLES) {
         return fail(parser, "more than 2097152 triangles; simplify the model elsewhere first");
     }
-    uint32_t *triangle = source->triangle_count < OBJ_MAX_COUNT
-                             ? array_add(&source->triangles, &source->triangle_count,
-                                         &source->triangle_capacity, sizeof *source->triangles)
-                             : NULL;
-    if (triangle == NULL) {
-        return fail(parser, "out of memory");
-    }
+    uint32_t *triangle = array_add(&source->triangles, &source->triangle_count,
+                                   &source->triangle_capacity, sizeof *source->triangles);
     triangle[0] = a;
     triangle[1] = b;
     triangle[2] = c;
     return true;
 }
 
-static bool add_polygon(struct obj_parser *parser, size_t first_triangle)
+static void add_polygon(struct obj_source *source, size_t first_triangle)
 {
-    struct obj_source *source = parser->source;
     struct obj_polygon *polygon = array_add(&source->polygons, &source->polygon_count,
                                             &source->polygon_capacity, sizeof *polygon);
-    if (polygon == NULL) {
-        return fail(parser, "out of memory");
-    }
     polygon->first = (uint32_t)first_triangle;
     polygon->count = (uint32_t)(source->triangle_count - first_triangle);
-    return true;
 }
 
 static bool is_edge(struct line line)
@@ -258,13 +244,10 @@ static bool parse_face(struct obj_parser *parser, struct line *line)
     int corners = 0; /* 0, 1, 2: and then "more" */
     while (line_token(line, &token)) {
         struct obj_corner corner;
-        uint32_t vertex;
         if (!parse_corner(parser, &token, &corner)) {
             return false;
         }
-        if (!unique_add(&parser->source->vertices, &corner, &vertex)) {
-            return fail(parser, "out of memory");
-        }
+        const uint32_t vertex = unique_add(&parser->source->vertices, &corner);
         if (corners >= 2 && !add_triangle(parser, first, previous, vertex)) {
             return false;
         }
@@ -275,8 +258,10 @@ static bool parse_face(struct obj_parser *parser, struct line *line)
     if (corners < 3) {
         return fail(parser, "a face needs 3 corners or more");
     }
-    return parser->source->triangle_count == first_triangle + 1 ||
-           add_polygon(parser, first_triangle);
+    if (parser->source->triangle_count > first_triangle + 1) {
+        add_polygon(parser->source, first_triangle);
+    }
+    return true;
 }
 
 /* ---- Statements ---- */
@@ -322,13 +307,8 @@ static bool parse_name(struct obj_parser *parser, struct line *line, struct obj_
         return fail(parser, "too many names, or a name that holds a NUL");
     }
     struct obj_name *name = array_add(&names->items, &names->count, &names->capacity, sizeof *name);
-    if (name != NULL) {
-        name->line = parser->line;
-        name->text = calloc(length + 1, 1); // NOLINT(clang-analyzer-optin*): never 0 bytes
-    }
-    if (name == NULL || name->text == NULL) {
-        return fail(parser, "out of memory");
-    }
+    name->line = parser->line;
+    name->text = xcalloc(length + 1, 1);
     memcpy(name->text, line->at, length);
     return true;
 }
@@ -410,8 +390,11 @@ static bool parse_all(struct obj_parser *parser, const char *text, size_t length
                                 ? "has no faces, only lines, points or curves"
                                 : "has no faces");
     }
-    return check_forward_references(parser) &&
-           (obj_triangulate(parser->source) || fail(parser, "out of memory"));
+    const bool ok = check_forward_references(parser);
+    if (ok) {
+        obj_triangulate(parser->source);
+    }
+    return ok;
 }
 
 bool obj_parse_source(const char *name, const char *text, size_t length, struct obj_source *source,
@@ -441,12 +424,8 @@ bool obj_parse_scaled(const char *name, const char *text, size_t length,
         ok = false;
     }
     if (ok) {
-        mesh->path = strdup(name);
-        if (mesh->path == NULL || !obj_build(&source, mesh)) {
-            text_error_set(error, name, 0, "out of memory");
-            ok = false;
-            obj_free(mesh);
-        }
+        mesh->path = xstrdup(name);
+        obj_build(&source, mesh);
     }
     obj_source_free(&source);
     return ok;

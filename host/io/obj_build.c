@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "array.h"
 #include "polygon.h"
+#include "xalloc.h"
 
 #define ONE 65536
 
@@ -35,36 +35,32 @@ void obj_source_free(struct obj_source *source)
 /* ---- Polygons ---- */
 
 /* Of a fan, whose triangles have the corners 0, n, n + 1. */
-static bool triangulate(struct obj_source *source, const struct obj_polygon *polygon)
+static void triangulate(struct obj_source *source, const struct obj_polygon *polygon)
 {
     const size_t count = polygon->count + (size_t)2;
     uint32_t(*triangles)[3] = &source->triangles[polygon->first];
-    uint32_t *vertices = malloc(count * sizeof *vertices);
-    double(*corners)[3] = malloc(count * sizeof *corners);
-    bool ok = vertices != NULL && corners != NULL;
-    for (size_t i = 0; ok && i < count; i++) {
+    uint32_t *vertices = xcalloc(count, sizeof *vertices);
+    double(*corners)[3] = xcalloc(count, sizeof *corners);
+    for (size_t i = 0; i < count; i++) {
         vertices[i] = i < 2 ? triangles[0][i] : triangles[i - 2][2];
         const uint32_t position = obj_vertex(source, vertices[i])->index[OBJ_POSITION];
         memcpy(corners[i], source->lists[OBJ_POSITION].items[position], sizeof corners[i]);
     }
-    ok = ok && polygon_triangulate((const double(*)[3])corners, count, triangles);
-    for (size_t i = 0; ok && i < polygon->count; i++) {
+    polygon_triangulate((const double(*)[3])corners, count, triangles);
+    for (size_t i = 0; i < polygon->count; i++) {
         for (int j = 0; j < 3; j++) {
             triangles[i][j] = vertices[triangles[i][j]];
         }
     }
     free(corners);
     free(vertices);
-    return ok;
 }
 
-bool obj_triangulate(struct obj_source *source)
+void obj_triangulate(struct obj_source *source)
 {
-    bool ok = true;
-    for (size_t i = 0; ok && i < source->polygon_count; i++) {
-        ok = triangulate(source, &source->polygons[i]);
+    for (size_t i = 0; i < source->polygon_count; i++) {
+        triangulate(source, &source->polygons[i]);
     }
-    return ok;
 }
 
 /* ---- Scaling ---- */
@@ -164,25 +160,22 @@ static void vertex_normal(const struct obj_source *source, const uint32_t *place
 }
 
 /* Equal positions have one normal: seams, along which files repeat positions, are smoothed over. */
-static bool build_normals(const struct obj_source *source, struct obj_mesh *mesh)
+static void build_normals(const struct obj_source *source, struct obj_mesh *mesh)
 {
     const struct obj_list *positions = &source->lists[OBJ_POSITION];
-    double(*sums)[3] = calloc(positions->count, sizeof *sums);
-    uint32_t *places = calloc(positions->count, sizeof *places);
+    double(*sums)[3] = xcalloc(positions->count, sizeof *sums);
+    uint32_t *places = xcalloc(positions->count, sizeof *places);
     const size_t size = sizeof *positions->items;
-    const bool ok =
-        sums != NULL && places != NULL &&
-        unique_numbers(positions->items, positions->count, size, size, places) != SIZE_MAX;
-    for (size_t i = 0; ok && i < source->triangle_count; i++) {
+    (void)unique_numbers(positions->items, positions->count, size, size, places);
+    for (size_t i = 0; i < source->triangle_count; i++) {
         add_area(source, places, source->triangles[i], sums);
     }
-    for (size_t i = 0; ok && i < source->vertices.count; i++) {
+    for (size_t i = 0; i < source->vertices.count; i++) {
         vertex_normal(source, places, obj_vertex(source, i), (const double(*)[3])sums,
                       mesh->normals[i]);
     }
     free(places);
     free(sums);
-    return ok;
 }
 
 /* ---- The mesh ---- */
@@ -197,22 +190,6 @@ static bool any_uv(const struct obj_source *source)
     return false;
 }
 
-static bool allocate(const struct obj_source *source, struct obj_mesh *mesh)
-{
-    mesh->positions = calloc(source->vertices.count, sizeof *mesh->positions);
-    mesh->normals = calloc(source->vertices.count, sizeof *mesh->normals);
-    if (mesh->positions == NULL || mesh->normals == NULL) {
-        return false;
-    }
-    if (any_uv(source)) {
-        mesh->uvs = calloc(source->vertices.count, sizeof *mesh->uvs);
-    }
-    if (source->has_colors) {
-        mesh->colors = calloc(source->vertices.count, sizeof *mesh->colors);
-    }
-    return (mesh->uvs != NULL || !any_uv(source)) && (mesh->colors != NULL || !source->has_colors);
-}
-
 /* Numbers that were read as Q16.16: exact. */
 static void to_q16(const double *numbers, int count, int32_t *out)
 {
@@ -221,11 +198,14 @@ static void to_q16(const double *numbers, int count, int32_t *out)
     }
 }
 
-bool obj_build(struct obj_source *source, struct obj_mesh *mesh)
+void obj_build(struct obj_source *source, struct obj_mesh *mesh)
 {
-    if (!allocate(source, mesh) || !build_normals(source, mesh)) {
-        return false;
-    }
+    const size_t count = source->vertices.count;
+    mesh->positions = xcalloc(count, sizeof *mesh->positions);
+    mesh->normals = xcalloc(count, sizeof *mesh->normals);
+    mesh->uvs = any_uv(source) ? xcalloc(count, sizeof *mesh->uvs) : NULL;
+    mesh->colors = source->has_colors ? xcalloc(count, sizeof *mesh->colors) : NULL;
+    build_normals(source, mesh);
     for (size_t i = 0; i < source->vertices.count; i++) {
         const uint32_t *index = obj_vertex(source, i)->index;
         to_q16(source->lists[OBJ_POSITION].items[index[OBJ_POSITION]], 3, mesh->positions[i]);
@@ -242,5 +222,4 @@ bool obj_build(struct obj_source *source, struct obj_mesh *mesh)
     mesh->triangles = source->triangles;
     source->triangles = NULL;
     source->triangle_count = 0;
-    return true;
 }

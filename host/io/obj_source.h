@@ -90,17 +90,14 @@ static inline const struct obj_corner *obj_vertex(const struct obj_source *sourc
     return (const struct obj_corner *)source->vertices.items + vertex;
 }
 
-/* Cuts polygons, which are fans, into triangles that cover them. False when memory runs out. */
-bool obj_triangulate(struct obj_source *source);
+/* Cuts polygons, which are fans, into triangles that cover them. */
+void obj_triangulate(struct obj_source *source);
 
 /* Scales the positions that faces name and rounds them to Q16.16. False where one does not fit. */
 bool obj_scale_positions(struct obj_source *source, const struct obj_scale *scale);
 
-/*
- * Makes the mesh (all but `path`). Every index of every corner lies inside its list. Takes the
- * triangles over from the source. False when memory runs out: then *mesh is to be freed by
- * obj_free as well.
- */
-bool obj_build(struct obj_source *source, struct obj_mesh *mesh);
+/* Makes the mesh (all but `path`). Every index of every corner lies inside its list. Takes the
+   triangles over from the source. */
+void obj_build(struct obj_source *source, struct obj_mesh *mesh);
 
 #endif

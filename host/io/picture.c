@@ -8,6 +8,7 @@
 #include "file.h"
 #include "file_identity.h"
 #include "lines.h"
+#include "xalloc.h"
 
 typedef char double_has_64_bits[sizeof(double) == 8 ? 1 : -1];
 
@@ -149,14 +150,10 @@ static const struct {
 
 enum { DUMPS = sizeof dumps / sizeof dumps[0] };
 
-static char *dump_path(const char *prefix, int dump, struct text_error *error)
+static char *dump_path(const char *prefix, int dump)
 {
     size_t size = strlen(prefix) + strlen(dumps[dump].ending) + 1;
-    char *path = malloc(size);
-    if (path == NULL) {
-        text_error_set(error, prefix, 0, "out of memory");
-        return NULL;
-    }
+    char *path = xcalloc(size, 1);
     (void)snprintf(path, size, "%s%s", prefix, dumps[dump].ending);
     return path;
 }
@@ -195,9 +192,8 @@ bool picture_write_dump(const char *prefix, const struct picture *picture, struc
     const void *const items[DUMPS] = {picture->id, picture->depth};
     bool ok = true;
     for (int i = 0; ok && i < DUMPS; i++) {
-        char *path = dump_path(prefix, i, error);
-        ok = path != NULL &&
-             (items[i] == NULL || write_items(path, picture, items[i], dumps[i].bytes, error));
+        char *path = dump_path(prefix, i);
+        ok = items[i] == NULL || write_items(path, picture, items[i], dumps[i].bytes, error);
         free(path);
     }
     return ok;
@@ -233,8 +229,8 @@ bool picture_read_dump(const char *prefix, struct picture *picture, struct text_
     void *items[DUMPS] = {NULL};
     bool ok = true;
     for (int i = 0; ok && i < DUMPS; i++) {
-        char *path = dump_path(prefix, i, error);
-        ok = path != NULL && read_items(path, picture, &items[i], dumps[i].bytes, error);
+        char *path = dump_path(prefix, i);
+        ok = read_items(path, picture, &items[i], dumps[i].bytes, error);
         free(path);
     }
     free(picture->id);

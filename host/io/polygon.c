@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "xalloc.h"
+
 /* Corners are rounded to a grid of up to 2^29 steps a side: every cross product is exact in 64
  * bits. */
 #define GRID_BITS 29
@@ -125,7 +127,7 @@ static void clip_ears(struct corner *ring, size_t count, uint32_t (*triangles)[3
     }
 }
 
-bool polygon_triangulate(const double (*corners)[3], size_t count, uint32_t (*triangles)[3])
+void polygon_triangulate(const double (*corners)[3], size_t count, uint32_t (*triangles)[3])
 {
     for (size_t i = 0; i + 2 < count; i++) {
         triangles[i][0] = 0;
@@ -133,12 +135,11 @@ bool polygon_triangulate(const double (*corners)[3], size_t count, uint32_t (*tr
         triangles[i][2] = (uint32_t)(i + 2);
     }
     if (count == 3) {
-        return true;
+        return;
     }
-    struct corner *ring = malloc(count * sizeof *ring);
-    if (ring != NULL && project(corners, count, ring) && !is_fan(ring, count)) {
+    struct corner *ring = xcalloc(count, sizeof *ring);
+    if (project(corners, count, ring) && !is_fan(ring, count)) {
         clip_ears(ring, count, triangles);
     }
     free(ring);
-    return ring != NULL;
 }

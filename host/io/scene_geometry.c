@@ -15,10 +15,6 @@ struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind ki
     struct scene *scene = parser->scene;
     struct scene_op *op =
         array_add(&scene->ops, &scene->op_count, &parser->op_capacity, sizeof *op);
-    if (op == NULL) {
-        scene_fail(parser, "out of memory");
-        return NULL;
-    }
     op->kind = kind;
     op->line = parser->line;
     op->depth_bias = parser->depth_bias;
@@ -32,11 +28,8 @@ struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind ki
 /* An operation that is one number. */
 static bool add_number(struct scene_parser *parser, enum scene_op_kind kind, int32_t number)
 {
-    struct scene_op *op = scene_add_op(parser, kind);
-    if (op != NULL) {
-        op->u.number[0] = number;
-    }
-    return op != NULL;
+    scene_add_op(parser, kind)->u.number[0] = number;
+    return true;
 }
 
 bool scene_statement_mode(struct scene_parser *parser, const int32_t *value)
@@ -123,20 +116,15 @@ bool scene_statement_numbers(struct scene_parser *parser, const int32_t *value)
         return scene_fail(parser, problem);
     }
     struct scene_op *op = scene_add_op(parser, kind);
-    if (op != NULL) {
-        memcpy(op->u.number, value, sizeof op->u.number);
-    }
-    return op != NULL;
+    memcpy(op->u.number, value, sizeof op->u.number);
+    return true;
 }
 
 bool scene_statement_window(struct scene_parser *parser, const int32_t *value)
 {
     struct scene_op *op = scene_add_op(parser, SCENE_WINDOW);
-    if (op != NULL) {
-        memcpy(op->u.number, value, 4 * sizeof *value);
-        op->u.number[4] = parser->argument_count == 5;
-    }
-    return op != NULL;
+    memcpy(op->u.number, value, 5 * sizeof *value);
+    return true;
 }
 
 /* ---- Stacks ---- */
@@ -148,7 +136,7 @@ bool scene_statement_push(struct scene_parser *parser, const int32_t *value)
         return scene_fail(parser, "nested too deep");
     }
     parser->depth[parser->mode]++;
-    return scene_add_op(parser, SCENE_PUSH) != NULL;
+    return add_number(parser, SCENE_PUSH, 0);
 }
 
 bool scene_statement_pop(struct scene_parser *parser, const int32_t *value)
@@ -158,7 +146,7 @@ bool scene_statement_pop(struct scene_parser *parser, const int32_t *value)
         return scene_fail(parser, "without a push on the same stack");
     }
     parser->depth[parser->mode]--;
-    return scene_add_op(parser, SCENE_POP) != NULL;
+    return add_number(parser, SCENE_POP, 0);
 }
 
 /* ---- Keys, joints, billboards ---- */
@@ -179,9 +167,6 @@ bool scene_statement_key(struct scene_parser *parser, const int32_t *value)
     }
     struct scene_key *key =
         array_add(&scene->keys, &scene->key_count, &parser->key_capacity, sizeof *key);
-    if (key == NULL) {
-        return scene_fail(parser, "out of memory");
-    }
     key->time = value[0];
     memcpy(key->position, value + 1, sizeof key->position);
     key->degrees = value[4];
@@ -199,11 +184,8 @@ bool scene_statement_keys(struct scene_parser *parser, const int32_t *value)
         return scene_fail(parser, "without a key before it");
     }
     parser->track_is_used = true;
-    struct scene_op *op = scene_add_op(parser, SCENE_KEYS);
-    if (op != NULL) {
-        op->u.track = track;
-    }
-    return op != NULL;
+    scene_add_op(parser, SCENE_KEYS)->u.track = track;
+    return true;
 }
 
 /* The number of an earlier joint. */
@@ -264,10 +246,8 @@ static struct scene_op *add_with_ids(struct scene_parser *parser, enum scene_op_
         return NULL;
     }
     struct scene_op *op = scene_add_op(parser, kind);
-    if (op != NULL) {
-        op->id = scene->triangle_count + 1;
-        scene->triangle_count += (uint32_t)count;
-    }
+    op->id = scene->triangle_count + 1;
+    scene->triangle_count += (uint32_t)count;
     return op;
 }
 
@@ -306,9 +286,6 @@ static bool add_stroke_vertex(struct scene_parser *parser, const int32_t *value)
     struct scene *scene = parser->scene;
     struct scene_vertex *vertex = array_add(&scene->stroke_vertices, &scene->stroke_vertex_count,
                                             &parser->stroke_vertex_capacity, sizeof *vertex);
-    if (vertex == NULL) {
-        return scene_fail(parser, "out of memory");
-    }
     *vertex = vertex_of(value, 7);
     return true;
 }
@@ -381,22 +358,6 @@ static bool known_mesh(const struct scene_parser *parser, const struct scene_mes
     return false;
 }
 
-static bool grow_meshes(struct scene_parser *parser)
-{
-    size_t count = parser->scene->mesh_count;
-    struct obj_mesh *meshes =
-        array_grow(parser->scene->meshes, count, &parser->mesh_capacity, sizeof *meshes);
-    if (meshes != NULL) {
-        parser->scene->meshes = meshes;
-    }
-    struct scene_mesh_file *files =
-        array_grow(parser->mesh_files, count, &parser->mesh_file_capacity, sizeof *files);
-    if (files != NULL) {
-        parser->mesh_files = files;
-    }
-    return (meshes != NULL && files != NULL) || scene_fail(parser, "out of memory");
-}
-
 static bool read_mesh(struct scene_parser *parser, const char *path,
                       const struct scene_mesh_file *file, size_t *mesh)
 {
@@ -405,10 +366,11 @@ static bool read_mesh(struct scene_parser *parser, const char *path,
     if (known_mesh(parser, file, mesh)) {
         return true;
     }
-    if (!grow_meshes(parser)) {
-        return false;
-    }
     *mesh = parser->scene->mesh_count;
+    parser->scene->meshes = array_grow(parser->scene->meshes, *mesh, &parser->mesh_capacity,
+                                       sizeof *parser->scene->meshes);
+    parser->mesh_files = array_grow(parser->mesh_files, *mesh, &parser->mesh_file_capacity,
+                                    sizeof *parser->mesh_files);
     if (!obj_read_scaled(path, is_scaled ? &file->scale : NULL, &parser->scene->meshes[*mesh],
                          &error)) {
         return scene_fail(parser, error.message);
@@ -503,9 +465,6 @@ static bool add_model(struct scene_parser *parser, const struct scene_model *mod
     struct scene *scene = parser->scene;
     struct scene_model *added =
         array_add(&scene->models, &scene->model_count, &parser->model_capacity, sizeof *added);
-    if (added == NULL) {
-        return scene_fail(parser, "out of memory");
-    }
     *added = *model;
     return add_mesh_op(parser, SCENE_MODEL, scene->model_count - 1, model->triangles, color);
 }

@@ -6,6 +6,7 @@
 
 #include "array.h"
 #include "scene_parser.h"
+#include "xalloc.h"
 
 void scene_paints_free(struct scene_paints *paints)
 {
@@ -46,9 +47,6 @@ static bool read_font(struct scene_parser *parser, const char *path, uint16_t *i
     struct text_error error;
     struct bdf_font *font =
         array_add(&paints->fonts, &paints->font_count, &parser->brush.font_capacity, sizeof *font);
-    if (font == NULL) {
-        return scene_fail(parser, "out of memory");
-    }
     *index = (uint16_t)(paints->font_count - 1);
     return bdf_read(path, font, &error) || scene_fail(parser, error.message);
 }
@@ -59,9 +57,6 @@ static bool read_image(struct scene_parser *parser, const char *path, uint16_t *
     struct text_error error;
     struct picture *image = array_add(&paints->images, &paints->image_count,
                                       &parser->brush.image_capacity, sizeof *image);
-    if (image == NULL) {
-        return scene_fail(parser, "out of memory");
-    }
     *index = (uint16_t)(paints->image_count - 1);
     if (!picture_read_ppm(path, image, &error)) {
         return scene_fail(parser, error.message);
@@ -85,14 +80,12 @@ static bool find_file(struct scene_parser *parser, bool is_font, uint16_t *index
             return true;
         }
     }
-    struct scene_paint_file *file =
-        brush->file_count < UINT16_MAX
-            ? array_add(&brush->files, &brush->file_count, &brush->file_capacity, sizeof *file)
-            : NULL;
-    if (file == NULL) {
+    if (brush->file_count == UINT16_MAX) {
         free(path);
         return scene_fail(parser, "too many files");
     }
+    struct scene_paint_file *file =
+        array_add(&brush->files, &brush->file_count, &brush->file_capacity, sizeof *file);
     file->path = path;
     file->is_font = is_font;
     const bool ok = is_font ? read_font(parser, path, index) : read_image(parser, path, index);
@@ -114,9 +107,6 @@ static bool add_paint(struct scene_parser *parser, enum scene_paint_kind kind,
                       const int32_t *number, int count)
 {
     struct scene_op *op = scene_add_op(parser, SCENE_PAINT);
-    if (op == NULL) {
-        return false;
-    }
     op->u.paint = parser->brush.paint;
     op->u.paint.kind = kind;
     op->u.paint.count = count;
@@ -138,10 +128,7 @@ static char *join_words(const struct scene_parser *parser)
     for (int i = 2; i < parser->argument_count; i++) {
         length += parser->arguments[i].length + 1;
     }
-    char *text = malloc(length);
-    if (text == NULL) {
-        return NULL;
-    }
+    char *text = xcalloc(length, 1);
     char *at = text;
     for (int i = 2; i < parser->argument_count; i++) {
         const struct token *word = &parser->arguments[i];
@@ -151,7 +138,6 @@ static char *join_words(const struct scene_parser *parser)
         memcpy(at, word->text, word->length);
         at += word->length;
     }
-    *at = '\0';
     return text;
 }
 
@@ -168,9 +154,7 @@ bool scene_statement_text(struct scene_parser *parser, const int32_t *value)
     }
     char **text =
         array_add(&paints->texts, &paints->text_count, &parser->brush.text_capacity, sizeof *text);
-    if (text == NULL || (*text = join_words(parser)) == NULL) {
-        return scene_fail(parser, "out of memory");
-    }
+    *text = join_words(parser);
     parser->brush.paint.text = (uint32_t)(paints->text_count - 1);
     return add_paint(parser, SCENE_PAINT_TEXT, value, 2);
 }

@@ -183,7 +183,7 @@ scene_handler scene_statement_font, scene_statement_paint, scene_statement_text,
 void scene_brush_defaults(struct scene_brush *brush);
 void scene_brush_free(struct scene_brush *brush);
 
-/* Appends an operation of the given kind; NULL with the error set when memory runs out. */
+/* Appends an operation of the given kind. */
 struct scene_op *scene_add_op(struct scene_parser *parser, enum scene_op_kind kind);
 
 /* scene_read.c */

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "system.h"
+#include "xalloc.h"
 
 /* An absolute path as it is, another one in the folder of the scene file. NULL with the error. */
 static char *join_path(struct scene_parser *parser, int argument)
@@ -18,14 +19,9 @@ static char *join_path(struct scene_parser *parser, int argument)
     }
     const char *slash = token->text[0] == '/' ? NULL : strrchr(parser->name, '/');
     size_t folder = slash == NULL ? 0 : (size_t)(slash - parser->name) + 1;
-    char *path = malloc(folder + token->length + 1);
-    if (path == NULL) {
-        scene_fail(parser, "out of memory");
-        return NULL;
-    }
+    char *path = xcalloc(folder + token->length + 1, 1);
     memcpy(path, parser->name, folder);
     memcpy(path + folder, token->text, token->length);
-    path[folder + token->length] = '\0';
     return path;
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "scene_parser.h"
+#include "xalloc.h"
 #include "system.h"
 
 /* ---- Lines ---- */
@@ -118,10 +119,10 @@ bool scene_statement_pass(struct scene_parser *parser, const int32_t *value)
         return false;
     }
     fresh.texel_count = parser->texel_count;
-    struct scene *next = fresh.pass_count < MOST ? malloc(sizeof *next) : NULL;
-    if (next == NULL) {
+    if (fresh.pass_count >= MOST) {
         return scene_fail(parser, "there are too many");
     }
+    struct scene *next = xcalloc(1, sizeof *next);
     begin_pass(&fresh, next);
     copy_picture(parser->first, next);
     next->triangle_count = parser->scene->triangle_count;
@@ -169,15 +170,12 @@ bool scene_parse(const char *name, const char *text, size_t length, struct scene
     return parse(name, text, length, NULL, &how, scene, error);
 }
 
-/* The folder of `path` without links; NULL when memory runs out or it is gone. */
+/* The folder of `path` without links; NULL when it is gone. */
 static char *folder_of(const char *path)
 {
     const char *slash = strrchr(path, '/');
     const size_t length = slash == NULL ? 0 : (size_t)(slash - path) + 1;
-    char *folder = malloc(length + 2);
-    if (folder == NULL) {
-        return NULL;
-    }
+    char *folder = xcalloc(length + 2, 1);
     memcpy(folder, path, length);
     memcpy(folder + length, ".", 2);
     char *real = system_real_path(folder);

@@ -9,6 +9,7 @@
 #include "mipmap.h"
 #include "palette.h"
 #include "picture.h"
+#include "xalloc.h"
 
 /* ---- Statements ---- */
 
@@ -77,14 +78,11 @@ static int field_of(const struct scene_texture_request *request, int x, int y)
     return (y * request->cells / request->height + x * request->cells / request->width) & 1;
 }
 
-static bool make_checkers(struct scene_parser *parser)
+static void make_checkers(struct scene_parser *parser)
 {
     const struct scene_texture_request *request = &parser->texture;
     struct scene_texture *texture = &parser->scene->texture;
-    texture->rgb = malloc((size_t)request->width * (size_t)request->height * 3);
-    if (texture->rgb == NULL) {
-        return scene_fail(parser, "out of memory");
-    }
+    texture->rgb = xcalloc((size_t)request->width * (size_t)request->height, 3);
     texture->width = request->width;
     texture->height = request->height;
     uint8_t *texel = texture->rgb;
@@ -93,7 +91,6 @@ static bool make_checkers(struct scene_parser *parser)
             memcpy(texel, request->rgb[field_of(request, x, y)], 3);
         }
     }
-    return true;
 }
 
 static bool is_texture_side(int side)
@@ -130,7 +127,11 @@ static bool make_texels(struct scene_parser *parser)
     }
     parser->line = parser->texture.line; /* where the message belongs */
     parser->statement = parser->texture.statement;
-    return parser->texture.kind == SCENE_OF_FILE ? read_texture(parser) : make_checkers(parser);
+    if (parser->texture.kind == SCENE_OF_FILE) {
+        return read_texture(parser);
+    }
+    make_checkers(parser);
+    return true;
 }
 
 /* ---- Alpha ---- */
@@ -201,10 +202,7 @@ static bool make_alpha(struct scene_parser *parser)
                     "the texformat has alpha: what is not drawn has an alpha of 0");
     }
     const size_t count = (size_t)texture->width * (size_t)texture->height;
-    texture->alpha = malloc(count);
-    if (texture->alpha == NULL) {
-        return fail(parser, parser->texformat_line, "texformat", "out of memory");
-    }
+    texture->alpha = xcalloc(count, 1);
     memset(texture->alpha, 255, count);
     return request->kind == SCENE_OF_NOTHING ||
            (request->kind == SCENE_OF_FILE ? read_alpha(parser) : make_alpha_checkers(parser));
@@ -233,40 +231,32 @@ static void finish_pixel(const struct scene *scene, const struct palette *palett
     }
 }
 
-static bool make_levels(struct scene *scene, const struct palette *palette)
+static void make_levels(struct scene *scene, const struct palette *palette)
 {
     struct scene_texture *texture = &scene->texture;
     const size_t count = (size_t)texture->width * (size_t)texture->height;
-    uint8_t *rgba = malloc(4 * count), *smaller = malloc(4 * count);
-    bool ok = rgba != NULL && smaller != NULL;
-    for (size_t i = 0; ok && i < count; i++) {
+    uint8_t *rgba = xcalloc(count, 4), *smaller = xcalloc(count, 4);
+    for (size_t i = 0; i < count; i++) {
         const bool hidden =
             scene->texture_keyed && memcmp(&texture->rgb[3 * i], scene->texture_key, 3) == 0;
         memcpy(&rgba[4 * i], &texture->rgb[3 * i], 3);
         rgba[4 * i + 3] = hidden ? 0 : texture->alpha != NULL ? texture->alpha[i] : 255;
     }
-    for (int level = 1; ok && level <= mipmap_count(texture->width); level++) {
+    for (int level = 1; level <= mipmap_count(texture->width); level++) {
         const size_t pixels = (size_t)mipmap_side(texture->width, level) *
                               (size_t)mipmap_side(texture->height, level);
-        uint8_t *rgb = malloc(3 * pixels);
-        uint8_t *alpha = malloc(pixels);
-        ok = rgb != NULL && alpha != NULL;
-        if (!ok) {
-            free(rgb);
-            free(alpha);
-        } else {
-            texture->level_alpha[texture->level_count] = alpha;
-            texture->level[texture->level_count++] = rgb;
-            mipmap_level(rgba, texture->width, texture->height, level, smaller);
-        }
-        for (size_t i = 0; ok && i < pixels; i++) {
+        uint8_t *rgb = xcalloc(pixels, 3);
+        uint8_t *alpha = xcalloc(pixels, 1);
+        texture->level_alpha[texture->level_count] = alpha;
+        texture->level[texture->level_count++] = rgb;
+        mipmap_level(rgba, texture->width, texture->height, level, smaller);
+        for (size_t i = 0; i < pixels; i++) {
             finish_pixel(scene, palette, &smaller[4 * i], &rgb[3 * i]);
             alpha[i] = smaller[4 * i + 3];
         }
     }
     free(rgba);
     free(smaller);
-    return ok;
 }
 
 bool scene_make_texture(struct scene_parser *parser)
@@ -284,8 +274,8 @@ bool scene_make_texture(struct scene_parser *parser)
                                   parser->texture.line, PALETTE_MAX);
         }
     }
-    if (scene->texture_mipmapped && scene->texture.width > 0 && !make_levels(scene, &palette)) {
-        return scene_fail(parser, "out of memory");
+    if (scene->texture_mipmapped && scene->texture.width > 0) {
+        make_levels(scene, &palette);
     }
     return true;
 }

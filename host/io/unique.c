@@ -5,8 +5,7 @@
 #include <string.h>
 
 #include "array.h"
-
-#define MOST_ITEMS ((size_t)1 << 31)
+#include "xalloc.h"
 
 /* Multiply and shift after each word: neighbours on a grid differ in few bits. */
 static size_t hash(const void *item, size_t size)
@@ -34,38 +33,28 @@ static uint32_t *find_slot(const struct unique *set, const void *item)
     return &set->slots[at];
 }
 
-static bool grow_slots(struct unique *set)
+static void grow_slots(struct unique *set)
 {
-    const size_t count = set->slot_count == 0 ? 64 : 2 * set->slot_count;
-    uint32_t *slots = calloc(count, sizeof *slots);
-    if (slots != NULL) {
-        free(set->slots);
-        set->slots = slots;
-        set->slot_count = count;
-        for (size_t i = 0; i < set->count; i++) {
-            *find_slot(set, (const char *)set->items + i * set->item_size) = (uint32_t)(i + 1);
-        }
+    free(set->slots);
+    set->slot_count = set->slot_count == 0 ? 64 : 2 * set->slot_count;
+    set->slots = xcalloc(set->slot_count, sizeof *set->slots);
+    for (size_t i = 0; i < set->count; i++) {
+        *find_slot(set, (const char *)set->items + i * set->item_size) = (uint32_t)(i + 1);
     }
-    return slots != NULL;
 }
 
-bool unique_add(struct unique *set, const void *item, uint32_t *number)
+uint32_t unique_add(struct unique *set, const void *item)
 {
-    if (2 * (set->count + 1) > set->slot_count && !grow_slots(set)) {
-        return false;
+    if (2 * (set->count + 1) > set->slot_count) {
+        grow_slots(set);
     }
     uint32_t *slot = find_slot(set, item);
     if (*slot == 0) {
-        void *grown = array_grow(set->items, set->count, &set->capacity, set->item_size);
-        if (grown == NULL || set->count >= MOST_ITEMS) {
-            return false;
-        }
-        set->items = grown;
-        memcpy((char *)grown + set->count * set->item_size, item, set->item_size);
+        set->items = array_grow(set->items, set->count, &set->capacity, set->item_size);
+        memcpy((char *)set->items + set->count * set->item_size, item, set->item_size);
         *slot = (uint32_t)++set->count;
     }
-    *number = *slot - 1;
-    return true;
+    return *slot - 1;
 }
 
 void unique_free(struct unique *set)
@@ -79,11 +68,10 @@ size_t unique_numbers(const void *items, size_t count, size_t stride, size_t ite
                       uint32_t *numbers)
 {
     struct unique set = {.item_size = item_size};
-    bool ok = true;
-    for (size_t i = 0; ok && i < count; i++) {
-        ok = unique_add(&set, (const char *)items + i * stride, &numbers[i]);
+    for (size_t i = 0; i < count; i++) {
+        numbers[i] = unique_add(&set, (const char *)items + i * stride);
     }
-    const size_t distinct = ok ? set.count : SIZE_MAX;
+    const size_t distinct = set.count;
     unique_free(&set);
     return distinct;
 }

@@ -5,7 +5,6 @@
 #ifndef QTRI_HOST_IO_UNIQUE_H
 #define QTRI_HOST_IO_UNIQUE_H
 
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -18,12 +17,12 @@ struct unique {
     size_t slot_count;
 };
 
-/* The number of the item that is equal, new or known. False when memory runs out. */
-bool unique_add(struct unique *set, const void *item, uint32_t *number);
+/* The number of the item that is equal, new or known; there are fewer than 2^31. */
+uint32_t unique_add(struct unique *set, const void *item);
 void unique_free(struct unique *set);
 
 /* Numbers the distinct ones of `count` items that are `stride` bytes apart: numbers[count]. Returns
-   how many there are, or SIZE_MAX when memory runs out. */
+   how many there are. */
 size_t unique_numbers(const void *items, size_t count, size_t stride, size_t item_size,
                       uint32_t *numbers);
 

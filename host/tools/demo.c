@@ -153,10 +153,7 @@ static long list_names(const char *folder, const char *ending, file_name **names
             continue;
         }
         file_name *name = array_add(names, &count, &capacity, sizeof *name);
-        ok = name != NULL;
-        if (ok) {
-            (void)snprintf(*name, sizeof *name, "%s", entry->d_name);
-        }
+        (void)snprintf(*name, sizeof *name, "%s", entry->d_name);
     }
     if (entries != NULL) {
         (void)closedir(entries);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "../io/unique.h"
+#include "../io/xalloc.h"
 
 /* An edge from place to place: numbers of distinct positions. */
 struct edge {
@@ -36,12 +37,12 @@ static int compare_edges(const void *left, const void *right)
                            (int64_t)b->triangle * 3 + b->corner);
 }
 
-static bool number_places(const qtri_mesh *mesh, uint32_t *places)
+static void number_places(const qtri_mesh *mesh, uint32_t *places)
 {
     const bool is_wide = mesh->positions16 == NULL;
     const void *positions = is_wide ? (const void *)mesh->positions : mesh->positions16;
     const size_t size = is_wide ? sizeof *mesh->positions : sizeof *mesh->positions16;
-    return unique_numbers(positions, mesh->vertex_count, size, size, places) != SIZE_MAX;
+    (void)unique_numbers(positions, mesh->vertex_count, size, size, places);
 }
 
 /* Edges of triangles whose indices exist; returns how many. */
@@ -90,35 +91,35 @@ static bool is_same_place(const struct edge *a, const struct edge *b)
 bool mesh_neighbours_make(qtri_mesh *mesh, uint16_t (*neighbours)[3])
 {
     const uint32_t count = mesh->triangle_count;
-    uint32_t *places = malloc((mesh->vertex_count + (size_t)1) * sizeof *places);
-    struct edge *edges = malloc((3 * (size_t)count + 1) * sizeof *edges);
-    const bool ok =
-        places != NULL && edges != NULL && count <= UINT16_MAX && number_places(mesh, places);
     mesh->neighbours = NULL;
-    if (ok) {
-        const uint32_t found = find_edges(mesh, places, edges);
-        qsort(edges, found, sizeof *edges, compare_edges);
-        for (uint32_t i = 0; i < count; i++) {
-            for (int corner = 0; corner < 3; corner++) {
-                neighbours[i][corner] = (uint16_t)count;
-            }
-        }
-        for (uint32_t i = 0, end; i < found; i = end) {
-            for (end = i + 1; end < found && is_same_place(&edges[i], &edges[end]); end++) {
-            }
-            pair(&edges[i], end - i, neighbours, (uint16_t)count);
-        }
-        mesh->neighbours = (const uint16_t(*)[3])neighbours;
+    if (count > UINT16_MAX) {
+        return false;
     }
+    uint32_t *places = xcalloc(mesh->vertex_count, sizeof *places);
+    struct edge *edges = xcalloc(3 * (size_t)count, sizeof *edges);
+    number_places(mesh, places);
+    const uint32_t found = find_edges(mesh, places, edges);
+    qsort(edges, found, sizeof *edges, compare_edges);
+    for (uint32_t i = 0; i < count; i++) {
+        for (int corner = 0; corner < 3; corner++) {
+            neighbours[i][corner] = (uint16_t)count;
+        }
+    }
+    for (uint32_t i = 0, end; i < found; i = end) {
+        for (end = i + 1; end < found && is_same_place(&edges[i], &edges[end]); end++) {
+        }
+        pair(&edges[i], end - i, neighbours, (uint16_t)count);
+    }
+    mesh->neighbours = (const uint16_t(*)[3])neighbours;
     free(places);
     free(edges);
-    return ok;
+    return true;
 }
 
 bool mesh_neighbours_add(qtri_mesh *mesh)
 {
-    uint16_t(*neighbours)[3] = malloc((mesh->triangle_count + (size_t)1) * sizeof *neighbours);
-    const bool ok = neighbours != NULL && mesh_neighbours_make(mesh, neighbours);
+    uint16_t(*neighbours)[3] = xcalloc(mesh->triangle_count, sizeof *neighbours);
+    const bool ok = mesh_neighbours_make(mesh, neighbours);
     if (!ok) {
         free(neighbours);
     }

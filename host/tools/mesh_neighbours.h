@@ -14,7 +14,7 @@
  * mesh->neighbours. Two triangles are neighbours where they have an edge in opposite directions
  * between the same positions: seams of normals or texture coordinates are none. Where more than two
  * triangles meet in an edge, pairs are made in the order of the mesh.
- * False when memory runs out, or the mesh has more than 65535 triangles: it has no neighbours then.
+ * False where the mesh has more than 65535 triangles: it has no neighbours then.
  */
 bool mesh_neighbours_make(qtri_mesh *mesh, uint16_t (*neighbours)[3]);
 

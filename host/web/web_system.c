@@ -2,11 +2,20 @@
 /* Of ../io/system.h and ../assets/apart.h what the page needs: there are no links to follow, no
    signals and no processes. */
 #define _XOPEN_SOURCE 700
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../assets/apart.h"
 #include "../io/system.h"
+#include "../io/xalloc.h"
+
+/* The page starts the module anew, and says that the model is more than it can take. */
+void xalloc_die(void)
+{
+    fputs("out of memory\n", stderr);
+    abort();
+}
 
 char *system_real_path(const char *path)
 {
