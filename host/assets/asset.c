@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../io/unique.h"
+#include "../io/xalloc.h"
 #include "mesh_arrays.h"
 
 #define ONE 65536.0
@@ -183,12 +184,11 @@ static bool has_area(const int32_t *a, const int32_t *b, const int32_t *c)
     return false;
 }
 
-static bool add_triangles(struct draft *draft, const struct packing *packing,
+static void add_triangles(struct draft *draft, const struct packing *packing,
                           const struct model *model, int material, struct unique *vertices,
                           struct asset_error *error)
 {
-    bool ok = true;
-    for (size_t i = 0; ok && i < model->triangle_count; i++) {
+    for (size_t i = 0; i < model->triangle_count; i++) {
         const uint32_t *corner = model->triangles[i];
         struct packed packed[3];
         if (material >= 0 && model->vertices[corner[0]].material != material) {
@@ -199,25 +199,24 @@ static bool add_triangles(struct draft *draft, const struct packing *packing,
         }
         if (has_area(packed[0].number, packed[1].number, packed[2].number)) {
             uint32_t *triangle = draft->triangles[draft->triangle_count++];
-            for (int j = 0; ok && j < 3; j++) {
+            for (int j = 0; j < 3; j++) {
                 measure(packing, &model->vertices[corner[j]], &packed[j], error);
                 triangle[j] = unique_add(vertices, &packed[j]);
             }
         }
     }
-    return ok;
 }
 
 /* Triangles for the cache, or as they are; vertices in the order of their first use. */
-static bool order(struct draft *draft, bool keep_order)
+static void order(struct draft *draft, bool keep_order)
 {
-    struct packed *moved = calloc(draft->vertex_count + 1, sizeof *moved);
-    uint32_t *place = calloc(draft->vertex_count + 1, sizeof *place); /* new index + 1, or 0 */
-    bool ok = moved != NULL && place != NULL &&
-              (keep_order ||
-               asset_order_triangles(draft->triangles, draft->triangle_count, draft->vertex_count));
+    struct packed *moved = xcalloc(draft->vertex_count, sizeof *moved);
+    uint32_t *place = xcalloc(draft->vertex_count, sizeof *place); /* new index + 1, or 0 */
+    if (!keep_order) {
+        asset_order_triangles(draft->triangles, draft->triangle_count, draft->vertex_count);
+    }
     uint32_t count = 0;
-    for (size_t i = 0; ok && i < 3 * draft->triangle_count; i++) {
+    for (size_t i = 0; i < 3 * draft->triangle_count; i++) {
         uint32_t *corner = &draft->triangles[i / 3][i % 3];
         if (place[*corner] == 0) {
             moved[count] = draft->vertices[*corner];
@@ -225,48 +224,40 @@ static bool order(struct draft *draft, bool keep_order)
         }
         *corner = place[*corner] - 1;
     }
-    if (ok) {
-        free(draft->vertices);
-        draft->vertices = moved;
-        moved = NULL;
-    }
-    free(moved);
+    free(draft->vertices);
+    draft->vertices = moved;
     free(place);
-    return ok;
 }
 
 /* Of all triangles, or of those of a material, 0 or more. */
-static bool make_draft(struct draft *draft, const struct packing *packing,
+static void make_draft(struct draft *draft, const struct packing *packing,
                        const struct model *model, int material, struct asset_error *error)
 {
     struct unique vertices = {.item_size = sizeof *draft->vertices};
-    draft->triangles = calloc(model->triangle_count + 1, sizeof *draft->triangles);
-    bool ok = draft->triangles != NULL &&
-              add_triangles(draft, packing, model, material, &vertices, error);
-    if (ok) {
-        draft->vertices = vertices.items;
-        draft->vertex_count = vertices.count;
-        vertices.items = NULL;
-        ok = order(draft, packing->options->keep_order);
-    }
+    draft->triangles = xcalloc(model->triangle_count, sizeof *draft->triangles);
+    add_triangles(draft, packing, model, material, &vertices, error);
+    draft->vertices = vertices.items;
+    draft->vertex_count = vertices.count;
+    vertices.items = NULL;
     unique_free(&vertices);
-    return ok;
+    order(draft, packing->options->keep_order);
 }
 
 /* ---- The arrays of a part ---- */
 
-/* The packed numbers of vertices from `first` on; true without an array that is not wanted. */
-static bool make_array(struct asset_part *part, const struct draft *draft, enum mesh_array which,
+/* The packed numbers of vertices from `first` on, if they are wanted. */
+static void make_array(struct asset_part *part, const struct draft *draft, enum mesh_array which,
                        int first, bool is_wanted)
 {
-    const bool ok = !is_wanted || mesh_array_create(&part->mesh, which);
-    for (size_t i = 0; ok && is_wanted && i < draft->vertex_count; i++) {
+    if (is_wanted) {
+        mesh_array_create(&part->mesh, which);
+    }
+    for (size_t i = 0; is_wanted && i < draft->vertex_count; i++) {
         mesh_array_put(&part->mesh, which, i, &draft->vertices[i].number[first]);
     }
-    return ok;
 }
 
-static bool make_vertices(struct asset_part *part, const struct draft *draft,
+static void make_vertices(struct asset_part *part, const struct draft *draft,
                           const struct packing *packing)
 {
     const bool compact = packing->options->compact;
@@ -276,13 +267,11 @@ static bool make_vertices(struct asset_part *part, const struct draft *draft,
         part->mesh.origin.z = (q16)packing->origin[2];
         part->mesh.extent = (q16)packing->extent;
     }
-    return make_array(part, draft, compact ? MESH_POSITIONS16 : MESH_POSITIONS, PACKED_POSITION,
-                      true) &&
-           make_array(part, draft, compact ? MESH_NORMALS8 : MESH_NORMALS, PACKED_NORMAL,
-                      packing->options->normals) &&
-           make_array(part, draft, packing->compact_uvs ? MESH_UVS16 : MESH_UVS, PACKED_UV,
-                      packing->uvs) &&
-           make_array(part, draft, MESH_COLORS, PACKED_COLOR, packing->colors);
+    make_array(part, draft, compact ? MESH_POSITIONS16 : MESH_POSITIONS, PACKED_POSITION, true);
+    make_array(part, draft, compact ? MESH_NORMALS8 : MESH_NORMALS, PACKED_NORMAL,
+               packing->options->normals);
+    make_array(part, draft, packing->compact_uvs ? MESH_UVS16 : MESH_UVS, PACKED_UV, packing->uvs);
+    make_array(part, draft, MESH_COLORS, PACKED_COLOR, packing->colors);
 }
 
 /* One colour of all vertices is the material's. */
@@ -301,24 +290,24 @@ static void share_color(struct asset_part *part)
     }
 }
 
-static bool make_triangles(struct asset_part *part, const struct draft *draft,
+static void make_triangles(struct asset_part *part, const struct draft *draft,
                            const struct packing *packing)
 {
     const bool narrow = packing->options->compact && draft->vertex_count <= 256;
-    return mesh_array_fill(&part->mesh, narrow ? MESH_TRIANGLES8 : MESH_TRIANGLES,
-                           (const int32_t *)draft->triangles[0]);
+    mesh_array_fill(&part->mesh, narrow ? MESH_TRIANGLES8 : MESH_TRIANGLES,
+                    (const int32_t *)draft->triangles[0]);
 }
 
 /* The targets of a morph as 16-bit positions, which wide meshes have none of. */
-static bool make_targets(struct asset_part *part, const struct draft *draft,
+static void make_targets(struct asset_part *part, const struct draft *draft,
                          const struct packing *packing, const struct model *model)
 {
     const size_t count = draft->vertex_count;
     const struct model_morph *morph = &model->morphs[part->material.morph - 1];
     part->target_count = morph->target_count;
     part->first_weight = MODEL_TRACK_WEIGHTS * morph->first_track;
-    part->targets = calloc(count * part->target_count + 1, sizeof *part->targets);
-    for (size_t i = 0; part->targets != NULL && i < count * part->target_count; i++) {
+    part->targets = xcalloc(count * part->target_count, sizeof *part->targets);
+    for (size_t i = 0; i < count * part->target_count; i++) {
         const int32_t *base = draft->vertices[i % count].number;
         const double *shift = model->shifts[(size_t)base[PACKED_SHIFT] + i / count];
         int16_t to[3];
@@ -329,7 +318,6 @@ static bool make_targets(struct asset_part *part, const struct draft *draft,
         const qtri_position16 target = {to[0], to[1], to[2]};
         part->targets[i] = target;
     }
-    return part->targets != NULL;
 }
 
 /* Between what a vertex is with weights from 0 to 1. */
@@ -377,28 +365,29 @@ static void set_bounds(struct asset_part *part, const struct draft *draft,
 }
 
 /* Planes of faces that pay. */
-static bool make_planes(struct asset_part *part, const struct packing *packing)
+static void make_planes(struct asset_part *part, const struct packing *packing)
 {
-    qtri_face8 *planes = calloc(part->mesh.triangle_count, sizeof *planes);
-    if (planes != NULL && !packing->options->make_faces(&part->mesh, planes)) {
+    qtri_face8 *planes = xcalloc(part->mesh.triangle_count, sizeof *planes);
+    if (!packing->options->make_faces(&part->mesh, planes)) {
         free(planes);
     }
-    return planes != NULL;
 }
 
-static bool make_part(struct asset_part *part, const struct draft *draft,
+static void make_part(struct asset_part *part, const struct draft *draft,
                       const struct packing *packing, const struct model *model)
 {
     const bool has_targets = part->material.morph > 0 && packing->options->compact;
     part->mesh.vertex_count = (uint32_t)draft->vertex_count;
     part->mesh.triangle_count = (uint32_t)draft->triangle_count;
-    if (!make_vertices(part, draft, packing) || !make_triangles(part, draft, packing) ||
-        (has_targets && !make_targets(part, draft, packing, model))) {
-        return false;
+    make_vertices(part, draft, packing);
+    make_triangles(part, draft, packing);
+    if (has_targets) {
+        make_targets(part, draft, packing, model);
     }
     set_bounds(part, draft, packing);
-    /* planes stay where they are */
-    return packing->options->make_faces == NULL || has_targets || make_planes(part, packing);
+    if (packing->options->make_faces != NULL && !has_targets) { /* planes stay where they are */
+        make_planes(part, packing);
+    }
 }
 
 /* ---- The asset ---- */
@@ -447,23 +436,20 @@ static bool add_part(struct asset *asset, const char *path, const struct packing
     if (shared->options->merged) {
         own.uvs = own.uvs && model->materials[material].texture[0] != '\0';
     }
-    bool ok = make_draft(&draft, packing, model, material, &asset->error) ||
-              text_error_set(error, path, 0, "out of memory");
-    if (ok && draft.vertex_count > MOST_VERTICES) {
+    make_draft(&draft, packing, model, material, &asset->error);
+    const bool ok = draft.vertex_count <= MOST_VERTICES;
+    if (!ok) {
         text_error_set(error, path, 0, "%zu vertices, and a mesh has up to 65536; see --simplify",
                        draft.vertex_count);
-        ok = false;
-    }
-    if (ok && draft.triangle_count > 0) {
+    } else if (draft.triangle_count > 0) {
         asset->count++;
         part->material = model->materials[material < 0 ? 0 : material];
         part->texture = -1;
         if (packing->colors) {
             memset(part->material.color, 255, sizeof part->material.color);
         }
-        ok = make_part(part, &draft, packing, model) ||
-             text_error_set(error, path, 0, "out of memory");
-        if (ok && packing->options->merged) {
+        make_part(part, &draft, packing, model);
+        if (packing->options->merged) {
             share_color(part);
         }
     }
@@ -476,15 +462,15 @@ static bool add_part(struct asset *asset, const char *path, const struct packing
 static bool add_parts(struct asset *asset, const char *path, const struct packing *packing,
                       const struct model *model, struct text_error *error)
 {
-    bool *used = calloc(model->material_count + 1, sizeof *used);
-    bool ok = used != NULL || text_error_set(error, path, 0, "out of memory");
+    bool *used = xcalloc(model->material_count, sizeof *used);
+    bool ok = true;
     size_t count = 0;
-    for (size_t i = 0; ok && i < model->triangle_count; i++) {
+    for (size_t i = 0; i < model->triangle_count; i++) {
         bool *flag = &used[model->vertices[model->triangles[i][0]].material];
         count += *flag ? 0 : 1;
         *flag = true;
     }
-    if (ok && count > 64) {
+    if (count > 64) {
         ok = text_error_set(
             error, path, 0, "%s",
             packing->options->merged
@@ -508,12 +494,9 @@ bool asset_make(const char *path, const struct model *model, const struct asset_
     if (!set_packing(&packing, path, model, error)) {
         return false;
     }
-    asset->parts = calloc(model->material_count + 1, sizeof *asset->parts);
-    bool ok = asset->parts != NULL || text_error_set(error, path, 0, "out of memory");
-    if (ok) {
-        ok = options->colors ? add_part(asset, path, &packing, model, -1, error)
-                             : add_parts(asset, path, &packing, model, error);
-    }
+    asset->parts = xcalloc(model->material_count + 1, sizeof *asset->parts);
+    bool ok = options->colors ? add_part(asset, path, &packing, model, -1, error)
+                              : add_parts(asset, path, &packing, model, error);
     if (ok && asset->count == 0) {
         ok = text_error_set(error, path, 0,
                             "is so small that no triangle is left; --fit makes it larger");

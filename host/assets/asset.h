@@ -70,15 +70,15 @@ struct asset {
  * Makes meshes of a welded model. Vertices that are equal in what the microcontroller will see are
  * one, triangles that have no area there are left out, triangles follow each other so that vertices
  * are used again soon unless `keep_order`, vertices in the order of their first use. False with
- * *error set, which begins with `path`: what does not fit a qtri_mesh, or out of memory.
+ * *error set, which begins with `path`: what does not fit a qtri_mesh.
  */
 bool asset_make(const char *path, const struct model *model, const struct asset_options *options,
                 struct asset *asset, struct text_error *error);
 void asset_free(struct asset *asset);
 
-/* Reorders triangles (indices of `vertices` vertices); false when memory runs out. Without the
-   library they stay as they are. */
-bool asset_order_triangles(uint32_t (*triangles)[3], size_t count, size_t vertices);
+/* Reorders triangles (indices of `vertices` vertices). Without the library they stay as they are.
+ */
+void asset_order_triangles(uint32_t (*triangles)[3], size_t count, size_t vertices);
 
 uint32_t asset_vertex_count(const struct asset *asset);
 uint32_t asset_triangle_count(const struct asset *asset);

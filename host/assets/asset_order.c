@@ -8,12 +8,11 @@
 
 #include <meshoptimizer.h>
 
-bool asset_order_triangles(uint32_t (*triangles)[3], size_t count, size_t vertices)
+#include "../io/xalloc.h"
+
+void asset_order_triangles(uint32_t (*triangles)[3], size_t count, size_t vertices)
 {
-    unsigned int *indices = calloc(3 * count + 3, sizeof *indices);
-    if (indices == NULL) {
-        return false;
-    }
+    unsigned int *indices = xcalloc(3 * count, sizeof *indices);
     for (size_t i = 0; i < 3 * count; i++) {
         indices[i] = triangles[i / 3][i % 3];
     }
@@ -22,17 +21,15 @@ bool asset_order_triangles(uint32_t (*triangles)[3], size_t count, size_t vertic
         triangles[i / 3][i % 3] = indices[i];
     }
     free(indices);
-    return true;
 }
 
 #else
 
-bool asset_order_triangles(uint32_t (*triangles)[3], size_t count, size_t vertices)
+void asset_order_triangles(uint32_t (*triangles)[3], size_t count, size_t vertices)
 {
     (void)triangles;
     (void)count;
     (void)vertices;
-    return true;
 }
 
 #endif

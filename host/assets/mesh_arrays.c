@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/xalloc.h"
+
 /* clang-format off */
 #define KIND(member, name, type, numbers, bytes, is_signed, of_triangles) \
     {#member, name, type, offsetof(qtri_mesh, member), numbers, bytes, is_signed, of_triangles}
@@ -55,11 +57,9 @@ size_t mesh_array_bytes(const qtri_mesh *mesh)
     return bytes;
 }
 
-bool mesh_array_create(qtri_mesh *mesh, enum mesh_array which)
+void mesh_array_create(qtri_mesh *mesh, enum mesh_array which)
 {
-    void *array = calloc(mesh_array_count(mesh, which) + 1, element_bytes(which));
-    set(mesh, which, array);
-    return array != NULL;
+    set(mesh, which, xcalloc(mesh_array_count(mesh, which), element_bytes(which)));
 }
 
 void mesh_array_free(qtri_mesh *mesh, enum mesh_array which)
@@ -97,14 +97,13 @@ void mesh_array_put(const qtri_mesh *mesh, enum mesh_array which, size_t i, cons
     }
 }
 
-bool mesh_array_fill(qtri_mesh *mesh, enum mesh_array which, const int32_t *numbers)
+void mesh_array_fill(qtri_mesh *mesh, enum mesh_array which, const int32_t *numbers)
 {
-    const bool ok = mesh_array_create(mesh, which);
-    for (size_t i = 0; ok && i < mesh_array_count(mesh, which); i++) {
+    mesh_array_create(mesh, which);
+    for (size_t i = 0; i < mesh_array_count(mesh, which); i++) {
         mesh_array_put(mesh, which, i, numbers);
         numbers += mesh_array_kinds[which].numbers;
     }
-    return ok;
 }
 
 void mesh_arrays_free(qtri_mesh *mesh)

@@ -42,13 +42,13 @@ void *mesh_array(const qtri_mesh *mesh, enum mesh_array which);
 size_t mesh_array_count(const qtri_mesh *mesh, enum mesh_array which);
 size_t mesh_array_bytes(const qtri_mesh *mesh);
 
-/* Gives the mesh an array of zeros, the counts being set; false when memory runs out. */
-bool mesh_array_create(qtri_mesh *mesh, enum mesh_array which);
+/* Gives the mesh an array of zeros, the counts being set. */
+void mesh_array_create(qtri_mesh *mesh, enum mesh_array which);
 void mesh_array_free(qtri_mesh *mesh, enum mesh_array which);
 void mesh_arrays_free(qtri_mesh *mesh);
 
 /* Gives the mesh an array of these numbers, one element behind the other. */
-bool mesh_array_fill(qtri_mesh *mesh, enum mesh_array which, const int32_t *numbers);
+void mesh_array_fill(qtri_mesh *mesh, enum mesh_array which, const int32_t *numbers);
 
 /* The numbers of element `i`. */
 void mesh_array_get(const qtri_mesh *mesh, enum mesh_array which, size_t i, int32_t *numbers);

@@ -21,6 +21,7 @@
 #include "../io/file.h"
 #include "../io/file_identity.h"
 #include "../io/obj.h"
+#include "../io/xalloc.h"
 #include "../tools/mesh_generate.h"
 #include "mesh_write.h"
 
@@ -144,48 +145,37 @@ static void set_cell(struct obj_mesh *mesh, int columns, int column, int row)
 }
 
 /* Room for columns x rows cells of two triangles. */
-static bool begin_grid(struct obj_mesh *mesh, int columns, int rows)
+static void begin_grid(struct obj_mesh *mesh, int columns, int rows)
 {
     memset(mesh, 0, sizeof *mesh);
     mesh->vertex_count = (size_t)(columns + 1) * (size_t)(rows + 1);
     mesh->triangle_count = (size_t)2 * (size_t)columns * (size_t)rows;
-    mesh->positions = calloc(mesh->vertex_count, sizeof *mesh->positions);
-    mesh->normals = calloc(mesh->vertex_count, sizeof *mesh->normals);
-    mesh->uvs = calloc(mesh->vertex_count, sizeof *mesh->uvs);
-    mesh->triangles = calloc(mesh->triangle_count, sizeof *mesh->triangles);
-    if (mesh->positions == NULL || mesh->normals == NULL || mesh->uvs == NULL ||
-        mesh->triangles == NULL) {
-        obj_free(mesh);
-        return false;
-    }
+    mesh->positions = xcalloc(mesh->vertex_count, sizeof *mesh->positions);
+    mesh->normals = xcalloc(mesh->vertex_count, sizeof *mesh->normals);
+    mesh->uvs = xcalloc(mesh->vertex_count, sizeof *mesh->uvs);
+    mesh->triangles = xcalloc(mesh->triangle_count, sizeof *mesh->triangles);
     for (int row = 0; row < rows; row++) {
         for (int column = 0; column < columns; column++) {
             set_cell(mesh, columns, column, row);
         }
     }
-    return true;
 }
 
-static bool make_wall(struct obj_mesh *mesh)
+static void make_wall(struct obj_mesh *mesh)
 {
-    if (!begin_grid(mesh, WALL_COLUMNS, WALL_ROWS)) {
-        return false;
-    }
+    begin_grid(mesh, WALL_COLUMNS, WALL_ROWS);
     for (int row = 0; row <= WALL_ROWS; row++) {
         for (int column = 0; column <= WALL_COLUMNS; column++) {
             set_wall_vertex(mesh, column, row);
         }
     }
-    return true;
 }
 
 /* Radii .8 and .45 around the z axis; u from 0 to 1.9 around it, v from 0 to 1 around the tube. */
-static bool make_torus(struct obj_mesh *mesh, const struct model *model)
+static void make_torus(struct obj_mesh *mesh, const struct model *model)
 {
     const double turn = 2.0 * acos(-1.0);
-    if (!begin_grid(mesh, model->slices, model->rings)) {
-        return false;
-    }
+    begin_grid(mesh, model->slices, model->rings);
     for (int ring = 0, i = 0; ring <= model->rings; ring++) {
         for (int slice = 0; slice <= model->slices; slice++, i++) {
             const double around = (double)slice / model->slices,
@@ -202,7 +192,6 @@ static bool make_torus(struct obj_mesh *mesh, const struct model *model)
             mesh->uvs[i][1] = round_q16(along * ONE);
         }
     }
-    return true;
 }
 
 /* The text of a mesh of ours, from a file in FOLDER. */
@@ -239,11 +228,11 @@ static bool write_model(FILE *out, const struct model *model, const char *folder
     char path[1024];
     struct text_error error = {0};
     struct obj_mesh mesh;
-    bool ok = false;
+    bool ok = true;
     if (model->source == SOURCE_WALL) {
-        ok = make_wall(&mesh);
+        make_wall(&mesh);
     } else if (model->source == SOURCE_TORUS) {
-        ok = make_torus(&mesh, model);
+        make_torus(&mesh, model);
     } else {
         snprintf(path, sizeof path, "%s/%s.obj", models_folder, model->file);
         if (model->source == SOURCE_GENERATED &&

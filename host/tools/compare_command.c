@@ -4,6 +4,7 @@
  */
 #include "../assets/image.h"
 #include "../io/file.h"
+#include "../io/xalloc.h"
 #include "commands.h"
 #include "compare.h"
 
@@ -91,13 +92,7 @@ static bool read_picture(const char *path, struct picture *picture)
         fprintf(stderr, "%s\n", error.message);
         return false;
     }
-    char *prefix = malloc(length + 1);
-    if (!prefix) {
-        fprintf(stderr, "qtri compare: out of memory\n");
-        picture_free(picture);
-        return false;
-    }
-    memcpy(prefix, path, length + 1);
+    char *prefix = xstrdup(path);
     if (file_name_ends_in(path, ".ppm") || file_name_ends_in(path, ".png"))
         prefix[length - 4] = '\0';
     bool read = picture_read_dump(prefix, picture, &error);

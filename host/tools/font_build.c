@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/xalloc.h"
+
 static void copy_glyph(qtri_glyph *to, const struct bdf_glyph *from)
 {
     to->first = (uint16_t)from->first;
@@ -14,15 +16,11 @@ static void copy_glyph(qtri_glyph *to, const struct bdf_glyph *from)
     to->advance = (uint8_t)from->advance;
 }
 
-bool font_build_create(struct font_build *build, const struct bdf_font *bdf)
+void font_build_create(struct font_build *build, const struct bdf_font *bdf)
 {
     memset(build, 0, sizeof *build);
-    build->glyphs = calloc(bdf->glyph_count, sizeof *build->glyphs);
-    build->ranges = calloc(bdf->glyph_count, sizeof *build->ranges);
-    if (build->glyphs == NULL || build->ranges == NULL) {
-        font_build_free(build);
-        return false;
-    }
+    build->glyphs = xcalloc(bdf->glyph_count, sizeof *build->glyphs);
+    build->ranges = xcalloc(bdf->glyph_count, sizeof *build->ranges);
     build->glyph_count = bdf->glyph_count;
     size_t count = 0;
     for (size_t i = 0; i < bdf->glyph_count; i++) {
@@ -42,7 +40,6 @@ bool font_build_create(struct font_build *build, const struct bdf_font *bdf)
     build->font.missing = (uint16_t)bdf->missing;
     build->font.ascent = (uint8_t)bdf->ascent;
     build->font.descent = (uint8_t)bdf->descent;
-    return true;
 }
 
 void font_build_free(struct font_build *build)

@@ -18,8 +18,8 @@ struct font_build {
     size_t glyph_count;
 };
 
-/* The bytes of rows stay the BDF font's, which must outlive this. False when memory runs out. */
-bool font_build_create(struct font_build *build, const struct bdf_font *bdf);
+/* The bytes of rows stay the BDF font's, which must outlive this. */
+void font_build_create(struct font_build *build, const struct bdf_font *bdf);
 void font_build_free(struct font_build *build);
 
 #endif

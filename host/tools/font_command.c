@@ -145,13 +145,9 @@ static bool run(void *given, struct text_error *error)
                                : bdf_read(options->in, &bdf, error))) {
         return false;
     }
-    bool ok = font_build_create(&build, &bdf);
-    if (!ok) {
-        text_error_set(error, options->in, 0, "out of memory");
-    } else {
-        ok = write_font(options, &bdf, &build, error);
-        font_build_free(&build);
-    }
+    font_build_create(&build, &bdf);
+    const bool ok = write_font(options, &bdf, &build, error);
+    font_build_free(&build);
     bdf_free(&bdf);
     return ok;
 }

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "../io/xalloc.h"
+
 /*
  * What a plane needs, by the bound in core/geometry/cull.c: with the eye's vector k of length 1, a
  * face of length s along its normal is culled where s n . k exceeds
@@ -227,10 +229,7 @@ static int compare_doubles(const void *a, const void *b)
 
 static double median_radius(const struct face *faces, uint32_t count)
 {
-    double *radius = malloc((count + 1) * sizeof *radius);
-    if (radius == NULL) {
-        return 0.0;
-    }
+    double *radius = xcalloc(count, sizeof *radius);
     for (uint32_t i = 0; i < count; i++) {
         radius[i] = faces[i].radius;
     }
@@ -248,11 +247,8 @@ static uint32_t above(double value, double most)
 double mesh_faces_fill(qtri_mesh *mesh, qtri_face8 *planes)
 {
     const uint32_t count = mesh->triangle_count;
-    struct face *faces = malloc((count + (size_t)1) * sizeof *faces);
+    struct face *faces = xcalloc(count, sizeof *faces);
     mesh->faces.planes = NULL;
-    if (faces == NULL) {
-        return 0.0;
-    }
     set_extent(mesh);
     for (uint32_t i = 0; i < count; i++) {
         set_face(&faces[i], mesh, i);
@@ -326,8 +322,8 @@ bool mesh_faces_make(qtri_mesh *mesh, qtri_face8 *planes)
 
 void mesh_faces_add(qtri_mesh *mesh)
 {
-    qtri_face8 *planes = calloc(mesh->triangle_count + (size_t)1, sizeof *planes);
-    if (planes != NULL && !mesh_faces_make(mesh, planes)) {
+    qtri_face8 *planes = xcalloc(mesh->triangle_count, sizeof *planes);
+    if (!mesh_faces_make(mesh, planes)) {
         free(planes);
     }
 }

@@ -23,8 +23,7 @@ double mesh_faces_fill(qtri_mesh *mesh, qtri_face8 *planes);
  */
 bool mesh_faces_make(qtri_mesh *mesh, qtri_face8 *planes);
 
-/* Gives a mesh such planes, in memory that is to be freed with it, where they pay and memory
- * suffices. */
+/* Gives a mesh such planes, in memory that is to be freed with it, where they pay. */
 void mesh_faces_add(qtri_mesh *mesh);
 
 #endif

@@ -25,16 +25,17 @@ struct options {
     char name[OPTION_NAME_SIZE];
 };
 
-/* Positions and triangles of the file, and neighbours; false where it has too many of either, or
-   memory ends. */
+/* Positions and triangles of the file, and neighbours; false where it has too many of either. */
 static bool make(const struct obj_mesh *from, qtri_mesh *mesh)
 {
     mesh->vertex_count = (uint32_t)from->vertex_count;
     mesh->triangle_count = (uint32_t)from->triangle_count;
-    return from->vertex_count <= 65536 && from->triangle_count <= UINT16_MAX &&
-           mesh_array_fill(mesh, MESH_POSITIONS, from->positions[0]) &&
-           mesh_array_fill(mesh, MESH_TRIANGLES, (const int32_t *)from->triangles[0]) &&
-           mesh_neighbours_add(mesh);
+    if (from->vertex_count > 65536 || from->triangle_count > UINT16_MAX) {
+        return false;
+    }
+    mesh_array_fill(mesh, MESH_POSITIONS, from->positions[0]);
+    mesh_array_fill(mesh, MESH_TRIANGLES, (const int32_t *)from->triangles[0]);
+    return mesh_neighbours_add(mesh);
 }
 
 static bool write(const char *path, const char *name, const qtri_mesh *mesh,
@@ -82,9 +83,9 @@ static bool run(void *given, struct text_error *error)
     if (!obj_read(options->in, &read, error)) {
         return false;
     }
-    const bool ok = make(&read, &mesh) ? write(options->out, options->name, &mesh, error)
-                                       : text_error_set(error, options->in, 0,
-                                                        "more than a mesh holds, or out of memory");
+    const bool ok = make(&read, &mesh)
+                        ? write(options->out, options->name, &mesh, error)
+                        : text_error_set(error, options->in, 0, "more than a mesh holds");
     mesh_arrays_free(&mesh);
     obj_free(&read);
     return ok;

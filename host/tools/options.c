@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../assets/asset.h"
+#include "../io/xalloc.h"
 
 const char *option_next(struct option_words *words)
 {
@@ -193,11 +194,7 @@ int options_run(const struct option_command *command, int argc, char **argv)
         }
         return 0;
     }
-    void *options = calloc(1, command->size);
-    if (options == NULL) {
-        (void)options_complain(command, "out of memory", "");
-        return 1;
-    }
+    void *options = xcalloc(1, command->size);
     if (command->defaults != NULL) {
         memcpy(options, command->defaults, command->size);
     }

@@ -14,6 +14,7 @@
 #include "../io/file.h"
 #include "../io/file_inputs.h"
 #include "../io/system.h"
+#include "../io/xalloc.h"
 #include "commands.h"
 #include "scene_draw.h"
 
@@ -135,18 +136,15 @@ static bool render(const struct options *options, const struct scene *scene,
     return ok;
 }
 
-/* The output's name with another ending, or none, in place of .ppm or .png; free() it. NULL when
-   memory runs out. */
+/* The output's name with another ending, or none, in place of .ppm or .png; free() it. */
 static char *name_with(const struct options *options, const char *ending)
 {
     const char *name = options->output;
     const bool is_named = file_name_ends_in(name, ".ppm") || file_name_ends_in(name, ".png");
     const size_t length = strlen(name) - (is_named ? 4 : 0);
     const size_t size = length + strlen(ending) + 1;
-    char *path = malloc(size);
-    if (path != NULL) {
-        (void)snprintf(path, size, "%.*s%s", (int)length, name, ending);
-    }
+    char *path = xcalloc(size, 1);
+    (void)snprintf(path, size, "%.*s%s", (int)length, name, ending);
     return path;
 }
 
@@ -155,9 +153,7 @@ static char *picture_path(const struct options *options)
 {
     const bool is_png = file_name_ends_in(options->output, ".png");
     if (file_is_stream(options->output)) {
-        const size_t size = strlen(options->output) + 1;
-        char *path = malloc(size);
-        return path != NULL ? memcpy(path, options->output, size) : NULL;
+        return xstrdup(options->output);
     }
     return name_with(options, is_png ? ".png" : ".ppm");
 }
@@ -166,12 +162,8 @@ static bool write_files(const struct options *options, const char *path,
                         const struct picture *picture, struct text_error *error)
 {
     char *prefix = name_with(options, "");
-    bool ok = prefix != NULL;
-    if (!ok) {
-        text_error_set(error, path, 0, "out of memory");
-    }
-    ok = ok && (!options->dump || picture_write_dump(prefix, picture, error)) &&
-         image_write_picture(path, picture, error);
+    const bool ok = (!options->dump || picture_write_dump(prefix, picture, error)) &&
+                    image_write_picture(path, picture, error);
     free(prefix);
     return ok;
 }
@@ -345,9 +337,6 @@ static bool run(void *given, struct text_error *error)
         return render_frames(options, error);
     }
     char *path = picture_path(options);
-    if (path == NULL) {
-        return text_error_set(error, options->scene, 0, "out of memory");
-    }
     const bool ok = render_file(options, path, error);
     free(path);
     return ok;

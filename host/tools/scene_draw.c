@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "../assets/mesh_arrays.h"
+#include "../io/xalloc.h"
 #include "mesh_neighbours.h"
 #include "scene_color.h"
 #include "scene_transform.h"
@@ -202,10 +203,7 @@ static void draw_stroke(struct drawing *d, const struct scene_op *op)
     const struct scene_stroke *from = &op->u.stroke;
     const qtri_stroke stroke = stroke_of(d, from);
     const uint32_t count = (uint32_t)from->count;
-    qtri_corner *corners = malloc((from->count + 1) * sizeof *corners);
-    if (corners == NULL) {
-        abort();
-    }
+    qtri_corner *corners = xcalloc(from->count, sizeof *corners);
     for (uint32_t i = 0; i < count; i++) {
         const struct scene_vertex *v = &d->resources->scene->stroke_vertices[from->first + i];
         corners[i] = corner_of(d, v, op->id);
@@ -269,8 +267,8 @@ static void note_edges(struct drawing *d, const qtri_mesh *mesh)
     qtri_outline outline;
     const uint32_t words =
         QTRI_OUTLINE_WORDS(mesh->triangle_count) + QTRI_OUTLINE_SUMS(mesh->vertex_count);
-    uint32_t *memory = malloc(words * sizeof *memory);
-    if (memory != NULL && qtri_outline_init(&outline, mesh, memory, words) == QTRI_OK) {
+    uint32_t *memory = xcalloc(words, sizeof *memory);
+    if (qtri_outline_init(&outline, mesh, memory, words) == QTRI_OK) {
         outline.creases =
             d->material.shading != QTRI_SMOOTH && d->material.shading != QTRI_PER_PIXEL;
         (void)qtri_find_outline(d->surface, &d->view, &d->modelview, &d->material, &outline);
@@ -315,7 +313,7 @@ static void draw_hidden_ids(struct drawing *d, const qtri_mesh *mesh, uint32_t i
 /* For as many vertices as a part has, if that is the whole mesh; NULL: 255 for all. */
 static uint8_t *alphas_of(const qtri_mesh *mesh, const struct scene_op *op, bool is_whole)
 {
-    uint8_t *alphas = is_whole ? malloc(mesh->vertex_count + 1) : NULL;
+    uint8_t *alphas = is_whole ? xcalloc(mesh->vertex_count, 1) : NULL;
     for (uint32_t i = 0; alphas != NULL && i < mesh->vertex_count; i++) {
         alphas[i] = scene_byte(op->vertex_alpha[i % 3]);
     }
@@ -375,9 +373,7 @@ static void draw_mesh(struct drawing *d, const struct scene_op *op)
     d->material.color = scene_rgb(op->u.mesh.color);
     if (op->kind == SCENE_MODEL) {
         qtri_mesh mesh;
-        if (!scene_model_create(&mesh, scene, &scene->models[op->u.mesh.mesh])) {
-            abort(); /* no more than meshes take that were read before */
-        }
+        scene_model_create(&mesh, scene, &scene->models[op->u.mesh.mesh]);
         draw_part(d, op, &mesh, id, true);
         mesh_arrays_free(&mesh);
         return;
@@ -396,31 +392,30 @@ static void draw_mesh(struct drawing *d, const struct scene_op *op)
 static void note_triangles(struct drawing *d, const struct scene_op *ops, size_t count)
 {
     qtri_mesh mesh = {.vertex_count = 3 * (uint32_t)count, .triangle_count = (uint32_t)count};
-    qtri_vertex *vertices = malloc((3 * count + 1) * sizeof *vertices);
-    if (vertices != NULL && mesh_array_create(&mesh, MESH_POSITIONS) &&
-        mesh_array_create(&mesh, MESH_TRIANGLES)) {
-        mesh.vertex_count = mesh.triangle_count = 0;
-        for (size_t i = 0; i < count; i++) {
-            const struct scene_vertex *v = ops[i].u.triangle.vertex;
-            const int32_t first = (int32_t)mesh.vertex_count;
-            const int32_t corners[3] = {first, first + 1, first + 2};
-            bool is_plain = true;
-            for (uint32_t k = 0; k < 3; k++) {
-                mesh_array_put(&mesh, MESH_POSITIONS, mesh.vertex_count + k, v[k].position);
-                is_plain = is_plain && v[k].position[3] == Q16_ONE;
-            }
-            mesh_array_put(&mesh, MESH_TRIANGLES, mesh.triangle_count, corners);
-            mesh.vertex_count += is_plain ? 3 : 0;
-            mesh.triangle_count += is_plain ? 1 : 0;
+    qtri_vertex *vertices = xcalloc(3 * count, sizeof *vertices);
+    mesh_array_create(&mesh, MESH_POSITIONS);
+    mesh_array_create(&mesh, MESH_TRIANGLES);
+    mesh.vertex_count = mesh.triangle_count = 0;
+    for (size_t i = 0; i < count; i++) {
+        const struct scene_vertex *v = ops[i].u.triangle.vertex;
+        const int32_t first = (int32_t)mesh.vertex_count;
+        const int32_t corners[3] = {first, first + 1, first + 2};
+        bool is_plain = true;
+        for (uint32_t k = 0; k < 3; k++) {
+            mesh_array_put(&mesh, MESH_POSITIONS, mesh.vertex_count + k, v[k].position);
+            is_plain = is_plain && v[k].position[3] == Q16_ONE;
         }
-        d->view.vertices = vertices;
-        d->view.vertex_count = mesh.vertex_count;
-        if (mesh.triangle_count > 0 && mesh_neighbours_add(&mesh)) {
-            note_edges(d, &mesh);
-        }
-        d->view.vertices = d->resources->vertices;
-        d->view.vertex_count = d->resources->vertex_count;
+        mesh_array_put(&mesh, MESH_TRIANGLES, mesh.triangle_count, corners);
+        mesh.vertex_count += is_plain ? 3 : 0;
+        mesh.triangle_count += is_plain ? 1 : 0;
     }
+    d->view.vertices = vertices;
+    d->view.vertex_count = mesh.vertex_count;
+    if (mesh.triangle_count > 0 && mesh_neighbours_add(&mesh)) {
+        note_edges(d, &mesh);
+    }
+    d->view.vertices = d->resources->vertices;
+    d->view.vertex_count = d->resources->vertex_count;
     mesh_arrays_free(&mesh);
     free(vertices);
 }
@@ -508,8 +503,8 @@ static uint32_t *begin_edges(qtri_edges *edges, const qtri_surface *surface)
 {
     const uint32_t words =
         QTRI_EDGES_WORDS(surface->width, surface->rows, surface->format->pixels->bytes);
-    uint32_t *memory = malloc(words * sizeof *memory);
-    if (memory != NULL && qtri_edges_begin(edges, surface, memory, words) != QTRI_OK) {
+    uint32_t *memory = xcalloc(words, sizeof *memory);
+    if (qtri_edges_begin(edges, surface, memory, words) != QTRI_OK) {
         free(memory);
         memory = NULL;
     }
@@ -539,10 +534,7 @@ static void draw_pass(const struct scene_resources *resources, const qtri_surfac
         set_fog(&d);
     }
 
-    struct scene_stacks *stacks = calloc(1, sizeof *stacks);
-    if (stacks == NULL) {
-        abort(); /* a few kilobytes: nothing sensible is left to do */
-    }
+    struct scene_stacks *stacks = xcalloc(1, sizeof *stacks);
     replay(&d, stacks);
     free(stacks);
 }

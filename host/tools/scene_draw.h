@@ -57,30 +57,29 @@ enum scene_pass {
 
 #define SCENE_MAX_DUMP_ID 0xFFFFFFu /* ids travel as 24-bit colours */
 
-/* False when memory runs out. The scene must outlive the resources. */
-bool scene_resources_create(struct scene_resources *resources, const struct scene *scene);
+/* The scene must outlive the resources. */
+void scene_resources_create(struct scene_resources *resources, const struct scene *scene);
 void scene_resources_free(struct scene_resources *resources);
 
 /* The part of scene_resources_create that is about light. */
 void scene_lights_create(struct scene_resources *resources, const struct scene *scene);
 
 /* The part that is about the texture. */
-bool scene_texture_create(struct scene_resources *resources, const struct scene *scene);
+void scene_texture_create(struct scene_resources *resources, const struct scene *scene);
 
 /* The part that is about flat shapes, text and pictures, and the operations of this kind. */
-bool scene_painting_create(struct scene_resources *resources, const struct scene *scene);
+void scene_painting_create(struct scene_resources *resources, const struct scene *scene);
 void scene_painting_free(struct scene_resources *resources);
 void scene_paint(const struct scene_resources *resources, const qtri_surface *surface,
                  const struct scene_paint *paint);
 
-/* A model of the scene as it is at this moment, to be freed by mesh_arrays_free(). False when
-   memory runs out. */
-bool scene_model_create(qtri_mesh *mesh, const struct scene *scene,
+/* A model of the scene as it is at this moment, to be freed by mesh_arrays_free(). */
+void scene_model_create(qtri_mesh *mesh, const struct scene *scene,
                         const struct scene_model *model);
 
 /*
  * Clears the surface and draws the scene into the rows and scissor it has. The viewport is the
- * surface's frame. SCENE_EDGES: blends the outlines of what is there, if memory suffices, and
+ * surface's frame. SCENE_EDGES: blends the outlines of what is there and
  * spends the depth; triangles that follow each other in the file are one mesh.
  */
 void scene_draw(const struct scene_resources *resources, const qtri_surface *surface,

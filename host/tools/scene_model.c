@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../assets/mesh_arrays.h"
+#include "../io/xalloc.h"
 #include "scene_draw.h"
 
 /* ---- Shapes ---- */
@@ -32,18 +33,21 @@ static enum qtri_error make_shape(qtri_mesh *mesh, const qtri_shape_memory *memo
     return qtri_shape_grid(mesh, memory, size[0], size[1], count[0], count[1]);
 }
 
-static bool create_shape(qtri_mesh *mesh, const struct scene_model *model)
+static void create_shape(qtri_mesh *mesh, const struct scene_model *model)
 {
-    const bool ok = mesh_array_create(mesh, MESH_POSITIONS) &&
-                    mesh_array_create(mesh, MESH_NORMALS) && mesh_array_create(mesh, MESH_UVS) &&
-                    mesh_array_create(mesh, MESH_TRIANGLES);
+    mesh_array_create(mesh, MESH_POSITIONS);
+    mesh_array_create(mesh, MESH_NORMALS);
+    mesh_array_create(mesh, MESH_UVS);
+    mesh_array_create(mesh, MESH_TRIANGLES);
     const qtri_shape_memory memory = {mesh_array(mesh, MESH_POSITIONS),
                                       mesh_array(mesh, MESH_NORMALS),
                                       mesh_array(mesh, MESH_UVS),
                                       mesh_array(mesh, MESH_TRIANGLES),
                                       model->vertices,
                                       model->triangles};
-    return ok && make_shape(mesh, &memory, model) == QTRI_OK;
+    if (make_shape(mesh, &memory, model) != QTRI_OK) {
+        abort(); /* the scene reader has checked it */
+    }
 }
 
 /* ---- Mixed ---- */
@@ -135,11 +139,11 @@ static void mix(const qtri_mesh *mesh, const struct scene_model *model,
     qtri_morph_normals(mixed_normals, normals + (size_t)first * count, to, count, share);
 }
 
-static bool create_mixed(qtri_mesh *mesh, const struct scene *scene,
+static void create_mixed(qtri_mesh *mesh, const struct scene *scene,
                          const struct scene_model *model)
 {
     const struct obj_mesh *base = &scene->meshes[model->mesh[0]];
-    const size_t all = (size_t)model->vertices * (size_t)model->mesh_count + 1;
+    const size_t all = (size_t)model->vertices * (size_t)model->mesh_count;
     const struct span span = span_of(scene, model);
     double center[3] = {0, 0, 0}, extent = 1;
     for (int axis = 0; axis < 3 && model->vertices > 0; axis++) {
@@ -150,32 +154,29 @@ static bool create_mixed(qtri_mesh *mesh, const struct scene *scene,
     const qtri_vec3 origin = {saturated(center[0]), saturated(center[1]), saturated(center[2])};
     mesh->origin = origin;
     mesh->extent = saturated(ceil(extent));
-    qtri_position16 *positions = malloc(all * sizeof *positions);
-    qtri_normal8 *normals = malloc(all * sizeof *normals);
-    const bool ok = positions != NULL && normals != NULL &&
-                    mesh_array_create(mesh, MESH_POSITIONS16) &&
-                    mesh_array_create(mesh, MESH_NORMALS8) &&
-                    (base->uvs == NULL || mesh_array_fill(mesh, MESH_UVS, base->uvs[0])) &&
-                    mesh_array_fill(mesh, MESH_TRIANGLES, (const int32_t *)base->triangles[0]);
-    for (int i = 0; ok && i < model->mesh_count; i++) {
+    qtri_position16 *positions = xcalloc(all, sizeof *positions);
+    qtri_normal8 *normals = xcalloc(all, sizeof *normals);
+    mesh_array_create(mesh, MESH_POSITIONS16);
+    mesh_array_create(mesh, MESH_NORMALS8);
+    if (base->uvs != NULL) {
+        mesh_array_fill(mesh, MESH_UVS, base->uvs[0]);
+    }
+    mesh_array_fill(mesh, MESH_TRIANGLES, (const int32_t *)base->triangles[0]);
+    for (int i = 0; i < model->mesh_count; i++) {
         const size_t first = (size_t)i * model->vertices;
         store(mesh, &scene->meshes[model->mesh[i]], positions + first, normals + first);
     }
-    if (ok) {
-        mix(mesh, model, positions, normals);
-    }
+    mix(mesh, model, positions, normals);
     free(positions);
     free(normals);
-    return ok;
 }
 
-bool scene_model_create(qtri_mesh *mesh, const struct scene *scene, const struct scene_model *model)
+void scene_model_create(qtri_mesh *mesh, const struct scene *scene, const struct scene_model *model)
 {
     *mesh = (qtri_mesh){.vertex_count = model->vertices, .triangle_count = model->triangles};
-    const bool ok =
-        model->kind == SCENE_SHAPE ? create_shape(mesh, model) : create_mixed(mesh, scene, model);
-    if (!ok) {
-        mesh_arrays_free(mesh);
+    if (model->kind == SCENE_SHAPE) {
+        create_shape(mesh, model);
+    } else {
+        create_mixed(mesh, scene, model);
     }
-    return ok;
 }

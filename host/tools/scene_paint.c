@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 
+#include "../io/xalloc.h"
 #include "font_build.h"
 #include "scene_color.h"
 #include "scene_draw.h"
@@ -12,41 +13,36 @@ struct scene_painting {
     size_t image_count;
 };
 
-static bool create_fonts(struct scene_painting *painting, const struct scene_paints *paints)
+static void create_fonts(struct scene_painting *painting, const struct scene_paints *paints)
 {
-    painting->fonts = calloc(paints->font_count + 1, sizeof *painting->fonts);
-    bool ok = painting->fonts != NULL;
-    for (size_t i = 0; ok && i < paints->font_count; i++) {
-        ok = font_build_create(&painting->fonts[i], &paints->fonts[i]);
-        painting->font_count += ok;
+    painting->font_count = paints->font_count;
+    painting->fonts = xcalloc(paints->font_count, sizeof *painting->fonts);
+    for (size_t i = 0; i < paints->font_count; i++) {
+        font_build_create(&painting->fonts[i], &paints->fonts[i]);
     }
-    return ok;
 }
 
-static bool create_images(struct scene_painting *painting, const struct scene_paints *paints)
+static void create_images(struct scene_painting *painting, const struct scene_paints *paints)
 {
-    painting->pixels = calloc(paints->image_count + 1, sizeof *painting->pixels);
-    bool ok = painting->pixels != NULL;
-    for (size_t i = 0; ok && i < paints->image_count; i++) {
+    painting->image_count = paints->image_count;
+    painting->pixels = xcalloc(paints->image_count, sizeof *painting->pixels);
+    for (size_t i = 0; i < paints->image_count; i++) {
         const struct picture *image = &paints->images[i];
         const size_t count = (size_t)image->width * (size_t)image->height;
-        uint32_t *pixels = malloc(count * sizeof *pixels);
-        ok = pixels != NULL;
-        for (size_t j = 0; ok && j < count; j++) {
+        uint32_t *pixels = xcalloc(count, sizeof *pixels);
+        for (size_t j = 0; j < count; j++) {
             const uint8_t *rgb = &image->rgb[3 * j];
             pixels[j] = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
         }
         painting->pixels[i] = pixels;
-        painting->image_count += ok;
     }
-    return ok;
 }
 
-bool scene_painting_create(struct scene_resources *resources, const struct scene *scene)
+void scene_painting_create(struct scene_resources *resources, const struct scene *scene)
 {
-    resources->painting = calloc(1, sizeof *resources->painting);
-    return resources->painting != NULL && create_fonts(resources->painting, &scene->paints) &&
-           create_images(resources->painting, &scene->paints);
+    resources->painting = xcalloc(1, sizeof *resources->painting);
+    create_fonts(resources->painting, &scene->paints);
+    create_images(resources->painting, &scene->paints);
 }
 
 void scene_painting_free(struct scene_resources *resources)

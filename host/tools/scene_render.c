@@ -204,9 +204,7 @@ static bool render_scene(const struct scene *scene, const qtri_format *format, i
                          struct picture *picture)
 {
     struct scene_resources resources;
-    if (!scene_resources_create(&resources, scene)) {
-        return false;
-    }
+    scene_resources_create(&resources, scene);
     for (struct scene_resources *pass = &resources; pass != NULL; pass = pass->next) {
         pass->pipelines = pipelines;
     }

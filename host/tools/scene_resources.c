@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../assets/mesh_arrays.h"
+#include "../io/xalloc.h"
 #include "mesh_faces.h"
 #include "mesh_neighbours.h"
 
@@ -65,37 +66,34 @@ static size_t part_fill(qtri_mesh *part, const struct obj_mesh *mesh, size_t fir
 }
 
 /* Room for as many vertices as a part may have. */
-static bool part_allocate(qtri_mesh *part, const struct obj_mesh *mesh, size_t triangles)
+static void part_allocate(qtri_mesh *part, const struct obj_mesh *mesh, size_t triangles)
 {
     const size_t vertices = mesh->vertex_count < PART_VERTICES ? mesh->vertex_count : PART_VERTICES;
     *part = (qtri_mesh){.vertex_count = (uint32_t)vertices, .triangle_count = (uint32_t)triangles};
-    return mesh_array_create(part, MESH_POSITIONS) && mesh_array_create(part, MESH_NORMALS) &&
-           (mesh->uvs == NULL || mesh_array_create(part, MESH_UVS)) &&
-           (mesh->colors == NULL || mesh_array_create(part, MESH_COLORS)) &&
-           mesh_array_create(part, MESH_TRIANGLES);
+    mesh_array_create(part, MESH_POSITIONS);
+    mesh_array_create(part, MESH_NORMALS);
+    mesh_array_create(part, MESH_TRIANGLES);
+    if (mesh->uvs != NULL) {
+        mesh_array_create(part, MESH_UVS);
+    }
+    if (mesh->colors != NULL) {
+        mesh_array_create(part, MESH_COLORS);
+    }
 }
 
-static bool parts_create(struct scene_parts *parts, const struct obj_mesh *mesh)
+static void parts_create(struct scene_parts *parts, const struct obj_mesh *mesh)
 {
-    uint32_t *local = calloc(mesh->vertex_count + 1, sizeof *local);
-    bool ok = local != NULL;
-    for (size_t triangle = 0; ok && triangle < mesh->triangle_count;) {
-        qtri_mesh *grown = realloc(parts->part, (parts->count + 1) * sizeof *grown);
-        ok = grown != NULL;
-        if (ok) {
-            parts->part = grown;
-            qtri_mesh *part = &grown[parts->count++];
-            ok = part_allocate(part, mesh, mesh->triangle_count - triangle);
-            if (ok) {
-                triangle = part_fill(part, mesh, triangle, local);
-            }
-        }
+    uint32_t *local = xcalloc(mesh->vertex_count, sizeof *local);
+    for (size_t triangle = 0; triangle < mesh->triangle_count;) {
+        parts->part = xrealloc(parts->part, parts->count + 1, sizeof *parts->part);
+        qtri_mesh *part = &parts->part[parts->count++];
+        part_allocate(part, mesh, mesh->triangle_count - triangle);
+        triangle = part_fill(part, mesh, triangle, local);
     }
     free(local);
-    return ok;
 }
 
-static bool create_pass(struct scene_resources *resources, const struct scene *scene)
+static void create_pass(struct scene_resources *resources, const struct scene *scene)
 {
     memset(resources, 0, sizeof *resources);
     resources->scene = scene;
@@ -105,48 +103,37 @@ static bool create_pass(struct scene_resources *resources, const struct scene *s
     resources->light.ambient = scene->light.ambient;
     resources->light.diffuse = scene->light.diffuse;
     scene_lights_create(resources, scene);
-    resources->meshes = calloc(scene->mesh_count + 1, sizeof *resources->meshes);
-    bool ok = resources->meshes != NULL && scene_texture_create(resources, scene) &&
-              scene_painting_create(resources, scene);
-    for (size_t i = 0; ok && i < scene->mesh_count; i++) {
+    scene_texture_create(resources, scene);
+    scene_painting_create(resources, scene);
+    resources->meshes = xcalloc(scene->mesh_count, sizeof *resources->meshes);
+    uint32_t largest = 0;
+    for (size_t i = 0; i < scene->mesh_count; i++) {
         struct scene_parts *parts = &resources->meshes[i];
-        ok = parts_create(parts, &scene->meshes[i]);
-        for (size_t j = 0; ok && j < parts->count; j++) {
-            uint32_t count = parts->part[j].vertex_count;
-            resources->vertex_count =
-                count > resources->vertex_count ? count : resources->vertex_count;
+        parts_create(parts, &scene->meshes[i]);
+        for (size_t j = 0; j < parts->count; j++) {
+            const uint32_t count = parts->part[j].vertex_count;
+            largest = count > largest ? count : largest;
         }
     }
-    for (size_t i = 0; ok && i < scene->model_count; i++) {
+    for (size_t i = 0; i < scene->model_count; i++) {
         const uint32_t count = scene->models[i].vertices;
-        resources->vertex_count = count > resources->vertex_count ? count : resources->vertex_count;
+        largest = count > largest ? count : largest;
     }
-    if (ok) {
-        const uint32_t largest = resources->vertex_count;
-        resources->vertex_count = QTRI_LIT_VERTICES(largest);
-        resources->vertices = malloc((resources->vertex_count + 1) * sizeof *resources->vertices);
-        ok = resources->vertices != NULL;
-        if (ok && scene->texture_sphere) {
-            resources->sphere_uvs = malloc((largest + 1) * sizeof *resources->sphere_uvs);
-            ok = resources->sphere_uvs != NULL;
-        }
+    resources->vertex_count = QTRI_LIT_VERTICES(largest);
+    resources->vertices = xcalloc(resources->vertex_count, sizeof *resources->vertices);
+    if (scene->texture_sphere) {
+        resources->sphere_uvs = xcalloc(largest, sizeof *resources->sphere_uvs);
     }
-    return ok;
 }
 
-bool scene_resources_create(struct scene_resources *resources, const struct scene *scene)
+void scene_resources_create(struct scene_resources *resources, const struct scene *scene)
 {
-    struct scene_resources *last = resources;
-    bool ok = create_pass(last, scene);
-    while (ok && (scene = scene->next) != NULL) {
-        last->next = malloc(sizeof *last->next);
-        last = last->next;
-        ok = last != NULL && create_pass(last, scene);
+    create_pass(resources, scene);
+    while ((scene = scene->next) != NULL) {
+        resources->next = xcalloc(1, sizeof *resources->next);
+        resources = resources->next;
+        create_pass(resources, scene);
     }
-    if (!ok) {
-        scene_resources_free(resources);
-    }
-    return ok;
 }
 
 static void free_pass(struct scene_resources *resources)

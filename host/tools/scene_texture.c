@@ -6,6 +6,7 @@
 
 #include "../io/mipmap.h"
 #include "../io/palette.h"
+#include "../io/xalloc.h"
 
 /* value of 255 as the nearest of steps + 1 levels; never a tie. */
 static uint32_t level(uint8_t value, uint32_t steps)
@@ -34,12 +35,11 @@ static uint32_t texel_of(enum scene_texel_format format, const uint8_t rgb[3], u
     }
 }
 
-static bool make_palette(struct scene_resources *resources, const struct scene *scene, size_t count)
+static void make_palette(struct scene_resources *resources, const struct scene *scene, size_t count)
 {
     struct palette palette;
-    if (!palette_make(&palette, scene->texture.rgb, count, resources->texels)) {
-        return false; /* the scene reader has refused it before */
-    }
+    /* The scene reader has refused what has more colours. */
+    (void)palette_make(&palette, scene->texture.rgb, count, resources->texels);
     for (int i = 0; i < palette.count; i++) {
         const uint8_t *color = palette.color[i];
         qtri_rgb rgb = {color[0], color[1], color[2]};
@@ -49,7 +49,6 @@ static bool make_palette(struct scene_resources *resources, const struct scene *
     int key = palette_find(&palette, scene->texture_key);
     resources->texture.has_key = scene->texture_keyed && key >= 0;
     resources->texture.key = (uint32_t)key;
-    return true;
 }
 
 /* alpha NULL: opaque, or without. */
@@ -155,16 +154,13 @@ static uint8_t shade_of_alpha(const qtri_texture *texture, size_t i)
 
 /* A texture of shades of the texture's texels, in `format`. Levels as the texture's, behind it in
    the same memory. */
-static bool make_shades(struct scene_resources *resources, const qtri_texel_format *format,
+static void make_shades(struct scene_resources *resources, const qtri_texel_format *format,
                         uint8_t (*shade_of)(const qtri_texture *texture, size_t i), size_t count)
 {
     const qtri_texture *texture = &resources->texture;
     qtri_texture level = *texture;
-    uint8_t *at = malloc(2 * count);
+    uint8_t *at = xcalloc(count, 2);
     resources->mask_texels = at;
-    if (at == NULL) {
-        return false;
-    }
     for (int i = 0; i <= texture->level_count; i++) {
         const size_t width = (size_t)1 << (texture->width_log2 - i);
         const size_t height = (size_t)1 << texture->height_log2 >> i;
@@ -180,20 +176,16 @@ static bool make_shades(struct scene_resources *resources, const qtri_texel_form
     resources->mask.texels = resources->mask_texels;
     resources->mask.format = format;
     resources->mask.levels = resources->mask_levels;
-    return true;
 }
 
-static bool make_mask(struct scene_resources *resources, size_t count)
+static void make_mask(struct scene_resources *resources, size_t count)
 {
-    if (!make_shades(resources, &qtri_texel_gray8, shade_of_key, count)) {
-        return false;
-    }
+    make_shades(resources, &qtri_texel_gray8, shade_of_key, count);
     resources->mask.filter = resources->texture.level_count > 0 ? &qtri_mipmapped : NULL;
     resources->mask.key = 0;
-    return true;
 }
 
-bool scene_texture_create(struct scene_resources *resources, const struct scene *scene)
+void scene_texture_create(struct scene_resources *resources, const struct scene *scene)
 {
     static const struct {
         const qtri_texel_format *format;
@@ -212,12 +204,9 @@ bool scene_texture_create(struct scene_resources *resources, const struct scene 
     qtri_texture *texture = &resources->texture;
     size_t count = (size_t)scene->texture.width * (size_t)scene->texture.height;
     if (count == 0) {
-        return true;
+        return;
     }
-    resources->texels = calloc(2 * count, texel[scene->texel_format].size); /* levels too */
-    if (resources->texels == NULL) {
-        return false;
-    }
+    resources->texels = xcalloc(2 * count, texel[scene->texel_format].size); /* levels too */
     texture->texels = resources->texels;
     texture->format = texel[scene->texel_format].format;
     texture->width_log2 = mipmap_log2(scene->texture.width);
@@ -228,16 +217,17 @@ bool scene_texture_create(struct scene_resources *resources, const struct scene 
     texture->palette = scene->texel_format == SCENE_TEXEL_PALETTE565
                            ? (const void *)resources->palette565
                            : resources->palette;
-    if (!scene_texel_has_palette(scene->texel_format)) {
+    if (scene_texel_has_palette(scene->texel_format)) {
+        make_palette(resources, scene, count);
+    } else {
         make_texels(resources, scene, count);
-    } else if (!make_palette(resources, scene, count)) {
-        return false;
     }
     if (scene->texture_mipmapped) {
         make_levels(resources, scene, texel[scene->texel_format].size);
     }
     if (scene_texel_has_alpha(scene->texel_format)) {
-        return make_shades(resources, &qtri_texel_alpha8, shade_of_alpha, count);
+        make_shades(resources, &qtri_texel_alpha8, shade_of_alpha, count);
+    } else if (texture->has_key) {
+        make_mask(resources, count);
     }
-    return !texture->has_key || make_mask(resources, count);
 }

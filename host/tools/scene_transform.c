@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "../io/xalloc.h"
+
 #include "scene_color.h"
 
 static void load(qtri_transform *out, const int32_t number[16])
@@ -92,10 +94,7 @@ static void apply_view(qtri_transform *current, const struct scene_op *op)
 static void apply_keys(qtri_transform *current, const struct scene *scene,
                        const struct scene_track *track)
 {
-    qtri_key *keys = calloc(track->count, sizeof *keys);
-    if (keys == NULL) {
-        abort(); /* as much as the scene holds itself */
-    }
+    qtri_key *keys = xcalloc(track->count, sizeof *keys);
     for (size_t i = 0; i < track->count; i++) {
         const struct scene_key *from = &scene->keys[track->first + i];
         keys[i].time = from->time;

@@ -52,7 +52,8 @@ int web_scene(const char *path)
     if (!scene_read(path, &scene, &error)) {
         return complain(error.message);
     }
-    return scene_resources_create(&resources, &scene) ? 0 : complain("out of memory");
+    scene_resources_create(&resources, &scene);
+    return 0;
 }
 
 /* Cameras go around what they look at. */

@@ -4,9 +4,8 @@
 
 void page_order(uint32_t *indices, size_t count); /* engine.js */
 
-bool asset_order_triangles(uint32_t (*triangles)[3], size_t count, size_t vertices)
+void asset_order_triangles(uint32_t (*triangles)[3], size_t count, size_t vertices)
 {
     (void)vertices;
     page_order(triangles[0], 3 * count);
-    return true;
 }

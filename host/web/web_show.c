@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "../assets/asset_model.h"
+#include "../io/file.h"
 #include "../tools/commands.h"
 #include "../tools/model_make.h"
 #include "web.h"
