@@ -264,7 +264,7 @@ static void shaped(const struct asset *asset, q16 time, qtri_position16 *positio
     q16 weights[MODEL_TRACK_WEIGHTS];
     const struct asset_part *part = &asset->parts[0];
     asset_weights(asset, time, weights);
-    assert_true(asset_shape(part, weights, positions));
+    asset_shape(part, weights, positions);
     for (uint32_t i = 0; i < part->mesh.vertex_count; i++) {
         z[i] = (part->mesh.origin.z + (double)part->mesh.extent * positions[i].z / 32768.0) / 65536;
     }

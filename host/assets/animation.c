@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/xalloc.h"
 #include "image.h"
 
 void animation_begin(struct animation *animation, const char *path, int per_second)
@@ -27,10 +28,7 @@ static bool write_numbered(const struct animation *animation, const struct pictu
     const bool is_named = file_name_ends_in(path, ".ppm") || file_name_ends_in(path, ".png");
     const int stem = (int)strlen(path) - (is_named ? 4 : 0);
     const size_t size = strlen(path) + 32;
-    char *name = malloc(size);
-    if (name == NULL) {
-        return text_error_set(error, path, 0, "out of memory");
-    }
+    char *name = xcalloc(size, 1);
     (void)snprintf(name, size, "%.*s-%04d%s", stem, path, animation->count,
                    is_named ? path + stem : ".ppm");
     const bool ok = image_write_picture(name, picture, error);
@@ -83,13 +81,10 @@ static bool write_y4m(struct animation *animation, const struct picture *picture
 bool animation_add(struct animation *animation, const struct picture *picture,
                    struct text_error *error)
 {
-    bool ok;
+    bool ok = true;
     switch (animation->kind) {
     case ANIMATION_APNG:
-        ok = apng_add(&animation->apng, picture);
-        if (!ok) {
-            text_error_set(error, animation->path, 0, "out of memory");
-        }
+        apng_add(&animation->apng, picture);
         break;
     case ANIMATION_Y4M:
         ok = write_y4m(animation, picture, error);
@@ -105,10 +100,9 @@ static bool write_apng(struct animation *animation, struct text_error *error)
 {
     struct byte_list bytes = {.bytes = NULL};
     struct file_output output;
-    bool ok = apng_finish(&animation->apng, &bytes);
-    if (!ok) {
-        text_error_set(error, animation->path, 0, "out of memory");
-    } else if ((ok = file_output_open(&output, animation->path, error))) {
+    apng_finish(&animation->apng, &bytes);
+    bool ok = file_output_open(&output, animation->path, error);
+    if (ok) {
         file_output_write(&output, bytes.bytes, bytes.count);
         ok = file_output_commit(&output, error);
     }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../io/file.h"
+#include "../io/xalloc.h"
 
 #define ONE 65536.0
 
@@ -114,10 +115,7 @@ bool asset_add_textures(struct asset *asset, const char *path, const struct mode
                         const struct texture_options *most, struct text_error *error)
 {
     bool ok = true;
-    asset->textures = calloc(asset->count + 1, sizeof *asset->textures);
-    if (asset->textures == NULL) {
-        return text_error_set(error, path, 0, "out of memory");
-    }
+    asset->textures = xcalloc(asset->count, sizeof *asset->textures);
     for (size_t i = 0; ok && i < asset->count; i++) {
         struct asset_part *part = &asset->parts[i];
         const size_t alike = first_alike(asset, i);
@@ -220,19 +218,14 @@ static double reach(const struct model *model, double time, const double from[3]
 }
 
 /* A sphere about the middle of the box, over the whole animation in so many steps. */
-static bool set_bounds(struct asset *asset, const struct model *model)
+static void set_bounds(struct asset *asset, const struct model *model)
 {
     enum { STEPS = 32 };
     const struct model_box box = model_bounds(model);
     const int steps = asset->seconds > 0 ? STEPS : 0;
     double middle[3], most = 0.0;
-    double(*world)[3][4] = malloc((model->node_count + 1) * sizeof *world);
-    double *weights = malloc((model->track_count + 1) * MODEL_TRACK_WEIGHTS * sizeof *weights);
-    if (world == NULL || weights == NULL) {
-        free(world);
-        free(weights);
-        return false;
-    }
+    double(*world)[3][4] = xcalloc(model->node_count + 1, sizeof *world);
+    double *weights = xcalloc(model->track_count * MODEL_TRACK_WEIGHTS, sizeof *weights);
     for (int axis = 0; axis < 3; axis++) {
         middle[axis] = (box.low[axis] + box.high[axis]) / 2.0;
     }
@@ -246,7 +239,6 @@ static bool set_bounds(struct asset *asset, const struct model *model)
     asset->center.y = q16_of(middle[1]);
     asset->center.z = q16_of(middle[2]);
     asset->radius = (q16)ceil(fmin(most * ONE, 2147483647.0));
-    return true;
 }
 
 bool asset_add_motion(struct asset *asset, const char *path, const struct model *model,
@@ -256,19 +248,17 @@ bool asset_add_motion(struct asset *asset, const char *path, const struct model 
         return text_error_set(error, path, 0, "more than 32766 parts that move");
     }
     if (model->node_count + model->track_count > 0) {
-        asset->keys = calloc(model->key_count + 1, sizeof *asset->keys);
+        asset->keys = xcalloc(model->key_count, sizeof *asset->keys);
         asset->first_keys =
-            calloc(model->node_count + model->track_count + 2, sizeof *asset->first_keys);
-        asset->parents = calloc(model->node_count + 1, sizeof *asset->parents);
-        if (asset->keys == NULL || asset->first_keys == NULL || asset->parents == NULL) {
-            return text_error_set(error, path, 0, "out of memory");
-        }
+            xcalloc(model->node_count + model->track_count + 2, sizeof *asset->first_keys);
+        asset->parents = xcalloc(model->node_count + 1, sizeof *asset->parents);
         if (!copy_nodes(asset, model)) {
             return text_error_set(error, path, 0,
                                   "moves beyond 32767, Q16.16's end; --fit makes it smaller");
         }
     }
-    return set_bounds(asset, model) || text_error_set(error, path, 0, "out of memory");
+    set_bounds(asset, model);
+    return true;
 }
 
 void asset_pose(const struct asset *asset, const qtri_transform *pose, q16 time,
@@ -299,18 +289,15 @@ void asset_weights(const struct asset *asset, q16 time, q16 *weights)
     }
 }
 
-bool asset_shape(const struct asset_part *part, const q16 *weights, qtri_position16 *out)
+void asset_shape(const struct asset_part *part, const q16 *weights, qtri_position16 *out)
 {
-    const qtri_position16 **targets = calloc(part->target_count + 1, sizeof(void *));
-    for (size_t i = 0; targets != NULL && i < part->target_count; i++) {
+    const qtri_position16 **targets = xcalloc(part->target_count, sizeof(void *));
+    for (size_t i = 0; i < part->target_count; i++) {
         targets[i] = &part->targets[i * part->mesh.vertex_count];
     }
-    if (targets != NULL) {
-        qtri_morph_targets(out, part->mesh.positions16, targets, &weights[part->first_weight],
-                           (int32_t)part->target_count, part->mesh.vertex_count);
-    }
+    qtri_morph_targets(out, part->mesh.positions16, targets, &weights[part->first_weight],
+                       (int32_t)part->target_count, part->mesh.vertex_count);
     free(targets);
-    return targets != NULL;
 }
 
 /* ---- Materials ---- */

@@ -24,8 +24,8 @@ void asset_pose(const struct asset *asset, const qtri_transform *pose, q16 time,
                 qtri_transform *poses);
 
 /* The weights of all targets at a time, three a track; and a part's positions with them, as many as
-   it has vertices. False when memory runs out. */
+   it has vertices. */
 void asset_weights(const struct asset *asset, q16 time, q16 *weights);
-bool asset_shape(const struct asset_part *part, const q16 *weights, qtri_position16 *out);
+void asset_shape(const struct asset_part *part, const q16 *weights, qtri_position16 *out);
 
 #endif

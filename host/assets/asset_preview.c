@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../io/mipmap.h"
+#include "../io/xalloc.h"
 
 #define ONE 65536.0
 
@@ -75,7 +76,7 @@ struct skins {
 
 static void free_skins(const struct asset *asset, struct skins *skins)
 {
-    for (size_t i = 0; skins->texels != NULL && i < asset->texture_count; i++) {
+    for (size_t i = 0; i < asset->texture_count; i++) {
         free(skins->texels[i]);
     }
     free(skins->texels);
@@ -86,8 +87,8 @@ static bool make_skin(const struct texture *texture, qtri_texture *skin, uint32_
 {
     struct picture picture;
     const size_t count = (size_t)texture->width * (size_t)texture->height;
-    *texels = malloc(count * sizeof **texels);
-    if (*texels == NULL || !texture_picture(texture, &picture)) {
+    *texels = xcalloc(count, sizeof **texels);
+    if (!texture_picture(texture, &picture)) {
         return false;
     }
     memset(skin, 0, sizeof *skin);
@@ -111,9 +112,9 @@ static bool make_skin(const struct texture *texture, qtri_texture *skin, uint32_
 
 static bool make_skins(const struct asset *asset, struct skins *skins)
 {
-    skins->textures = calloc(asset->texture_count + 1, sizeof *skins->textures);
-    skins->texels = calloc(asset->texture_count + 1, sizeof *skins->texels);
-    bool ok = skins->textures != NULL && skins->texels != NULL;
+    skins->textures = xcalloc(asset->texture_count, sizeof *skins->textures);
+    skins->texels = xcalloc(asset->texture_count, sizeof *skins->texels);
+    bool ok = true;
     for (size_t i = 0; ok && i < asset->texture_count; i++) {
         ok = make_skin(&asset->textures[i], &skins->textures[i], &skins->texels[i]);
     }
@@ -144,7 +145,8 @@ static void draw(const struct asset *asset, const struct skins *skins, const str
         }
         const size_t node = asset->node_count > 0 ? part->material.node : 0;
         qtri_mesh mesh = part->mesh;
-        if (part->target_count > 0 && asset_shape(part, shape->weights, shape->positions)) {
+        if (part->target_count > 0) {
+            asset_shape(part, shape->weights, shape->positions);
             mesh.positions16 = shape->positions;
         }
         qtri_draw_mesh(surface, view, &poses[node], &mesh, &material);
@@ -180,15 +182,14 @@ bool asset_preview(const struct asset *asset, int width, int height, struct pict
         uint32_t count = asset->parts[i].mesh.vertex_count;
         most = count > most ? count : most;
     }
-    void *memory = malloc(bytes);
-    qtri_vertex *vertices = malloc((most + (size_t)1) * sizeof *vertices);
-    qtri_transform *poses = malloc((asset->node_count + 1) * sizeof *poses);
-    struct shape shape = {calloc(asset->track_count + 1, 3 * sizeof(q16)),
-                          malloc((most + (size_t)1) * sizeof(qtri_position16))};
+    void *memory = xcalloc(bytes, 1);
+    qtri_vertex *vertices = xcalloc(most, sizeof *vertices);
+    qtri_transform *poses = xcalloc(asset->node_count + 1, sizeof *poses);
+    struct shape shape = {xcalloc(asset->track_count, 3 * sizeof(q16)),
+                          xcalloc(most, sizeof(qtri_position16))};
     struct skins skins;
     qtri_surface surface;
-    bool ok = make_skins(asset, &skins) && memory != NULL && vertices != NULL && poses != NULL &&
-              shape.weights != NULL && shape.positions != NULL &&
+    bool ok = make_skins(asset, &skins) &&
               qtri_surface_init(&surface, &qtri_xrgb8888, width, height, 0, height, memory,
                                 bytes) == QTRI_OK &&
               picture_create(picture, width, height, false);

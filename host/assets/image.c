@@ -76,8 +76,8 @@ static bool write_png(const char *path, const struct picture *picture, struct te
 {
     struct file_output output;
     struct byte_list png = {.bytes = NULL};
-    bool ok = png_append(&png, picture) || text_error_set(error, path, 0, "out of memory");
-    ok = ok && file_output_open(&output, path, error);
+    png_append(&png, picture);
+    bool ok = file_output_open(&output, path, error);
     if (ok) {
         file_output_write(&output, png.bytes, png.count);
         ok = file_output_commit(&output, error);

@@ -9,6 +9,7 @@
 #include "../io/file.h"
 #include "../io/file_identity.h"
 #include "../io/unique.h"
+#include "../io/xalloc.h"
 
 bool model_create(struct model *model, size_t vertices, size_t triangles, size_t materials)
 {
@@ -163,28 +164,24 @@ static bool has_area(const struct model *model, const uint32_t triangle[3])
 }
 
 /* model_check has left no NaN and no -0, so that bytes tell whether numbers are equal. */
-bool model_weld(struct model *model)
+void model_weld(struct model *model)
 {
     struct unique kept = {.item_size = sizeof *model->vertices};
     size_t count = 0;
-    bool ok = true;
-    for (size_t i = 0; ok && i < model->triangle_count; i++) {
+    for (size_t i = 0; i < model->triangle_count; i++) {
         const uint32_t *t = model->triangles[i];
         const bool is_kept = has_area(model, t);
-        for (int j = 0; ok && is_kept && j < 3; j++) {
+        for (int j = 0; is_kept && j < 3; j++) {
             model->triangles[count][j] = unique_add(&kept, &model->vertices[t[j]]);
         }
         count += is_kept ? 1 : 0;
     }
-    if (ok) {
-        free(model->vertices);
-        model->vertices = kept.items;
-        model->vertex_count = kept.count;
-        model->triangle_count = count;
-        kept.items = NULL;
-    }
+    free(model->vertices);
+    model->vertices = kept.items;
+    model->vertex_count = kept.count;
+    model->triangle_count = count;
+    kept.items = NULL;
     unique_free(&kept);
-    return ok;
 }
 
 /* ---- Where it stands ---- */
@@ -220,10 +217,7 @@ void model_vertex_at(const double world[3][4], const struct model_vertex *vertex
 struct model_box model_bounds(const struct model *model)
 {
     struct model_box box = {{0, 0, 0}, {0, 0, 0}};
-    double(*world)[3][4] = malloc((model->node_count + 1) * sizeof *world);
-    if (world == NULL) {
-        return model_vertex_bounds(model);
-    }
+    double(*world)[3][4] = xcalloc(model->node_count + 1, sizeof *world);
     model_pose(model, 0.0, world);
     for (size_t i = 0; i < model->vertex_count; i++) {
         double at[3];

@@ -183,8 +183,8 @@ void model_picture_beside(struct model *model, struct model_material *material, 
 bool model_check(const char *path, struct model *model, struct text_error *error);
 
 /* One vertex for all that are equal in everything; no triangle with two equal corners or without
-   area; no vertex without a triangle. False when memory runs out. */
-bool model_weld(struct model *model);
+   area; no vertex without a triangle. */
+void model_weld(struct model *model);
 
 struct model_box {
     double low[3], high[3];
@@ -219,13 +219,12 @@ enum model_normals {
 };
 
 /* Gives each triangle three vertices of its own with these normals: weld the model afterwards.
-   False when memory runs out. */
-bool model_make_normals(struct model *model, enum model_normals normals, double degrees);
+ */
+void model_make_normals(struct model *model, enum model_normals normals, double degrees);
 
 /* Whether --simplify was built in, and simplifying to about `triangles`, on a welded model. The
-   greatest distance from the old surface, relative to the model's size, goes to *distance. False
-   when memory runs out. */
+   greatest distance from the old surface, relative to the model's size, goes to *distance. */
 bool model_can_simplify(void);
-bool model_simplify(struct model *model, size_t triangles, double *distance);
+void model_simplify(struct model *model, size_t triangles, double *distance);
 
 #endif

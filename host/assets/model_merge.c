@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../io/xalloc.h"
+
 static bool is_see_through(const struct model_material *material)
 {
     return material->opacity < 255;
@@ -90,28 +92,26 @@ bool model_merge_materials(struct model *model)
     /* A morph is of one node. */
     const size_t pairs = model->material_count * (model->node_count + 1 + model->morph_count);
     const size_t most = pairs < model->vertex_count ? pairs : model->vertex_count;
-    struct merge merge = {.model = model, .merged = calloc(most + 1, sizeof *merge.merged)};
-    uint16_t *to = calloc(model->vertex_count + 1, sizeof *to);
-    const bool ok = pairs <= UINT16_MAX && merge.merged != NULL && to != NULL;
-    if (ok) {
-        for (size_t i = 0; i < model->material_count; i++) {
-            simplify_material(&model->materials[i]);
-        }
-        merge_vertices(&merge, model, to, false);
-        merge_vertices(&merge, model, to, true);
-        for (size_t i = 0; i < model->vertex_count; i++) {
-            paint_vertex(model, &model->vertices[i]);
-            model->vertices[i].material = to[i];
-        }
-        for (size_t i = 0; i < merge.count; i++) {
-            memset(merge.merged[i].color, 255, sizeof merge.merged[i].color);
-        }
-        free(model->materials);
-        model->materials = merge.merged;
-        model->material_count = merge.count;
-        merge.merged = NULL;
+    if (pairs > UINT16_MAX) {
+        return false;
     }
-    free(merge.merged);
+    struct merge merge = {.model = model, .merged = xcalloc(most, sizeof *merge.merged)};
+    uint16_t *to = xcalloc(model->vertex_count, sizeof *to);
+    for (size_t i = 0; i < model->material_count; i++) {
+        simplify_material(&model->materials[i]);
+    }
+    merge_vertices(&merge, model, to, false);
+    merge_vertices(&merge, model, to, true);
+    for (size_t i = 0; i < model->vertex_count; i++) {
+        paint_vertex(model, &model->vertices[i]);
+        model->vertices[i].material = to[i];
+    }
+    for (size_t i = 0; i < merge.count; i++) {
+        memset(merge.merged[i].color, 255, sizeof merge.merged[i].color);
+    }
+    free(model->materials);
+    model->materials = merge.merged;
+    model->material_count = merge.count;
     free(to);
-    return ok;
+    return true;
 }

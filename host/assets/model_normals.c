@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../io/unique.h"
+#include "../io/xalloc.h"
 
 #define PI 3.14159265358979323846
 
@@ -50,42 +51,37 @@ static void triangle_area(const struct model *model, uint32_t triangle, double a
     }
 }
 
-static bool corners_make(struct corners *corners, const struct model *model)
+static void corners_make(struct corners *corners, const struct model *model)
 {
     size_t count = 3 * model->triangle_count;
-    uint32_t *place_of = calloc(model->vertex_count + 1, sizeof *place_of);
+    uint32_t *place_of = xcalloc(model->vertex_count, sizeof *place_of);
     memset(corners, 0, sizeof *corners);
-    corners->position = calloc(count + 1, sizeof *corners->position);
-    corners->first = calloc(model->vertex_count + 2, sizeof *corners->first);
-    corners->list = calloc(count + 1, sizeof *corners->list);
-    corners->area = calloc(model->triangle_count + 1, sizeof *corners->area);
-    bool ok = place_of != NULL && corners->position != NULL && corners->first != NULL &&
-              corners->list != NULL && corners->area != NULL;
-    if (ok && model->vertex_count > 0) {
+    corners->position = xcalloc(count, sizeof *corners->position);
+    corners->first = xcalloc(model->vertex_count + 2, sizeof *corners->first);
+    corners->list = xcalloc(count, sizeof *corners->list);
+    corners->area = xcalloc(model->triangle_count, sizeof *corners->area);
+    if (model->vertex_count > 0) {
         corners->places =
             unique_numbers(model->vertices[0].position, model->vertex_count,
                            sizeof *model->vertices, sizeof model->vertices->position, place_of);
     }
-    if (ok) {
-        for (uint32_t i = 0; i < count; i++) {
-            corners->position[i] = place_of[model->triangles[i / 3][i % 3]];
-            corners->first[corners->position[i] + 1]++;
-        }
-        for (size_t i = 0; i < corners->places; i++) {
-            corners->first[i + 1] += corners->first[i];
-        }
-        /* Backwards, so that first[] ends up where each place begins. */
-        for (uint32_t i = (uint32_t)count; i-- > 0;) {
-            corners->list[--corners->first[corners->position[i] + 1]] = i;
-        }
-        memmove(corners->first, corners->first + 1, corners->places * sizeof *corners->first);
-        corners->first[corners->places] = (uint32_t)count;
-        for (uint32_t i = 0; i < model->triangle_count; i++) {
-            triangle_area(model, i, corners->area[i]);
-        }
+    for (uint32_t i = 0; i < count; i++) {
+        corners->position[i] = place_of[model->triangles[i / 3][i % 3]];
+        corners->first[corners->position[i] + 1]++;
+    }
+    for (size_t i = 0; i < corners->places; i++) {
+        corners->first[i + 1] += corners->first[i];
+    }
+    /* Backwards, so that first[] ends up where each place begins. */
+    for (uint32_t i = (uint32_t)count; i-- > 0;) {
+        corners->list[--corners->first[corners->position[i] + 1]] = i;
+    }
+    memmove(corners->first, corners->first + 1, corners->places * sizeof *corners->first);
+    corners->first[corners->places] = (uint32_t)count;
+    for (uint32_t i = 0; i < model->triangle_count; i++) {
+        triangle_area(model, i, corners->area[i]);
     }
     free(place_of);
-    return ok;
 }
 
 static double dot(const double a[3], const double b[3])
@@ -166,13 +162,13 @@ static void fill(const struct model *model, const struct corners *corners, doubl
     }
 }
 
-bool model_make_normals(struct model *model, enum model_normals normals, double degrees)
+void model_make_normals(struct model *model, enum model_normals normals, double degrees)
 {
     struct corners corners;
     size_t count = 3 * model->triangle_count;
-    struct model_vertex *split = calloc(count + 1, sizeof *split);
-    bool ok = corners_make(&corners, model) && split != NULL;
-    for (uint32_t i = 0; ok && i < count; i++) {
+    struct model_vertex *split = xcalloc(count, sizeof *split);
+    corners_make(&corners, model);
+    for (uint32_t i = 0; i < count; i++) {
         split[i] = model->vertices[model->triangles[i / 3][i % 3]];
         memset(split[i].normal, 0, sizeof split[i].normal);
         if (normals == MODEL_NORMALS_FLAT) {
@@ -180,21 +176,16 @@ bool model_make_normals(struct model *model, enum model_normals normals, double 
             normalise(split[i].normal);
         }
     }
-    if (ok && (normals == MODEL_NORMALS_KEEP || normals == MODEL_NORMALS_SMOOTH)) {
+    if (normals == MODEL_NORMALS_KEEP || normals == MODEL_NORMALS_SMOOTH) {
         bool keep = normals == MODEL_NORMALS_KEEP;
         const double most = keep ? MODEL_CREASE_DEGREES : degrees;
         fill(model, &corners, cos(most * PI / 180.0) - 1e-9, keep, split);
     }
-    if (ok) {
-        for (uint32_t i = 0; i < count; i++) {
-            model->triangles[i / 3][i % 3] = i;
-        }
-        free(model->vertices);
-        model->vertices = split;
-        model->vertex_count = count;
-        split = NULL;
+    for (uint32_t i = 0; i < count; i++) {
+        model->triangles[i / 3][i % 3] = i;
     }
-    free(split);
+    free(model->vertices);
+    model->vertices = split;
+    model->vertex_count = count;
     corners_free(&corners);
-    return ok;
 }

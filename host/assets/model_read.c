@@ -109,16 +109,6 @@ static bool check_stl(const char *path, const char *text, size_t length, struct 
     return text_error_set(error, path, lines, "ends without `endsolid`");
 }
 
-/* Programs write anything for the normals of an STL file: they are made anew. */
-static bool face_normals(const char *path, struct model *model, struct text_error *error)
-{
-    bool ok = model_make_normals(model, MODEL_NORMALS_FLAT, 0.0);
-    if (!ok) {
-        text_error_set(error, path, 0, "out of memory");
-    }
-    return ok;
-}
-
 /* What the library would not notice; what it passes over is left out of *model. */
 static bool check_complete(const char *path, const char *text, size_t length, const char *format,
                            struct model *model, struct text_error *error)
@@ -158,11 +148,15 @@ static bool read_as(const char *path, const char *text, size_t length, enum mode
     if (content == MODEL_ALL) {
         model_leave_out_words(model, passed_over.left_out);
     }
-    if (strcmp(format, "stl") == 0 &&
-        (!model_check(path, model, error) || !face_normals(path, model, error))) {
+    if (strcmp(format, "stl") != 0) {
+        return true;
+    }
+    /* Programs write anything for the normals of an STL file: they are made anew. */
+    if (!model_check(path, model, error)) {
         model_free(model);
         return false;
     }
+    model_make_normals(model, MODEL_NORMALS_FLAT, 0.0);
     return true;
 }
 
@@ -203,11 +197,7 @@ bool model_read(const char *path, enum model_content content, struct model *mode
         model_free(model);
         return false;
     }
-    if (!model_weld(model)) {
-        text_error_set(error, path, 0, "out of memory");
-        model_free(model);
-        return false;
-    }
+    model_weld(model);
     if (!check_use(path, model, error)) {
         model_free(model);
         return false;

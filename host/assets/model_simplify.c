@@ -11,18 +11,19 @@ bool model_can_simplify(void)
     return false;
 }
 
-bool model_simplify(struct model *model, size_t triangles, double *distance)
+void model_simplify(struct model *model, size_t triangles, double *distance)
 {
     (void)model;
     (void)triangles;
     *distance = 0.0;
-    return true;
 }
 
 #else
 
 #include <float.h>
 #include <meshoptimizer.h>
+
+#include "../io/xalloc.h"
 
 bool model_can_simplify(void)
 {
@@ -46,31 +47,30 @@ static void copy_positions(const struct model *model, float *positions)
     }
 }
 
-bool model_simplify(struct model *model, size_t triangles, double *distance)
+void model_simplify(struct model *model, size_t triangles, double *distance)
 {
     size_t count = 3 * model->triangle_count;
-    float *positions = calloc(3 * model->vertex_count + 3, sizeof *positions);
-    unsigned int *indices = calloc(count + 3, sizeof *indices);
-    bool ok = positions != NULL && indices != NULL;
     *distance = 0.0;
-    if (ok && triangles < model->triangle_count) {
-        float error = 0.0F;
-        copy_positions(model, positions);
-        for (size_t i = 0; i < count; i++) {
-            indices[i] = model->triangles[i / 3][i % 3];
-        }
-        size_t left = meshopt_simplify(indices, indices, count, positions, model->vertex_count,
-                                       3 * sizeof *positions, 3 * triangles, FLT_MAX, 0, &error);
-        for (size_t i = 0; i < left; i++) {
-            model->triangles[i / 3][i % 3] = indices[i];
-        }
-        model->triangle_count = left / 3;
-        *distance = (double)error;
-        ok = model_weld(model);
+    if (triangles >= model->triangle_count) {
+        return;
     }
+    float *positions = xcalloc(3 * model->vertex_count, sizeof *positions);
+    unsigned int *indices = xcalloc(count, sizeof *indices);
+    float error = 0.0F;
+    copy_positions(model, positions);
+    for (size_t i = 0; i < count; i++) {
+        indices[i] = model->triangles[i / 3][i % 3];
+    }
+    size_t left = meshopt_simplify(indices, indices, count, positions, model->vertex_count,
+                                   3 * sizeof *positions, 3 * triangles, FLT_MAX, 0, &error);
+    for (size_t i = 0; i < left; i++) {
+        model->triangles[i / 3][i % 3] = indices[i];
+    }
+    model->triangle_count = left / 3;
+    *distance = (double)error;
     free(positions);
     free(indices);
-    return ok;
+    model_weld(model);
 }
 
 #endif

@@ -18,20 +18,19 @@ struct byte_list {
     size_t count, capacity;
 };
 
-/* False: memory runs out, and what there was is kept. */
-bool byte_list_add(struct byte_list *list, const void *bytes, size_t count);
+void byte_list_add(struct byte_list *list, const void *bytes, size_t count);
 
-/* Appends a whole PNG file. False where memory runs out. */
-bool png_append(struct byte_list *out, const struct picture *picture);
+/* Appends a whole PNG file. */
+void png_append(struct byte_list *out, const struct picture *picture);
 
-/* Frame after frame, each of one size; then the file. False where memory runs out. */
+/* Frame after frame, each of one size; then the file. */
 struct apng {
     struct byte_list frames; /* chunks */
     uint8_t header[25];      /* IHDR */
     uint32_t frame_count, sequence;
     uint16_t per_second;
 };
-bool apng_add(struct apng *apng, const struct picture *picture);
-bool apng_finish(struct apng *apng, struct byte_list *out);
+void apng_add(struct apng *apng, const struct picture *picture);
+void apng_finish(struct apng *apng, struct byte_list *out);
 
 #endif

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Memory that is there: when it runs out, the program ends with a message and status 1. What is as
- * large as a user may ask for, a picture or a file, is not taken from here: it is missing by name.
+ * large as a user may ask for, a picture or a file, is not taken from here, nor what a library
+ * reads of a foreign file (../assets/apart.h): they are missing by name.
  */
 #ifndef QTRI_HOST_IO_XALLOC_H
 #define QTRI_HOST_IO_XALLOC_H

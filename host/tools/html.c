@@ -9,14 +9,9 @@
 
 #include "../io/file.h"
 
-static void add(struct html *html, const void *bytes, size_t count)
-{
-    html->is_short = html->is_short || !byte_list_add(&html->page, bytes, count);
-}
-
 void html_put(struct html *html, const char *text)
 {
-    add(html, text, strlen(text));
+    byte_list_add(&html->page, text, strlen(text));
 }
 
 void html_print(struct html *html, const char *format, ...)
@@ -40,7 +35,7 @@ void html_put_text(struct html *html, const char *text, size_t length)
             html_put(html, "&amp;");
             break;
         default:
-            add(html, &text[i], 1);
+            byte_list_add(&html->page, &text[i], 1);
         }
     }
 }
@@ -56,14 +51,14 @@ static void put_base64(struct html *html, const struct byte_list *list)
         const char four[4] = {digits[word >> 18], digits[word >> 12 & 63],
                               rest > 1 ? digits[word >> 6 & 63] : '=',
                               rest > 2 ? digits[word & 63] : '='};
-        add(html, four, sizeof four);
+        byte_list_add(&html->page, four, sizeof four);
     }
 }
 
 void html_put_png(struct html *html, const struct picture *picture)
 {
     struct byte_list png = {.bytes = NULL};
-    html->is_short = html->is_short || !png_append(&png, picture);
+    png_append(&png, picture);
     html_put(html, "data:image/png;base64,");
     put_base64(html, &png);
     free(png.bytes);
@@ -72,10 +67,8 @@ void html_put_png(struct html *html, const struct picture *picture)
 bool html_write(struct html *html, const char *path, struct text_error *error)
 {
     struct file_output output;
-    bool ok = !html->is_short;
-    if (!ok) {
-        text_error_set(error, path, 0, "out of memory");
-    } else if ((ok = file_output_open(&output, path, error))) {
+    bool ok = file_output_open(&output, path, error);
+    if (ok) {
         file_output_write(&output, html->page.bytes, html->page.count);
         ok = file_output_commit(&output, error);
     }

@@ -14,7 +14,6 @@
 
 struct html { /* begins with zeros */
     struct byte_list page;
-    bool is_short; /* of memory */
 };
 
 void html_put(struct html *html, const char *text);
@@ -31,7 +30,7 @@ void html_put_text(struct html *html, const char *text, size_t length);
 /* The picture as a PNG in an address: data:image/png;base64,... */
 void html_put_png(struct html *html, const struct picture *picture);
 
-/* Writes the page and frees it. False with *error set, also where memory ran out before. */
+/* Writes the page and frees it. False with *error set. */
 bool html_write(struct html *html, const char *path, struct text_error *error);
 
 #endif

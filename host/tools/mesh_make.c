@@ -25,7 +25,10 @@ static bool read_generated(const char *name, struct model *model, struct text_er
         text_error_set(error, name, 0, "out of memory");
     } else {
         ok = model_parse_obj(name, text, length, false, model, error) &&
-             model_check(name, model, error) && model_weld(model);
+             model_check(name, model, error);
+    }
+    if (ok) {
+        model_weld(model);
     }
     free(text);
     return ok;
@@ -52,32 +55,27 @@ static void drop_normals(struct model *model)
 }
 
 /* Normals that are made anew must not keep vertices apart that are to be simplified together. */
-static bool simplify(const struct mesh_options *options, struct model *model)
+static void simplify(const struct mesh_options *options, struct model *model)
 {
     double distance = 0.0;
     size_t before = model->triangle_count;
     if (options->simplify == 0 || (size_t)options->simplify >= before) {
-        return true;
+        return;
     }
-    if (!model_simplify(model, (size_t)options->simplify, &distance)) {
-        return false;
-    }
+    model_simplify(model, (size_t)options->simplify, &distance);
     fprintf(stderr, "simplified from %zu to %zu triangles, within %.2g %% of the model's size\n",
             before, model->triangle_count, 100.0 * distance);
     if (model->triangle_count > (size_t)options->simplify) {
         fputs("its edges, seams and normals allow no fewer; --normals smooth 180 or --plain may\n",
               stderr);
     }
-    return true;
 }
 
-static bool shape(const struct mesh_options *options, struct model *model)
+static void shape(const struct mesh_options *options, struct model *model)
 {
     if (options->normals != MODEL_NORMALS_KEEP) {
         drop_normals(model);
-        if (!model_weld(model)) {
-            return false;
-        }
+        model_weld(model);
     }
     model_turn_up(model, options->up == 0 ? 'y' : 'z');
     if (options->center) {
@@ -89,9 +87,9 @@ static bool shape(const struct mesh_options *options, struct model *model)
     if (options->scale > 0.0) {
         model_scale(model, options->scale);
     }
-    return simplify(options, model) &&
-           model_make_normals(model, options->normals, options->smooth_degrees) &&
-           model_weld(model);
+    simplify(options, model);
+    model_make_normals(model, options->normals, options->smooth_degrees);
+    model_weld(model);
 }
 
 /* Of a generated mesh without normals, which is lit face by face, `keep` keeps that. */
@@ -114,11 +112,7 @@ bool mesh_read(struct mesh_options *options, enum model_content content, struct 
         fprintf(stderr, "%s: left out: %s\n", options->input, model->left_out);
     }
     settle_normals(options, model);
-    if (!shape(options, model)) {
-        text_error_set(error, options->input, 0, "out of memory");
-        model_free(model);
-        return false;
-    }
+    shape(options, model);
     return true;
 }
 

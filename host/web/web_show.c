@@ -7,6 +7,7 @@
 
 #include "../assets/asset_model.h"
 #include "../io/file.h"
+#include "../io/xalloc.h"
 #include "../tools/commands.h"
 #include "../tools/model_make.h"
 #include "web.h"
@@ -21,11 +22,8 @@ static bool write_part(const struct asset *asset, size_t i, const q16 *weights)
     char path[40];
     (void)snprintf(path, sizeof path, "shown_%zu.obj", i);
     if (part.target_count > 0) {
-        positions = malloc(part.mesh.vertex_count * sizeof *positions);
-        if (positions == NULL || !asset_shape(&part, weights, positions)) {
-            free(positions);
-            return false;
-        }
+        positions = xcalloc(part.mesh.vertex_count, sizeof *positions);
+        asset_shape(&part, weights, positions);
         part.mesh.positions16 = positions;
     }
     const bool ok = file_output_open(&output, path, &error);
@@ -75,14 +73,12 @@ static void print_part(const struct asset *asset, size_t i, const qtri_transform
 static bool show(const struct asset *asset)
 {
     qtri_transform whole;
-    qtri_transform *poses = malloc((asset->node_count + 1) * sizeof *poses);
-    q16 *weights = calloc(asset->track_count + 1, 3 * sizeof *weights);
-    bool ok = poses != NULL && weights != NULL;
-    if (ok) {
-        qtri_transform_identity(&whole);
-        asset_pose(asset, &whole, 0, poses);
-        asset_weights(asset, 0, weights);
-    }
+    qtri_transform *poses = xcalloc(asset->node_count + 1, sizeof *poses);
+    q16 *weights = xcalloc(asset->track_count, 3 * sizeof *weights);
+    bool ok = true;
+    qtri_transform_identity(&whole);
+    asset_pose(asset, &whole, 0, poses);
+    asset_weights(asset, 0, weights);
     for (size_t i = 0; ok && i < asset->count; i++) {
         ok = write_part(asset, i, weights);
         print_part(asset, i, &poses[asset->node_count > 0 ? asset->parts[i].material.node : 0]);
