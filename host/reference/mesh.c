@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh.h"
+#include "../io/xalloc.h"
 #include "blend.h"
 #include "clip.h"
 #include "light.h"
@@ -157,14 +158,6 @@ struct edges {
     struct edge *edge;
 };
 
-static bool edges_create(struct edges *all, const struct ref_model *mesh)
-{
-    all->count = 0;
-    all->first = calloc(mesh->vertex_count + 1, sizeof *all->first);
-    all->edge = calloc(3 * mesh->triangle_count + 1, sizeof *all->edge);
-    return all->first != NULL && all->edge != NULL;
-}
-
 static void edges_free(struct edges *all)
 {
     free(all->first);
@@ -186,30 +179,29 @@ static bool is_new(struct edges *all, uint32_t a, uint32_t b)
 }
 
 /* Every edge of triangles that are seen, once, as a stroke by itself. */
-static bool draw_wide(struct ref_target *target, const struct scene_op *op, const struct drawing *d,
+static void draw_wide(struct ref_target *target, const struct scene_op *op, const struct drawing *d,
                       const struct ref_vertex *vertices)
 {
     const struct ref_model *mesh = d->mesh;
-    struct edges edges;
-    bool ok = edges_create(&edges, mesh);
+    struct edges edges = {0, xcalloc(mesh->vertex_count, sizeof *edges.first),
+                          xcalloc(3 * mesh->triangle_count, sizeof *edges.edge)};
 
-    for (size_t t = 0; ok && t < mesh->triangle_count; t++) {
+    for (size_t t = 0; t < mesh->triangle_count; t++) {
         const uint32_t *index = mesh->triangles[t];
         struct ref_triangle triangle = {
             {vertices[index[0]], vertices[index[1]], vertices[index[2]]}, 0, false, NULL};
         if (!ref_facing_is_drawn(target, ref_facing(&triangle)))
             continue;
         light_triangle(d, &triangle, index);
-        for (int i = 0; ok && i < 3; i++)
+        for (int i = 0; i < 3; i++)
             if (is_new(&edges, index[i], index[(i + 1) % 3]))
-                ok = ref_draw_edge(target, &triangle.vertex[i], &triangle.vertex[(i + 1) % 3],
-                                   &target->scene->wide, op->id + (uint32_t)t);
+                ref_draw_edge(target, &triangle.vertex[i], &triangle.vertex[(i + 1) % 3],
+                              &target->scene->wide, op->id + (uint32_t)t);
     }
     edges_free(&edges);
-    return ok;
 }
 
-bool ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
+void ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
                    const struct ref_matrix *projection, const struct ref_matrix *modelview)
 {
     struct ref_matrix to_clip = ref_matrix_multiply(projection, modelview);
@@ -217,20 +209,15 @@ bool ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
     struct ref_model mesh;
     struct drawing d = {.mesh = &mesh, .light = &light};
 
-    if (!ref_model_create(&mesh, target->scene, op))
-        return false;
-    struct ref_vertex *vertices = malloc((mesh.vertex_count + 1) * sizeof *vertices);
+    ref_model_create(&mesh, target->scene, op);
+    struct ref_vertex *vertices = xcalloc(mesh.vertex_count, sizeof *vertices);
     for (int c = 0; c < 3; c++)
         d.color[c] = ref_unit_from_q16(op->u.mesh.color[c]);
-    bool ok = vertices != NULL;
-    if (ok) {
-        transform_vertices(&d, op, &to_clip, vertices);
-        if (target->scene->wide_lines || target->scene->smooth_lines)
-            ok = draw_wide(target, op, &d, vertices);
-        else
-            (target->scene->hidden_lines ? draw_hidden : draw)(target, op, &d, vertices);
-    }
+    transform_vertices(&d, op, &to_clip, vertices);
+    if (target->scene->wide_lines || target->scene->smooth_lines)
+        draw_wide(target, op, &d, vertices);
+    else
+        (target->scene->hidden_lines ? draw_hidden : draw)(target, op, &d, vertices);
     ref_model_free(&mesh);
     free(vertices);
-    return ok;
 }

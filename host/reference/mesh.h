@@ -11,9 +11,8 @@
 /* Draws a triangle the way the target asks for: homogeneous, snapped or as an outline. */
 void ref_draw_triangle(struct ref_target *target, const struct ref_triangle *triangle);
 
-/* Transforms, lights and draws the mesh of a SCENE_MESH or SCENE_MODEL operation. False without
-   memory. */
-bool ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
+/* Transforms, lights and draws the mesh of a SCENE_MESH or SCENE_MODEL operation. */
+void ref_draw_mesh(struct ref_target *target, const struct scene_op *op,
                    const struct ref_matrix *projection, const struct ref_matrix *modelview);
 
 #endif

@@ -1,25 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 #include "model.h"
+#include "../io/xalloc.h"
 #include "matrix.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static bool allocate(struct ref_model *model, size_t vertices, size_t triangles, bool textured)
+static void allocate(struct ref_model *model, size_t vertices, size_t triangles, bool textured)
 {
     *model = (struct ref_model){
-        .positions = calloc(vertices + 1, sizeof *model->positions),
-        .normals = calloc(vertices + 1, sizeof *model->normals),
-        .uvs = textured ? calloc(vertices + 1, sizeof *model->uvs) : NULL,
-        .triangles = calloc(triangles + 1, sizeof *model->triangles),
+        .positions = xcalloc(vertices, sizeof *model->positions),
+        .normals = xcalloc(vertices, sizeof *model->normals),
+        .uvs = textured ? xcalloc(vertices, sizeof *model->uvs) : NULL,
+        .triangles = xcalloc(triangles, sizeof *model->triangles),
         .vertex_count = vertices,
         .triangle_count = triangles,
     };
-    if (model->positions && model->normals && model->triangles && (model->uvs || !textured))
-        return true;
-    ref_model_free(model);
-    return false;
 }
 
 void ref_model_free(struct ref_model *model)
@@ -33,10 +30,9 @@ void ref_model_free(struct ref_model *model)
 
 /* ---- Meshes that are read ---- */
 
-static bool create_read(struct ref_model *model, const struct obj_mesh *mesh)
+static void create_read(struct ref_model *model, const struct obj_mesh *mesh)
 {
-    if (!allocate(model, mesh->vertex_count, mesh->triangle_count, mesh->uvs != NULL))
-        return false;
+    allocate(model, mesh->vertex_count, mesh->triangle_count, mesh->uvs != NULL);
     for (size_t i = 0; i < mesh->vertex_count; i++) {
         ref_from_q16(mesh->positions[i], 3, model->positions[i]);
         ref_from_q16(mesh->normals[i], 3, model->normals[i]);
@@ -46,7 +42,6 @@ static bool create_read(struct ref_model *model, const struct obj_mesh *mesh)
     model->colors = (const uint8_t(*)[3])mesh->colors;
     if (mesh->triangle_count > 0)
         memcpy(model->triangles, mesh->triangles, mesh->triangle_count * sizeof *mesh->triangles);
-    return true;
 }
 
 /* ---- Mixed ---- */
@@ -102,18 +97,17 @@ static void mix_targets(struct ref_model *model, const struct scene *scene,
     }
 }
 
-static bool create_mixed(struct ref_model *model, const struct scene *scene,
+static void create_mixed(struct ref_model *model, const struct scene *scene,
                          const struct scene_model *of)
 {
     double at = of->at / 65536.0;
     int first = 0;
 
-    if (!create_read(model, &scene->meshes[of->mesh[0]]))
-        return false;
+    create_read(model, &scene->meshes[of->mesh[0]]);
     model->colors = NULL; /* what is mixed has the one of its statement */
     if (of->kind == SCENE_TARGETS) {
         mix_targets(model, scene, of);
-        return true;
+        return;
     }
     if (of->kind == SCENE_FRAMES) {
         at -= of->mesh_count * floor(at / of->mesh_count);
@@ -122,18 +116,18 @@ static bool create_mixed(struct ref_model *model, const struct scene *scene,
     }
     mix_two(model, &scene->meshes[of->mesh[first]],
             &scene->meshes[of->mesh[(first + 1) % of->mesh_count]], at);
-    return true;
 }
 
-bool ref_model_create(struct ref_model *model, const struct scene *scene, const struct scene_op *op)
+void ref_model_create(struct ref_model *model, const struct scene *scene, const struct scene_op *op)
 {
-    if (op->kind == SCENE_MESH)
-        return create_read(model, &scene->meshes[op->u.mesh.mesh]);
-    const struct scene_model *of = &scene->models[op->u.mesh.mesh];
-    if (of->kind != SCENE_SHAPE)
-        return create_mixed(model, scene, of);
-    if (!allocate(model, of->vertices, of->triangles, true))
-        return false;
-    ref_shape(model, of);
-    return true;
+    const struct scene_model *of = op->kind == SCENE_MESH ? NULL : &scene->models[op->u.mesh.mesh];
+
+    if (of == NULL) {
+        create_read(model, &scene->meshes[op->u.mesh.mesh]);
+    } else if (of->kind != SCENE_SHAPE) {
+        create_mixed(model, scene, of);
+    } else {
+        allocate(model, of->vertices, of->triangles, true);
+        ref_shape(model, of);
+    }
 }

@@ -20,10 +20,9 @@ struct ref_model {
 
 /*
  * What a SCENE_MESH or SCENE_MODEL operation draws. Meshes that are mixed have normals of 8 bits,
- * round(127 n), as displays store them; what is mixed of these is not rounded. False when memory
- * runs out.
+ * round(127 n), as displays store them; what is mixed of these is not rounded.
  */
-bool ref_model_create(struct ref_model *model, const struct scene *scene,
+void ref_model_create(struct ref_model *model, const struct scene *scene,
                       const struct scene_op *op);
 void ref_model_free(struct ref_model *model);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster_stroke.h"
 
+#include "../io/xalloc.h"
 #include "blend.h"
 #include "clip.h"
 #include "snap.h"
@@ -277,41 +278,38 @@ static void draw_rows(struct ref_target *target, const struct scene_op *op,
     }
 }
 
-bool ref_draw_stroke(struct ref_target *target, const struct scene_op *op,
+void ref_draw_stroke(struct ref_target *target, const struct scene_op *op,
                      const struct ref_matrix *projection, const struct ref_matrix *modelview)
 {
     struct ref_matrix to_clip = ref_matrix_multiply(projection, modelview);
     size_t count = op->u.stroke.count;
-    struct strokes all = {calloc(count + 1, sizeof *all.part), calloc(count + 1, sizeof *all.ends),
-                          0};
-    double *share = malloc((size_t)target->scene->width * sizeof *share);
-    bool ok = all.part != NULL && all.ends != NULL && share != NULL;
+    struct strokes all = {xcalloc(count + 1, sizeof *all.part),
+                          xcalloc(count + 1, sizeof *all.ends), 0};
+    double *share = xcalloc((size_t)target->scene->width, sizeof *share);
 
-    if (ok && count > 0 && op->u.stroke.width > 0) {
+    if (count > 0 && op->u.stroke.width > 0) {
         add_parts(&all, target, op, &to_clip, modelview);
         draw_rows(target, op, &all, share);
     }
     free(all.part);
     free(all.ends);
     free(share);
-    return ok;
 }
 
-bool ref_draw_edge(struct ref_target *target, const struct ref_vertex *a,
+void ref_draw_edge(struct ref_target *target, const struct ref_vertex *a,
                    const struct ref_vertex *b, const struct scene_stroke *look, uint32_t id)
 {
     struct ref_stroke_part part;
     struct ends ends;
     struct strokes all = {&part, &ends, 0};
     struct scene_op op = {.id = id, .u.stroke = *look};
-    double *share = malloc((size_t)target->scene->width * sizeof *share);
+    double *share = xcalloc((size_t)target->scene->width, sizeof *share);
 
-    if (share != NULL && look->width > 0 && add_part(&all, target, a, b) != NULL) {
+    if (look->width > 0 && add_part(&all, target, a, b) != NULL) {
         part.radius = fmin((double)look->width / 131072.0, 256.0);
         part.cap[0] = (enum ref_cap)look->cap;
         part.cap[1] = part.cap[0];
         draw_rows(target, &op, &all, share);
     }
     free(share);
-    return share != NULL;
 }

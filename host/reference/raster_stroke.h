@@ -8,12 +8,12 @@
 #include "matrix.h"
 #include "target.h"
 
-/* Draws a SCENE_STROKE; false when memory runs out. Without `linesmooth` by pixel centres. */
-bool ref_draw_stroke(struct ref_target *target, const struct scene_op *op,
+/* Draws a SCENE_STROKE. Without `linesmooth` by pixel centres. */
+void ref_draw_stroke(struct ref_target *target, const struct scene_op *op,
                      const struct ref_matrix *projection, const struct ref_matrix *modelview);
 
-/* Draws a line by itself, with the look of a stroke; false when memory runs out. */
-bool ref_draw_edge(struct ref_target *target, const struct ref_vertex *a,
+/* Draws a line by itself, with the look of a stroke. */
+void ref_draw_edge(struct ref_target *target, const struct ref_vertex *a,
                    const struct ref_vertex *b, const struct scene_stroke *look, uint32_t id);
 
 #endif

@@ -185,7 +185,7 @@ static struct ref_matrix matrix_of(const struct replay *replay, const struct sce
     }
 }
 
-static bool replay_op(struct replay *replay, const struct scene_op *op)
+static void replay_op(struct replay *replay, const struct scene_op *op)
 {
     struct ref_matrix *top = &replay->current->matrix[replay->current->top];
 
@@ -230,24 +230,21 @@ static bool replay_op(struct replay *replay, const struct scene_op *op)
         break;
     case SCENE_MESH:
     case SCENE_MODEL:
-        return ref_draw_mesh(&replay->target, op,
-                             &replay->projection.matrix[replay->projection.top],
-                             &replay->modelview.matrix[replay->modelview.top]);
+        ref_draw_mesh(&replay->target, op, &replay->projection.matrix[replay->projection.top],
+                      &replay->modelview.matrix[replay->modelview.top]);
+        break;
     case SCENE_STROKE:
-        return ref_draw_stroke(&replay->target, op,
-                               &replay->projection.matrix[replay->projection.top],
-                               &replay->modelview.matrix[replay->modelview.top]);
+        ref_draw_stroke(&replay->target, op, &replay->projection.matrix[replay->projection.top],
+                        &replay->modelview.matrix[replay->modelview.top]);
+        break;
     default:
         multiply_current(replay, matrix_of(replay, op));
         break;
     }
-    return true;
 }
 
-static bool replay_pass(struct replay *replay, const struct scene *scene)
+static void replay_pass(struct replay *replay, const struct scene *scene)
 {
-    bool ok = true;
-
     replay->target.scene = scene;
     replay->camera = ref_matrix_identity();
     replay->joint_count = 0;
@@ -256,9 +253,8 @@ static bool replay_pass(struct replay *replay, const struct scene *scene)
     replay->modelview.top = 0;
     replay->modelview.matrix[0] = ref_matrix_identity();
     replay->current = &replay->modelview;
-    for (size_t i = 0; ok && i < scene->op_count; i++)
-        ok = replay_op(replay, &scene->ops[i]);
-    return ok;
+    for (size_t i = 0; i < scene->op_count; i++)
+        replay_op(replay, &scene->ops[i]);
 }
 
 bool ref_render_at(const struct scene *scene, int subpixel_bits, const struct ref_sampling *at,
@@ -271,12 +267,9 @@ bool ref_render_at(const struct scene *scene, int subpixel_bits, const struct re
         return false;
     replay.target.at = *at;
     const struct ref_window whole = replay.target.window;
-    bool ok = true;
-    for (; ok && scene != NULL; scene = scene->next) {
+    for (; scene != NULL; scene = scene->next) {
         replay.target.window = whole;
-        ok = replay_pass(&replay, scene);
+        replay_pass(&replay, scene);
     }
-    if (!ok)
-        reference_free(image);
-    return ok;
+    return true;
 }

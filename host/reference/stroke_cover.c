@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "stroke_cover.h"
 
+#include "../io/xalloc.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -96,9 +98,7 @@ static void add_interval(double *share, int width, double from, double to)
 void ref_stroke_cover_row(const struct ref_stroke_part *part, size_t count, int row, int width,
                           double *share)
 {
-    struct interval *all = malloc((3 * count + 1) * sizeof *all);
-    if (all == NULL)
-        abort();
+    struct interval *all = xcalloc(3 * count, sizeof *all);
     for (int x = 0; x < width; x++)
         share[x] = 0.0;
     for (int line = 0; line < LINES; line++) {
