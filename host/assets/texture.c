@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../io/mipmap.h"
+#include "../io/xalloc.h"
 
 const char *const texture_format_names[TEXTURE_FORMATS] = {"rgb565", "palette", "gray8", "xrgb8888",
                                                            "palette565"};
@@ -138,14 +139,11 @@ static void convert_row(const struct texture *texture, const struct texture_opti
     }
 }
 
-static bool convert(const struct texture *texture, const struct texture_options *options,
+static void convert(const struct texture *texture, const struct texture_options *options,
                     const struct image *image, uint32_t *texels)
 {
     size_t columns = (size_t)image->width + 2;
-    int(*rows)[3] = calloc(2 * columns, sizeof *rows);
-    if (rows == NULL) {
-        return false;
-    }
+    int(*rows)[3] = xcalloc(2 * columns, sizeof *rows);
     for (int y = 0; y < image->height; y++) {
         struct diffusion diffusion = {&rows[(size_t)(y & 1) * columns],
                                       &rows[(size_t)(~y & 1) * columns]};
@@ -153,7 +151,6 @@ static bool convert(const struct texture *texture, const struct texture_options 
         convert_row(texture, options, image, y, texels, &diffusion);
     }
     free(rows);
-    return true;
 }
 
 size_t texture_level_at(const struct texture *texture, int level)
@@ -166,27 +163,24 @@ size_t texture_level_at(const struct texture *texture, int level)
 }
 
 /* Levels of the picture, of which what is the key's counts as transparent. */
-static bool convert_levels(const struct texture *texture, const struct texture_options *options,
+static void convert_levels(const struct texture *texture, const struct texture_options *options,
                            const struct image *image)
 {
     size_t count = (size_t)image->width * (size_t)image->height;
-    uint8_t *seen = malloc(4 * count), *smaller = malloc(4 * count);
-    bool ok = seen != NULL && smaller != NULL;
-    for (size_t i = 0; ok && i < count; i++) {
+    uint8_t *seen = xcalloc(count, 4), *smaller = xcalloc(count, 4);
+    for (size_t i = 0; i < count; i++) {
         const uint8_t *pixel = &image->rgba[4 * i];
         memcpy(&seen[4 * i], pixel, 4);
         seen[4 * i + 3] = is_key(options, pixel) ? 0 : pixel[3];
     }
-    for (int level = 1; ok && level <= texture->level_count; level++) {
+    for (int level = 1; level <= texture->level_count; level++) {
         const struct image picture = {mipmap_side(image->width, level),
                                       mipmap_side(image->height, level), smaller};
         mipmap_level(seen, image->width, image->height, level, smaller);
-        ok =
-            convert(texture, options, &picture, &texture->texels[texture_level_at(texture, level)]);
+        convert(texture, options, &picture, &texture->texels[texture_level_at(texture, level)]);
     }
     free(seen);
     free(smaller);
-    return ok;
 }
 
 static void measure(struct texture *texture, const struct texture_options *options,
@@ -214,7 +208,7 @@ static void measure(struct texture *texture, const struct texture_options *optio
 /* ---- The texture ---- */
 
 /* Of a palette with a key, entry 0 is the key's. */
-static bool make_palette(struct texture *texture, const struct texture_options *options,
+static void make_palette(struct texture *texture, const struct texture_options *options,
                          const struct image *image)
 {
     int first = options->has_key ? 1 : 0;
@@ -231,24 +225,22 @@ static bool make_palette(struct texture *texture, const struct texture_options *
             entry[c] = (uint8_t)color[c];
         }
     }
-    return count > 0;
 }
 
-static bool fill(struct texture *texture, const struct texture_options *options,
+static void fill(struct texture *texture, const struct texture_options *options,
                  const struct image *image)
 {
     const int key[3] = {options->key[0], options->key[1], options->key[2]};
     texture->level_count = options->mipmaps ? mipmap_count(texture->width) : 0;
     texture->texels =
-        calloc(texture_level_at(texture, texture->level_count + 1), sizeof *texture->texels);
-    if (texture->texels == NULL ||
-        (has_palette(texture) && !make_palette(texture, options, image))) {
-        return false;
+        xcalloc(texture_level_at(texture, texture->level_count + 1), sizeof *texture->texels);
+    if (has_palette(texture)) {
+        make_palette(texture, options, image);
     }
     texture->has_key = options->has_key;
     texture->key = options->has_key && !has_palette(texture) ? encode(texture, key) : 0;
-    return convert(texture, options, image, texture->texels) &&
-           convert_levels(texture, options, image);
+    convert(texture, options, image, texture->texels);
+    convert_levels(texture, options, image);
 }
 
 bool texture_make(const char *path, const struct image *image,
@@ -260,16 +252,13 @@ bool texture_make(const char *path, const struct image *image,
     texture->format = options->format;
     texture->width = options->width > 0 ? options->width : texture_nearest_side(image->width);
     texture->height = options->height > 0 ? options->height : texture_nearest_side(image->height);
-    bool ok = texture_resample(image, texture->width, texture->height, &sized) &&
-              fill(texture, options, &sized);
-    if (ok) {
-        measure(texture, options, &sized);
-    } else {
-        text_error_set(error, path, 0, "out of memory");
-        texture_free(texture);
+    if (!texture_resample(image, texture->width, texture->height, &sized)) {
+        return text_error_set(error, path, 0, "out of memory");
     }
+    fill(texture, options, &sized);
+    measure(texture, options, &sized);
     image_free(&sized);
-    return ok;
+    return true;
 }
 
 static size_t texel_bytes(const struct texture *texture)

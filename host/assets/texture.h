@@ -63,7 +63,7 @@ int texture_nearest_side(int side);
 bool texture_resample(const struct image *image, int width, int height, struct image *out);
 
 /* Up to `most` colours (1..256) for the picture's pixels that are opaque by half: all where they
-   are so few, else median cut and k-means. Returns how many; 0 when memory runs out. */
+   are so few, else median cut and k-means. Returns how many. */
 int texture_palette(const struct image *image, int most, uint8_t palette[256][3]);
 
 /* The entry from `first` to before `end` that is nearest to a colour. */

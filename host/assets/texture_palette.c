@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "../io/palette.h"
+#include "../io/xalloc.h"
 
 enum { BINS = 32768, ROUNDS = 6 };
 
@@ -186,11 +187,8 @@ static void fill_bins(struct reduction *reduction, const uint8_t *rgb, size_t co
 
 static int reduce(const uint8_t *rgb, size_t count, int most, uint8_t palette[256][3])
 {
-    struct reduction reduction = {calloc(BINS, sizeof(struct bin)), 0, 0};
+    struct reduction reduction = {xcalloc(BINS, sizeof(struct bin)), 0, 0};
     struct box boxes[256];
-    if (reduction.bins == NULL) {
-        return 0;
-    }
     fill_bins(&reduction, rgb, count);
     int colors = 1;
     boxes[0].first = 0;
@@ -211,11 +209,8 @@ static int reduce(const uint8_t *rgb, size_t count, int most, uint8_t palette[25
 int texture_palette(const struct image *image, int most, uint8_t palette[256][3])
 {
     size_t count = 0, pixels = (size_t)image->width * (size_t)image->height;
-    uint8_t *rgb = malloc(3 * pixels);
+    uint8_t *rgb = xcalloc(pixels, 3);
     struct palette exact;
-    if (rgb == NULL) {
-        return 0;
-    }
     for (size_t i = 0; i < pixels; i++) {
         if (image->rgba[4 * i + 3] >= 128) {
             memcpy(&rgb[3 * count++], &image->rgba[4 * i], 3);
