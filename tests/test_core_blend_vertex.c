@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Alpha that varies between vertices, against exact arithmetic, and in pieces; depths moved by
- * the slope of a triangle.
+ * Alpha that varies between vertices, against exact arithmetic, and in pieces.
  */
 #include "support/core.h"
 #include "support/layouts.h"
@@ -483,56 +482,6 @@ TEST(samples)
         canvas_free(&many);
         canvas_free(&inside);
     }
-}
-
-/* ---- Depths moved by slope ---- */
-
-/* Every pixel is moved by what the triangle's slope says, to the rounding of both. */
-TEST(slopes)
-{
-    uint64_t seed = 41;
-    canvas moved = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    canvas plain = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    for (int n = 0; n < 400; n++) {
-        qtri_screen_vertex v[3];
-        qtri_material m = plain_material();
-        m.depth_compare = QTRI_ALWAYS;
-        m.depth_slope =
-            random_in(&seed, 0, 9) == 0 ? random_any(&seed) : random_in(&seed, -300000, 300000);
-        for (int i = 0; i < 3; i++) {
-            v[i] = screen_at(random_in(&seed, -9000, WIDTH * 256 + 9000),
-                             random_in(&seed, -9000, HEIGHT * 256 + 9000));
-            v[i].depth_16p16 = (uint32_t)random_in(&seed, 0, 65535) << 16;
-        }
-        canvas_clear(&moved);
-        canvas_clear(&plain);
-        qtri_raster_triangle(&plain.surface, qtri_pipelines_default, &m, v);
-        m.depth_shift = &qtri_slope_bias;
-        qtri_raster_triangle(&moved.surface, qtri_pipelines_default, &m, v);
-        const double x1 = v[1].x_24p8 - v[0].x_24p8;
-        const double y1 = v[1].y_24p8 - v[0].y_24p8;
-        const double x2 = v[2].x_24p8 - v[0].x_24p8;
-        const double y2 = v[2].y_24p8 - v[0].y_24p8;
-        const double z0 = v[0].depth_16p16 / 65536.0;
-        const double z1 = v[1].depth_16p16 / 65536.0;
-        const double z2 = v[2].depth_16p16 / 65536.0;
-        const double area = x1 * y2 - x2 * y1;
-        const double right = ((z1 - z0) * y2 - (z2 - z0) * y1) / area * 256;
-        const double down = ((z2 - z0) * x1 - (z1 - z0) * x2) / area * 256;
-        double by = m.depth_slope / 65536.0 * fmax(fabs(right), fabs(down));
-        by = fmax(by, -fmin(z0, fmin(z1, z2)));
-        by = fmin(by, 65535 - fmax(z0, fmax(z1, z2)));
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            assert_int_equal(stored_pixel(&moved.surface, i % WIDTH, i / WIDTH),
-                             stored_pixel(&plain.surface, i % WIDTH, i / WIDTH));
-            if (stored_pixel(&plain.surface, i % WIDTH, i / WIDTH) != 0) {
-                assert_near(stored_depth(&moved.surface, i % WIDTH, i / WIDTH),
-                            stored_depth(&plain.surface, i % WIDTH, i / WIDTH) + by, 1.01);
-            }
-        }
-    }
-    canvas_free(&moved);
-    canvas_free(&plain);
 }
 
 /* Any numbers: nothing is drawn outside of the surface, and the sanitizers find nothing. */
