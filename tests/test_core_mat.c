@@ -250,12 +250,15 @@ TEST(products)
             }
         }
     }
-    qtri_mat4 identity = qtri_mat4_identity();
-    qtri_mat4 m = random_mat4(&seed);
-    qtri_mat4 same = qtri_mat4_mul(&identity, &m);
-    assert_memory_equal(&same, &m, sizeof m);
-    same = qtri_mat4_mul(&m, &identity);
-    assert_memory_equal(&same, &m, sizeof m);
+    const qtri_mat4 identity = qtri_mat4_identity();
+    const qtri_mat3 identity3 = qtri_mat3_identity();
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 4; j++) {
+            const q16 expected = i == j ? Q16_ONE : 0;
+            assert_int_equal(identity.m[i][j], expected);
+            assert_true(i == 3 || j == 3 || identity3.m[i][j] == expected);
+        }
+    }
 }
 
 /* det of the rows and columns in the masks: exact while elements are below 2^29. */
@@ -407,41 +410,6 @@ TEST(large_inverses)
         }
         assert_false(qtri_mat4_inverse(&inverse, &swapped));
     }
-}
-
-/* M inverse(M) is the identity, as far as rounded elements let it. */
-TEST(inverses_undo)
-{
-    uint64_t seed = 44;
-    double worst = 0;
-    for (int n = 0; n < 20000; n++) {
-        qtri_vec3 axis = random_vec3(&seed);
-        qtri_mat4 turn = qtri_mat4_rotate_axis_deg(axis, random_any(&seed));
-        qtri_vec3 factor = {random_in(&seed, Q16(0.5), Q16(2)), random_in(&seed, Q16(0.5), Q16(2)),
-                            random_in(&seed, -Q16(2), -Q16(0.5))};
-        qtri_mat4 scale = qtri_mat4_scale(factor);
-        qtri_vec3 offset = {random_in(&seed, -Q16(8), Q16(8)), random_in(&seed, -Q16(8), Q16(8)),
-                            random_in(&seed, -Q16(8), Q16(8))};
-        qtri_mat4 move = qtri_mat4_translate(offset);
-        qtri_mat4 m = qtri_mat4_mul(&turn, &scale);
-        m = qtri_mat4_mul(&move, &m);
-        qtri_mat4 inverse;
-        assert_true(qtri_mat4_inverse_affine(&inverse, &m));
-        qtri_mat4 product = qtri_mat4_mul(&inverse, &m);
-        real4 identity = real4_identity();
-        worst = fmax(worst, error_of(&product, &identity));
-
-        /* A normal stays perpendicular to what it was perpendicular to. */
-        qtri_mat3 normals;
-        assert_true(qtri_mat4_normal_matrix(&normals, &m));
-        qtri_vec3 tangent = vec3_of(1, 2, -1);
-        qtri_vec3 normal = vec3_of(3, -1, 1);
-        tangent = qtri_mat4_vector(&m, tangent);
-        normal = qtri_mat3_vec3(&normals, normal);
-        assert_near(real(qtri_vec3_dot(normal, tangent)), 0, 48 / 65536.);
-    }
-    print_message("inverse times matrix: %.1f ULP\n", worst);
-    assert_true(worst <= 16); /* half an ULP on each element, times rows up to 8 + 3 2 long */
 }
 
 TEST(builders)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Scalars, integer helpers, trigonometry and wide numbers against exact or longer arithmetic.
+ * Integer helpers, sines of Q30 and wide numbers against exact or longer arithmetic;
+ * test_core_q16.c has the scalars, test_core_elementary.c what angles give.
  */
 #include "support/core.h"
 
@@ -12,136 +13,8 @@
 
 static const long double pi = 3.141592653589793238462643383279502884L;
 
-static void check_pair(int32_t a, int32_t b)
+TEST(square_roots_of_words)
 {
-    int128 product = (int128)a * b;
-    if (q16_mul(a, b) != q16_of_products(product) ||
-        q16_mul_floor(a, b) != saturated(floor_div(product, 65536)) ||
-        q16_add(a, b) != saturated((int128)a + b) || q16_sub(a, b) != saturated((int128)a - b)) {
-        fail_msg("mul, add or sub of %d %d", (int)a, (int)b);
-    }
-    int128 quotient;
-    if (b == 0) {
-        quotient = a == 0 ? 0 : (a > 0 ? INT32_MAX : INT32_MIN);
-    } else {
-        int128 size_a = a < 0 ? -(int128)a : a;
-        int128 size_b = b < 0 ? -(int128)b : b;
-        quotient = (2 * 65536 * size_a + size_b) / (2 * size_b); /* ties away from zero */
-        quotient = (a < 0) != (b < 0) ? -quotient : quotient;
-    }
-    if (q16_div(a, b) != saturated(quotient) || q16_from_ratio(a, b) != saturated(quotient)) {
-        fail_msg("div of %d %d is %d", (int)a, (int)b, (int)q16_div(a, b));
-    }
-}
-
-static void check_lerp(int32_t a, int32_t b, int32_t t)
-{
-    int128 exact = (int128)a * 65536 + ((int128)b - a) * t;
-    if (q16_lerp(a, b, t) != q16_of_products(exact)) {
-        fail_msg("lerp %d %d %d is %d", (int)a, (int)b, (int)t, (int)q16_lerp(a, b, t));
-    }
-}
-
-static void check_single(int32_t x)
-{
-    assert_int_equal(q16_neg(x), saturated(-(int128)x));
-    assert_int_equal(q16_abs(x), saturated(x < 0 ? -(int128)x : x));
-    assert_int_equal(q16_from_int(x), saturated((int128)x * 65536));
-    assert_int_equal(q16_to_int_floor(x), (int32_t)floor_div(x, 65536));
-    assert_int_equal(q16_to_int_round(x), (int32_t)floor_div((int128)x + 32768, 65536));
-}
-
-TEST(scalars)
-{
-    static int32_t value[STRESS_COUNT];
-    int count = stress_values(value);
-    for (int i = 0; i < count; i++) {
-        check_single(value[i]);
-        for (int j = 0; j < count; j++) {
-            check_pair(value[i], value[j]);
-            for (int k = i & 3; k < count; k += 4) {
-                check_lerp(value[i], value[j], value[k]);
-            }
-        }
-    }
-    uint64_t seed = 1;
-    for (int i = 0; i < 400000; i++) {
-        int32_t a = random_any(&seed);
-        int32_t b = random_any(&seed);
-        check_pair(a, b);
-        check_lerp(a, b, random_any(&seed));
-        check_lerp(a, b, random_in(&seed, 0, 65536));
-    }
-    /* Quotients that lie exactly halfway. */
-    for (int32_t odd = 1; odd < 2001; odd += 2) {
-        check_pair(odd, 131072 << 1);
-        check_pair(-odd, 131072);
-        check_pair(odd, INT32_MIN);
-        check_pair(odd * 3, -(3 << 17));
-    }
-}
-
-TEST(clamps)
-{
-    assert_int_equal(q16_clamp(5, 0, 3), 3);
-    assert_int_equal(q16_clamp(-5, 0, 3), 0);
-    assert_int_equal(q16_clamp(1, 3, 0), 0);
-    assert_int_equal(q16_clamp(5, 3, 0), 0);
-    assert_int_equal(q16_min(INT32_MIN, INT32_MAX), INT32_MIN);
-    assert_int_equal(q16_max(INT32_MIN, INT32_MAX), INT32_MAX);
-    assert_int_equal(Q16(0.5), 32768);
-    assert_int_equal(Q16(-3), -196608);
-    assert_int_equal(Q16(-32768), INT32_MIN);
-}
-
-/* r is nearest to the root of x: (2r - 1)^2 <= 4x < (2r + 1)^2. */
-static void check_sqrt64(uint64_t x)
-{
-    uint64_t remainder = 0;
-    uint64_t root = qtri_sqrt64_floor(x, &remainder);
-    if (root * root + remainder != x || remainder > 2 * root) {
-        fail_msg("sqrt64_floor of %llu", (unsigned long long)x);
-    }
-    int128 r = (int128)qtri_sqrt64_round(x);
-    if ((r > 0 && (2 * r - 1) * (2 * r - 1) > 4 * (int128)x) ||
-        4 * (int128)x >= (2 * r + 1) * (2 * r + 1)) {
-        fail_msg("sqrt64_round of %llu", (unsigned long long)x);
-    }
-}
-
-static void check_sqrt(int32_t x)
-{
-    int64_t r = q16_sqrt(x);
-    int64_t square = x > 0 ? (int64_t)x * 65536 : 0;
-    if ((r > 0 && (2 * r - 1) * (2 * r - 1) > 4 * square) ||
-        4 * square >= (2 * r + 1) * (2 * r + 1)) {
-        fail_msg("sqrt of %d is %d", (int)x, (int)r);
-    }
-}
-
-TEST(square_roots)
-{
-    static int32_t value[STRESS_COUNT];
-    int count = stress_values(value);
-    for (int i = 0; i < count; i++) {
-        check_sqrt(value[i]);
-    }
-    check_sqrt(INT32_MIN);
-    for (int64_t x = 0; x <= INT32_MAX; x += long_run() ? 1 : 9973) {
-        check_sqrt((int32_t)x);
-    }
-    uint64_t seed = 2;
-    for (int i = 0; i < 200000; i++) {
-        uint64_t root = random64(&seed) >> (32 + i % 32);
-        uint64_t square = root * root;
-        check_sqrt64(square);
-        check_sqrt64(square + root); /* just below the half */
-        check_sqrt64(square + root + 1);
-        check_sqrt64(square - 1);
-        check_sqrt64(random64(&seed) >> (i % 64));
-    }
-    check_sqrt64(UINT64_MAX);
-    check_sqrt64(0);
     for (uint32_t root = 0; root < 65536; root++) { /* the ends of what is nearest to it */
         const uint32_t square = root * root;
         assert_int_equal(qtri_sqrt32_round(square), root);
@@ -151,46 +24,8 @@ TEST(square_roots)
     assert_int_equal(qtri_sqrt32_round(UINT32_MAX), 65536);
 }
 
-static void check_reciprocal(uint32_t x)
-{
-    if (qtri_reciprocal_q62(x) != (uint32_t)(((uint64_t)1 << 62) / x)) {
-        fail_msg("reciprocal of %u", (unsigned)x);
-    }
-}
-
-TEST(reciprocals)
-{
-    for (uint32_t i = 0; i < 500000; i++) {
-        check_reciprocal(0x80000000u + i);
-        check_reciprocal(0xFFFFFFFFu - i);
-        check_reciprocal(0xC0000000u + i - 250000u);
-        check_reciprocal(0xB504F334u + i - 250000u);
-    }
-    uint64_t seed = 3;
-    for (int i = 0; i < 2000000; i++) {
-        check_reciprocal((uint32_t)random64(&seed) | 0x80000000u);
-    }
-    assert_int_equal(qtri_reciprocal_q62(0), 0x80000000u);
-    assert_int_equal(qtri_reciprocal_q62(1), 0x80000000u);
-    assert_int_equal(qtri_reciprocal_q62(0x7FFFFFFFu), 0x80000000u);
-    if (long_run()) {
-        for (uint32_t x = 0x80000000u; x != 0; x++) {
-            check_reciprocal(x);
-        }
-    }
-}
-
 TEST(integers)
 {
-    uint64_t seed = 4;
-    for (int i = 0; i < 1000000; i++) {
-        uint64_t a = i < 8 ? UINT64_MAX - (uint64_t)(i & 1) : random64(&seed) >> (i % 50);
-        uint64_t b = i < 8 ? UINT64_MAX - (uint64_t)(i >> 1) : random64(&seed) >> (i % 37);
-        __extension__ unsigned __int128 product = (unsigned __int128)a * b;
-        if (qtri_mul_high64(a, b) != (uint64_t)(product >> 64)) {
-            fail_msg("mul_high64");
-        }
-    }
     for (int bit = 0; bit < 64; bit++) {
         assert_int_equal(qtri_clz64((uint64_t)1 << bit), 63 - bit);
         assert_int_equal(qtri_clz64(UINT64_MAX >> bit), bit);
@@ -257,37 +92,6 @@ TEST(angles)
                   worst_q30);
     assert_true(worst <= .51);
     assert_true(worst_q30 <= 1.4142); /* 2^-29.5 */
-}
-
-TEST(angles_repeat)
-{
-    static const q16 quadrant[4] = {0, Q16_ONE, 0, -Q16_ONE};
-    for (int32_t right = -364; right <= 364; right++) {
-        int32_t degrees = right * 90;
-        if (degrees >= -32768 && degrees <= 32767) {
-            q16 angle = q16_from_int(degrees);
-            assert_int_equal(q16_sin_deg(angle), quadrant[(right & 3)]);
-            assert_int_equal(q16_cos_deg(angle), quadrant[((right + 1) & 3)]);
-        }
-    }
-    assert_int_equal(q16_sin_deg(Q16(30)), Q16(0.5));
-    assert_int_equal(q16_cos_deg(Q16(60)), Q16(0.5));
-    assert_int_equal(q16_sin_deg(Q16(-390)), Q16(-0.5));
-    /*
-     * Any turn gives what the first one gives, and a negative angle what sine's oddness and
-     * cosine's evenness ask for: with `angles`, all 2^32 arguments are checked.
-     */
-    int64_t stride = long_run() ? 1 : 2053;
-    for (int64_t x = INT32_MIN; x <= INT32_MAX; x += stride) {
-        int32_t turn = (int32_t)((x < 0 ? -x : x) % TURN);
-        q16 a[2];
-        q16 b[2];
-        q16_sincos_deg((q16)x, &a[0], &a[1]);
-        q16_sincos_deg(turn, &b[0], &b[1]);
-        if (a[0] != (x < 0 ? -b[0] : b[0]) || a[1] != b[1]) {
-            fail_msg("angle %d", (int)x);
-        }
-    }
 }
 
 static long double value_of(qtri_wide a)

@@ -55,22 +55,6 @@ TEST(powers_round_up_to_the_next)
     assert_true(held > 100);
 }
 
-TEST(identities_change_nothing)
-{
-    uint64_t seed = 3;
-    const qtri_mat3 one = qtri_mat3_identity();
-    for (int n = 0; n < 100; n++) {
-        qtri_mat3 m;
-        for (int i = 0; i < 9; i++) {
-            m.m[i / 3][i % 3] = random_any(&seed);
-        }
-        const qtri_mat3 left = qtri_mat3_mul(&one, &m);
-        const qtri_mat3 right = qtri_mat3_mul(&m, &one);
-        assert_memory_equal(&left, &m, sizeof m);
-        assert_memory_equal(&right, &m, sizeof m);
-    }
-}
-
 /* light_kinds.c: v y of a square's upper half v in [1/4, 1) stays below 2^16 for every v. */
 TEST(lengths_by_the_seed_fit_a_half_word)
 {

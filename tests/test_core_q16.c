@@ -140,6 +140,12 @@ TEST(near_halves)
             }
         }
     }
+    for (int32_t odd = 1; odd < 2001; odd += 2) { /* exactly halfway */
+        check_pair(odd, 131072 << 1);
+        check_pair(-odd, 131072);
+        check_pair(odd, INT32_MIN);
+        check_pair(odd * 3, -(3 << 17));
+    }
     for (int64_t b = 1; b < 65536; b++) { /* a 2^16 / b is 2^31 */
         int64_t a = b << 15;
         check_pair((q16)(a - 1), (q16)b);
@@ -250,6 +256,7 @@ TEST(choices)
     assert_int_equal(q16_clamp(5, 0, 3), 3);
     assert_int_equal(q16_clamp(-5, 0, 3), 0);
     assert_int_equal(q16_clamp(1, 3, 0), 0);
+    assert_int_equal(q16_clamp(5, 3, 0), 0);
     assert_int_equal(q16_min(INT32_MIN, INT32_MAX), INT32_MIN);
     assert_int_equal(q16_max(INT32_MIN, INT32_MAX), INT32_MAX);
     assert_int_equal(Q16(0.5), 32768);
@@ -367,6 +374,9 @@ TEST(integers)
         check_reciprocal((uint32_t)random64(&seed) >> (i & 1));
         check_reciprocal(0x80000000u + (uint32_t)i);
         check_reciprocal(0xFFFFFFFFu - (uint32_t)i);
+        check_reciprocal(0xC0000000u + (uint32_t)i - 250000u);
+        check_reciprocal(0xB504F334u + (uint32_t)i - 250000u);
+        check_reciprocal((uint32_t)random64(&seed) | 0x80000000u);
         uint64_t a = i < 8 ? UINT64_MAX - (uint64_t)(i & 1) : random64(&seed) >> (i % 50);
         uint64_t b = i < 8 ? UINT64_MAX - (uint64_t)(i >> 1) : random64(&seed) >> (i % 37);
         __extension__ unsigned __int128 product = (unsigned __int128)a * b;
@@ -374,6 +384,9 @@ TEST(integers)
         assert_true(q16_narrow_build.mul_high64(a, b) == (uint64_t)(product >> 64));
     }
     check_sqrt64(0);
+    check_reciprocal(0);
+    check_reciprocal(1);
+    check_reciprocal(0x7FFFFFFFu);
     if (long_run()) {
         for (uint32_t x = 0x80000000u; x != 0; x++) {
             check_reciprocal(x);
