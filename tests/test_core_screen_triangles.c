@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Small triangles: their pixels against the fill rule and against double precision, and against
- * models of the depth test, for whatever they look like and however the frame is cut up.
+ * Small triangles: depths and colours of few steps against double precision, pixels against the
+ * fill rule and models of the depth test, whatever they look like and however the frame is cut up.
  */
 #include "support/core.h"
 
@@ -10,7 +10,6 @@
 enum { WIDTH = 96, HEIGHT = 84 };
 
 static uint32_t colors[1 << 16];
-static uint16_t numbers[1 << 16]; /* each texel is its own number */
 
 /* kind 0: any; 1: tiny; 2: slivers; 3: with steep depth; 4: level. */
 static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int kind)
@@ -70,62 +69,12 @@ static bool weights(double b[3], const qtri_screen_vertex v[3], int32_t x, int32
     return inside;
 }
 
-/* The same with perspective. */
-static void divide(double b[3], const qtri_screen_vertex v[3])
-{
-    const double sum = b[0] * v[0].inv_w_q31 + b[1] * v[1].inv_w_q31 + b[2] * v[2].inv_w_q31;
-    for (int i = 0; i < 3; i++) {
-        b[i] *= v[i].inv_w_q31 / sum;
-    }
-}
-
 static qtri_material drawn_material(void)
 {
     qtri_material m = qtri_material_default();
     m.cull = QTRI_CULL_NONE;
     m.depth_compare = QTRI_ALWAYS;
     return m;
-}
-
-TEST(coverage_and_depth)
-{
-    uint64_t seed = 1;
-    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    const canvas cleared = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    double worst[5] = {0};
-    int pixels = 0;
-    for (int n = 0; n < random_cases(30000); n++) {
-        qtri_screen_vertex v[3];
-        random_triangle(v, &seed, n % 5);
-        qtri_material m = drawn_material();
-        m.shading = QTRI_FLAT_FIRST;
-        for (int i = 0; i < 3; i++) {
-            v[0].color_8p16[i] = 255 << 16;
-        }
-        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
-        const qtri_rect box = pixels_around(&c.surface, v);
-        for (screen_pixel at = first_pixel(box); at.y < box.y1; at = next_pixel(at, box)) {
-            double b[3];
-            const bool inside = weights(b, v, at.x, at.y);
-            assert_int_equal(stored_pixel(&c.surface, at.x, at.y), inside ? 0xFFFF : 0);
-            if (inside) {
-                const double depth =
-                    (b[0] * v[0].depth_16p16 + b[1] * v[1].depth_16p16 + b[2] * v[2].depth_16p16) /
-                    65536;
-                const double error = fabs(stored_depth(&c.surface, at.x, at.y) - depth);
-                worst[n % 5] = error > worst[n % 5] ? error : worst[n % 5];
-                pixels++;
-            }
-        }
-        erase_and_check(&c, box, &cleared);
-    }
-    print_message("%d pixels: depth off by %.3f; tiny %.3f, slivers %.3f, steep %.3f, level %.3f\n",
-                  pixels, worst[0], worst[1], worst[2], worst[3], worst[4]);
-    for (int i = 0; i < 5; i++) {
-        assert_true(worst[i] <= 1);
-    }
-    canvas_free(&c);
-    free(cleared.memory);
 }
 
 /*
@@ -206,156 +155,6 @@ TEST(steps_of_red_are_rounded_to_the_nearest)
             }
         }
     }
-    canvas_free(&c);
-}
-
-/* Of 31, 63, 31; of 255; of 255 luma. */
-static double step_of(const qtri_format *format, const double rgb[3], int channel)
-{
-    const double luma = .299 * rgb[0] + .587 * rgb[1] + .114 * rgb[2];
-    if (format == &qtri_gray8) {
-        return luma;
-    }
-    return format == &qtri_rgb565 ? rgb[channel] * (channel == 1 ? 63 : 31) / 255 : rgb[channel];
-}
-
-static int32_t drawn_step(const qtri_format *format, uint32_t pixel, int channel)
-{
-    if (format == &qtri_gray8) {
-        return (int32_t)pixel;
-    }
-    if (format == &qtri_rgb565) {
-        return (int32_t)(channel == 0 ? pixel >> 11 : channel == 1 ? pixel >> 5 & 63 : pixel & 31);
-    }
-    return (int32_t)(pixel >> (16 - 8 * channel) & 255);
-}
-
-TEST(smooth_colors)
-{
-    uint64_t seed = 2;
-    for (int f = 0; f < 3; f++) {
-        const qtri_format *format = drawn_format(f);
-        canvas c = canvas_new(format, WIDTH, HEIGHT);
-        double worst = 0;
-        for (int n = 0; n < random_cases(8000); n++) {
-            qtri_screen_vertex v[3];
-            qtri_material m = drawn_material();
-            random_triangle(v, &seed, n % 5);
-            m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
-            qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
-            const qtri_rect box = pixels_around(&c.surface, v);
-            for (screen_pixel here = first_pixel(box); here.y < box.y1;
-                 here = next_pixel(here, box)) {
-                double b[3];
-                double rgb[3];
-                if (!weights(b, v, here.x, here.y)) {
-                    continue;
-                }
-                if (m.interpolation == QTRI_PERSPECTIVE) {
-                    divide(b, v);
-                }
-                for (int k = 0; k < 3; k++) {
-                    rgb[k] = (b[0] * v[0].color_8p16[k] + b[1] * v[1].color_8p16[k] +
-                              b[2] * v[2].color_8p16[k]) /
-                             65536;
-                }
-                for (int k = 0; k < 3; k++) {
-                    const uint32_t pixel = stored_pixel(&c.surface, here.x, here.y);
-                    const double error =
-                        fabs(drawn_step(format, pixel, k) - step_of(format, rgb, k));
-                    worst = error > worst ? error : worst;
-                }
-            }
-        }
-        print_message("colours off by %.3f of a step\n", worst);
-        assert_true(worst <= 1);
-        canvas_free(&c);
-    }
-}
-
-/* How many texels the drawn column is from one that holds the coordinate. */
-static double texels_off(double exact, int32_t drawn, int32_t side, bool clamped)
-{
-    double least = 1e9;
-    exact = clamped ? (exact < 0 ? 0 : (exact > side ? side : exact))
-                    : exact - side * floor(exact / side);
-    for (int32_t at = drawn - side; at <= drawn + side; at += side) {
-        if (clamped && at != drawn) {
-            continue;
-        }
-        const double off = exact < at ? at - exact : (exact > at + 1 ? exact - at - 1 : 0);
-        least = off < least ? off : least;
-    }
-    return least;
-}
-
-TEST(texels)
-{
-    uint64_t seed = 3;
-    canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    double worst = 0;
-    int64_t pixels = 0;
-    int64_t others = 0;
-    for (int n = 0; n < random_cases(30000); n++) {
-        qtri_screen_vertex v[3];
-        qtri_material m = drawn_material();
-        qtri_texture texture = {.texels = numbers, .format = &qtri_texel_rgb565};
-        random_triangle(v, &seed, n % 5);
-        texture.width_log2 = (uint8_t)random_in(&seed, 0, 10);
-        texture.height_log2 = (uint8_t)random_in(
-            &seed, 0, 16 - texture.width_log2 < 10 ? 16 - texture.width_log2 : 10);
-        texture.wrap_u = random_in(&seed, 0, 3) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
-        texture.wrap_v = random_in(&seed, 0, 3) == 0 ? QTRI_CLAMP : QTRI_REPEAT;
-        m.interpolation = (qtri_interpolation)random_in(&seed, 0, 1);
-        m.texture = &texture;
-        m.texture_mode = QTRI_REPLACE;
-        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
-        const int32_t side[2] = {1 << texture.width_log2, 1 << texture.height_log2};
-        double per_pixel[2] = {1, 1}; /* texels, along the longest edge */
-        for (int k = 0; k < 2; k++) {
-            double length = 256;
-            double range = 0;
-            for (int i = 0; i < 3; i++) {
-                const qtri_screen_vertex *p = &v[i];
-                const qtri_screen_vertex *q = &v[(i + 1) % 3];
-                const double l = hypot(p->x_24p8 - q->x_24p8, p->y_24p8 - q->y_24p8);
-                const double r =
-                    fabs(ldexp((double)(k == 0 ? p->u_q32 - q->u_q32 : p->v_q32 - q->v_q32), -32)) *
-                    side[k];
-                length = l > length ? l : length;
-                range = r > range ? r : range;
-            }
-            const double t = range * 256 / length;
-            per_pixel[k] = t > 1 ? t : 1;
-        }
-        const qtri_rect box = pixels_around(&c.surface, v);
-        for (screen_pixel here = first_pixel(box); here.y < box.y1; here = next_pixel(here, box)) {
-            double b[3];
-            if (!weights(b, v, here.x, here.y)) {
-                continue;
-            }
-            if (m.interpolation == QTRI_PERSPECTIVE) {
-                divide(b, v);
-            }
-            const int32_t number = (int32_t)stored_pixel(&c.surface, here.x, here.y);
-            for (int k = 0; k < 2; k++) {
-                double at = 0;
-                for (int j = 0; j < 3; j++) {
-                    at += b[j] * ldexp((double)(k == 0 ? v[j].u_q32 : v[j].v_q32), -32) * side[k];
-                }
-                const int32_t drawn =
-                    k == 0 ? number & (side[0] - 1) : number >> texture.width_log2;
-                const double off = texels_off(
-                    at, drawn, side[k], (k == 0 ? texture.wrap_u : texture.wrap_v) == QTRI_CLAMP);
-                others += off > 0;
-                worst = off / per_pixel[k] > worst ? off / per_pixel[k] : worst;
-            }
-            pixels++;
-        }
-    }
-    print_message("%lld pixels: %lld another texel; off by 1/%.0f of max(1, t)\n",
-                  (long long)pixels, (long long)others, 1 / worst);
-    assert_true(worst < 1.0 / 32);
     canvas_free(&c);
 }
 
@@ -522,7 +321,6 @@ int main(void)
     uint64_t seed = 6;
     for (size_t i = 0; i < LENGTH_OF(colors); i++) {
         colors[i] = (uint32_t)random64(&seed) & (i % 3 == 0 ? 0x0F0F0F : 0xFFFFFF);
-        numbers[i] = (uint16_t)i;
     }
     return run_all_tests(NULL, NULL);
 }

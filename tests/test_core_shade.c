@@ -33,8 +33,8 @@ static void weights(const qtri_screen_vertex v[3], int32_t x, int32_t y, bool pe
 /* From a pixel to a whole guard band, slivers too. */
 static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int kind)
 {
-    static const int32_t reach[] = {1200, 6000, 12000, 60000, 1 << 19, 4100000};
-    int32_t r = reach[kind % 6];
+    static const int32_t reach[] = {1200, 6000, 12000, 60000, 1 << 19, 4100000, 300};
+    int32_t r = reach[kind % 7];
     double near_w = pow(2, random_in(seed, 0, 8) / 2.);
     for (int i = 0; i < 3; i++) {
         v[i] = screen_at(random_in(seed, WIDTH * 128 - r, WIDTH * 128 + r),
