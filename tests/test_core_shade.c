@@ -194,51 +194,6 @@ TEST(steep_perspective)
     canvas_free(&c);
 }
 
-/* COURSE scene 3: the table of colours and depths. */
-TEST(course_triangle)
-{
-    static const struct {
-        int x, y, perspective[3], linear[3];
-        double depth;
-    } table[] = {{128, 60, {223, 15, 17}, {233, 10, 12}, .974972831},
-                 {128, 90, {104, 75, 76}, {129, 62, 63}, .968138666},
-                 {100, 100, {72, 128, 55}, {95, 112, 48}, .965860611},
-                 {150, 100, {72, 62, 121}, {95, 54, 106}, .965860611},
-                 {60, 120, {18, 199, 38}, {26, 192, 37}, .961304501},
-                 {200, 120, {18, 32, 205}, {26, 31, 198}, .961304501},
-                 {225, 126, {3, 13, 239}, {5, 13, 237}, .959937668},
-                 {110, 75, {158, 75, 22}, {181, 57, 17}, .971555749}};
-    qtri_screen_vertex v[3] = {screen_at(128 * 256, 13849), screen_at(4390, 128 * 256),
-                               screen_at(61146, 128 * 256)};
-    static const double z[3] = {.976430976, .959595960, .959595960};
-    for (int i = 0; i < 3; i++) {
-        v[i].inv_w_q31 = i == 0 ? 0x80000000u / 3 : 0x40000000u;
-        v[i].depth_16p16 = (uint32_t)(z[i] * 65535 * 65536);
-        for (int channel = 0; channel < 3; channel++) {
-            v[i].color_8p16[channel] = i == channel ? 255 << 16 : 0;
-        }
-    }
-    for (int n = 0; n < 2; n++) {
-        canvas c = canvas_new(&qtri_xrgb8888, 256, 256);
-        qtri_material m = plain_material();
-        m.shading = QTRI_SMOOTH;
-        m.interpolation = n == 0 ? QTRI_PERSPECTIVE : QTRI_SCREEN_LINEAR;
-        m.depth_compare = QTRI_LESS;
-        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
-        for (size_t i = 0; i < LENGTH_OF(table); i++) {
-            qtri_rgb is = qtri_surface_pixel(&c.surface, table[i].x, table[i].y);
-            int got[3] = {is.r, is.g, is.b};
-            for (int channel = 0; channel < 3; channel++) { /* vertices are snapped: 1 */
-                int expected = (n == 0 ? table[i].perspective : table[i].linear)[channel];
-                assert_true(abs(got[channel] - expected) <= 1);
-            }
-            assert_near(stored_depth(&c.surface, table[i].x, table[i].y), table[i].depth * 65535,
-                        1);
-        }
-        canvas_free(&c);
-    }
-}
-
 static bool passes(qtri_compare compare, int z, int stored)
 {
     const bool table[] = {true,        false,       z<stored, z == stored, z <= stored, z> stored,
