@@ -409,21 +409,31 @@ TEST(any_comparison_of_stored_depths)
     }
 }
 
-/* What is level, over what was there, by every comparison: shapes over the pixel in the middle. */
+/* What is level, over what was there, by every comparison, numbers that are none among them: shapes
+   over the pixel in the middle. */
 TEST(comparisons)
 {
     static const uint32_t depths[] = {0,
                                       1u << 8,
+                                      1u << 16,
                                       7u << 20,
+                                      0x7FFF0000u,
                                       0x7FFFFF00u,
                                       0x80000000u,
                                       0x80000100u,
                                       FARTHEST - (1u << 16),
                                       FARTHEST - 256,
                                       FARTHEST};
-    enum { DEPTHS = LENGTH_OF(depths), COMPARES = QTRI_ALWAYS + 1, SHAPES = 6 };
-    for (int f = 0; f < FORMATS; f++) {
-        board b = board_new(&qtri_xrgb8888, formats[f]);
+    enum { DEPTHS = LENGTH_OF(depths), COMPARES = QTRI_ALWAYS + 3, SHAPES = 6 };
+    static const struct {
+        const qtri_format *pixels;
+        const qtri_depth_format *depth;
+    } surfaces[] = {{&qtri_xrgb8888, &qtri_depth_float16},  {&qtri_xrgb8888, &qtri_depth_linear24},
+                    {&qtri_xrgb8888, &qtri_depth_linear32}, {&qtri_xrgb8888, &qtri_depth_linear16},
+                    {&qtri_rgb565, &qtri_depth_linear16},   {&qtri_gray8, &qtri_depth_linear16}};
+    for (size_t f = 0; f < LENGTH_OF(surfaces); f++) {
+        const qtri_depth_format *format = surfaces[f].depth;
+        board b = board_new(surfaces[f].pixels, format);
         for (int n = 0; n < DEPTHS * DEPTHS * COMPARES * SHAPES * 2; n++) {
             const uint32_t stored = depths[n % DEPTHS];
             const uint32_t depth = depths[n / DEPTHS % DEPTHS];
@@ -445,15 +455,18 @@ TEST(comparisons)
                 for (int i = 0; i < 3; i++) {
                     v[i].depth_16p16 = pass == 0 ? stored : depth;
                     v[i].inv_w_q31 = 1u << 30;
-                    v[i].color_8p16[0] = pass * (255 << 16);
+                    v[i].color_8p16[0] = v[i].color_8p16[1] = v[i].color_8p16[2] =
+                        pass * (255 << 16);
                 }
-                if (pass == 0) { /* everywhere */
+                if (pass == 0) { /* everywhere around */
+                    qtri_surface around = b.surface;
+                    around.scissor = (qtri_rect){28, 18, 33, 23};
                     const qtri_material first = {.depth_compare = QTRI_ALWAYS};
                     const qtri_screen_vertex all[3] = {
                         {-999999, -999999, stored, 1u << 30, 0, {0}, 0, 0},
                         {999999, -999999, stored, 1u << 30, 0, {0}, 0, 0},
                         {0, 999999, stored, 1u << 30, 0, {0}, 0, 0}};
-                    qtri_raster_triangle(&b.surface, qtri_pipelines_default, &first, all);
+                    qtri_raster_triangle(&around, qtri_pipelines_default, &first, all);
                 } else if (shape < 2) {
                     qtri_raster_triangle(&b.surface, qtri_pipelines_default, &m, v);
                 } else if (shape == 2) {
@@ -468,12 +481,12 @@ TEST(comparisons)
             if (shape == 5) {
                 continue; /* its middle is below: drawn for what it may touch alone */
             }
-            const uint32_t below = encoded(formats[f], stored);
-            const uint32_t above = encoded(formats[f], depth);
+            const uint32_t below = encoded(format, stored);
+            const uint32_t above = encoded(format, depth);
             const bool off = m.depth_compare == QTRI_DEPTH_OFF;
             const bool drawn = off || model_passes(m.depth_compare, above, below);
             const uint32_t left = drawn && !off && !m.depth_read_only ? above : below;
-            assert_int_equal(stored_pixel(&b.surface, 30, row) >> 16, drawn ? 255 : 0);
+            assert_int_equal(qtri_surface_pixel(&b.surface, 30, row).r, drawn ? 255 : 0);
             assert_int_equal(code_at(&b.surface, 30, row), left);
         }
         board_free(&b);

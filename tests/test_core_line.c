@@ -382,39 +382,6 @@ TEST(ways)
     assert_true(by_any > 500 && by_any < 2500);
 }
 
-/* Every compare against every order, the farthest apart too; what passes is written, or is not. */
-TEST(compares)
-{
-    static const uint16_t depth[] = {0, 1, 29999, 30000, 30001, 65534, 65535};
-    enum { COUNT = LENGTH_OF(depth) };
-    canvas c = canvas_new(&qtri_rgb565, COUNT, 1);
-    for (int n = 0; n < 11 * COUNT * 2; n++) {
-        const int compare = n % 11;
-        const uint16_t z = depth[n / 11 % COUNT];
-        qtri_material material = plain_material();
-        qtri_screen_vertex v[2] = {screen_at(0, 128), screen_at(256 * COUNT, 128)};
-        material.depth_compare = (qtri_compare)compare;
-        material.depth_read_only = n >= 11 * COUNT;
-        v[0].depth_16p16 = v[1].depth_16p16 = (uint32_t)z << 16;
-        canvas_clear(&c);
-        memcpy(c.surface.depth, depth, sizeof depth);
-        qtri_raster_line(&c.surface, &material, v);
-        for (int i = 0; i < COUNT; i++) {
-            const bool passes[] = {
-                true,          false,         z<depth[i], z == depth[i], z <= depth[i], z> depth[i],
-                z != depth[i], z >= depth[i], true,
-                true,          true};
-            const bool written =
-                passes[compare] && compare != QTRI_DEPTH_OFF && !material.depth_read_only;
-            if ((stored_pixel(&c.surface, i, 0) != 0) != passes[compare] ||
-                stored_depth(&c.surface, i, 0) != (written ? z : depth[i])) {
-                fail_msg("compare %d, %u against %u", compare, (unsigned)z, (unsigned)depth[i]);
-            }
-        }
-    }
-    canvas_free(&c);
-}
-
 /* How far tints are from the share of the colour that is exact at the pixel. */
 TEST(tints)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Colour and depth of covered pixels against double barycentrics of the snapped vertices; depth
- * comparisons; stored formats.
+ * Colour and depth of covered pixels against double barycentrics of the snapped vertices;
+ * stored formats.
  */
 #include "support/core.h"
 
@@ -194,45 +194,9 @@ TEST(steep_perspective)
     canvas_free(&c);
 }
 
-static bool passes(qtri_compare compare, int z, int stored)
+TEST(beyond_the_farthest_is_the_farthest)
 {
-    const bool table[] = {true,        false,       z<stored, z == stored, z <= stored, z> stored,
-                          z != stored, z >= stored, true};
-    return table[compare];
-}
-
-TEST(depth_comparisons)
-{
-    static const uint16_t depths[] = {0, 1, 100, 32767, 32768, 65534, 65535};
     canvas c = canvas_new(&qtri_gray8, 8, 8);
-    for (int n = 0; n < 9 * 7 * 7 * 2 * 2; n++) {
-        qtri_compare compare = (qtri_compare)(n % 9);
-        uint16_t z = depths[n / 9 % 7];
-        uint16_t stored = depths[n / 63 % 7];
-        bool read_only = n / 441 % 2 != 0;
-        bool line = n / 882 != 0;
-        qtri_rgb black = {0, 0, 0};
-        clear_to(&c.surface, black, stored);
-        qtri_material m = plain_material();
-        m.depth_compare = compare;
-        m.depth_read_only = read_only;
-        qtri_screen_vertex v[3] = {screen_at(0, line ? 900 : 0), screen_at(2048, line ? 900 : 0),
-                                   screen_at(0, 2048)};
-        for (int i = 0; i < 3; i++) {
-            v[i].depth_16p16 = (uint32_t)z << 16;
-        }
-        if (line) {
-            qtri_raster_line(&c.surface, &m, v);
-        } else {
-            qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
-        }
-        bool pass = passes(compare, z, stored);
-        bool write = pass && !read_only && compare != QTRI_DEPTH_OFF;
-        assert_int_equal(stored_pixel(&c.surface, 2, 3), pass ? 255 : 0);
-        assert_int_equal(stored_depth(&c.surface, 2, 3), write ? z : stored);
-        assert_int_equal(stored_depth(&c.surface, 7, 7), stored);
-    }
-    /* Beyond the farthest is the farthest. */
     qtri_material m = plain_material();
     m.depth_compare = QTRI_ALWAYS;
     qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(2048, 0), screen_at(0, 2048)};
