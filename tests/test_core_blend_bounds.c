@@ -5,24 +5,9 @@
  * inputs that are off the most.
  */
 #include "support/core.h"
+#include "support/steps.h"
 
 enum { WIDTH = 256, LEVELS = 256 };
-
-/* Steps of channel c, 255 being `most_of` of them. */
-static int32_t most_of(const qtri_format *format, int c)
-{
-    return format->colors == &qtri_colors_565 ? (c == 1 ? 63 : 31) : 255;
-}
-
-/* A stored pixel's channel in those steps. */
-static int32_t steps_of(const qtri_format *format, uint32_t stored, int c)
-{
-    if (format->colors == &qtri_colors_565) {
-        return (int32_t)(stored >> (c == 0 ? 11 : (c == 1 ? 5 : 0))) & most_of(format, c);
-    }
-    return format->colors == &qtri_colors_gray ? (int32_t)stored
-                                               : (int32_t)(stored >> (16 - 8 * c) & 255);
-}
 
 typedef struct farthest {
     double off; /* steps */
@@ -39,6 +24,9 @@ static void keep_farthest(farthest *f, double off, double color, double under, d
 
 static double mixed(const qtri_blend *blend, double over, double under, double alpha, double most)
 {
+    if (blend == &qtri_blend_none) {
+        return under;
+    }
     if (blend == &qtri_blend_multiply) {
         return over * under / most;
     }
@@ -50,12 +38,14 @@ static double mixed(const qtri_blend *blend, double over, double under, double a
 static void store_levels(canvas *c)
 {
     const int32_t bytes = c->surface.format->pixels->bytes;
+    const bool is_swapped = c->surface.format == &qtri_rgb565_swapped;
     for (uint32_t x = 0; x < WIDTH; x++) {
         const uint16_t stored16 = (uint16_t)((x & 31) << 11 | (x & 63) << 5 | (x & 31));
         const uint32_t stored32 = x * 0x010101;
         const uint8_t stored8 = (uint8_t)x;
+        const uint16_t swapped = (uint16_t)(stored16 << 8 | stored16 >> 8);
         const void *stored = bytes == 1   ? (const void *)&stored8
-                             : bytes == 2 ? (const void *)&stored16
+                             : bytes == 2 ? (const void *)(is_swapped ? &swapped : &stored16)
                                           : &stored32;
         memcpy(c->surface.pixels + (int32_t)x * bytes, stored, (size_t)bytes);
     }
@@ -79,7 +69,7 @@ static void draw(canvas *c, const qtri_material *m, const int32_t from[3], const
 static void color_of(int32_t color[3], const qtri_format *format, double steps)
 {
     for (int k = 0; k < 3; k++) {
-        const double most = most_of(format, k);
+        const double most = most_steps(format, k);
         const double held = fmin(most, fmax(0, steps));
         color[k] = (int32_t)lrint(held * 255 / most * 65536);
     }
@@ -90,61 +80,69 @@ static void judge(farthest *f, const canvas *c, const qtri_blend *blend, const i
                   int32_t alpha)
 {
     const qtri_format *format = c->surface.format;
-    const int32_t levels = most_of(format, 1) + 1;
+    const int32_t levels = (int32_t)most_steps(format, 1) + 1;
     const int channels = format->colors == &qtri_colors_gray ? 1 : 3;
     for (int k = 0; k < channels; k++) {
-        const double most = most_of(format, k);
+        const double most = most_steps(format, k);
         const double over = color[k] / 65536.0 * most / 255;
         for (int32_t x = 0; x < levels; x++) {
-            const double under = x & most_of(format, k);
-            const double off = steps_of(format, stored_pixel(&c->surface, x, 0), k) -
+            const double under = x & (int32_t)most;
+            const double off = stored_steps(format, stored_pixel(&c->surface, x, 0), k) -
                                mixed(blend, over, under, alpha / 255.0, most);
             keep_farthest(f, off, over, under, alpha);
         }
     }
 }
 
-static farthest sweep(const qtri_format *format, const qtri_blend *blend)
+/* [0]: of any colours, [1]: of whole ones of 255. */
+static void sweep(farthest f[2], const qtri_format *format, const qtri_blend *blend, bool is_smooth)
 {
     canvas c = canvas_new(format, WIDTH, 1);
-    farthest f = {0, 0, 0, 0};
-    const int32_t most = most_of(format, 1);
+    const bool has_alpha = blend == &qtri_blend_alpha || blend == &qtri_blend_add;
+    const bool is_other = is_smooth || format == &qtri_rgb565_swapped ||
+                          format->pixels->bytes == 3; /* as others, or as flat ones */
+    const int32_t most = (int32_t)most_steps(format, 1);
     qtri_material m = plain_material();
     m.cull = QTRI_CULL_NONE;
-    m.shading = QTRI_FLAT_FIRST;
+    m.shading = is_smooth ? QTRI_SMOOTH : QTRI_FLAT_FIRST;
     m.depth_compare = QTRI_DEPTH_OFF;
     m.blend = blend;
-    for (int32_t alpha = 0; alpha < LEVELS; alpha += IS_SANITIZED ? 5 : 1) {
-        m.alpha = (uint8_t)(blend == &qtri_blend_multiply ? 255 : alpha);
+    memset(f, 0, 2 * sizeof *f);
+    for (int32_t alpha = has_alpha ? 0 : 255; alpha < LEVELS;
+         alpha += IS_SANITIZED || is_other ? 5 : 1) {
+        m.alpha = (uint8_t)alpha;
         for (int32_t n = 0; n < 3 * (most + 1); n++) {
-            int32_t color[3];
+            int32_t color[3], to[3];
             color_of(color, format, n / 3 + (n % 3 - 1) * .49999);
+            memcpy(to, color, sizeof to);
+            to[1] ^= is_smooth; /* by a pipeline of colours that vary */
             store_levels(&c);
-            draw(&c, &m, color, color, 0, 0);
-            judge(&f, &c, blend, color, m.alpha);
-        }
-        if (blend == &qtri_blend_multiply) {
-            break;
+            draw(&c, &m, color, to, 0, 0);
+            judge(&f[0], &c, blend, color, alpha);
+            if (n % 3 == 1 && most == 255) {
+                judge(&f[1], &c, blend, color, alpha);
+            }
         }
     }
     canvas_free(&c);
-    return f;
 }
 
 TEST(blends)
 {
-    static const qtri_format *const formats[] = {&qtri_xrgb8888, &qtri_gray8, &qtri_rgb565};
     static const qtri_blend *const all[] = {&qtri_blend_alpha, &qtri_blend_add,
-                                            &qtri_blend_multiply};
+                                            &qtri_blend_multiply, &qtri_blend_none};
     /* Where they are reached: alpha 135, which is 136 of 256; of RGB565 alpha 251. */
-    static const double most[3][3] = {
-        {1.20588, 1.20588, .99610}, {1.20588, 1.20588, .99610}, {.99414, .99414, .99210}};
-    for (int n = 0; n < 9; n++) {
-        const farthest f = sweep(formats[n / 3], all[n % 3]);
-        print_message("format %d blend %d: %.5f of a step: %.3f over %.0f, alpha %.0f\n", n / 3,
-                      n % 3, f.off, f.color, f.under, f.share);
-        assert_true(f.off <= most[n / 3][n % 3]);
-        assert_true(IS_SANITIZED || f.off >= most[n / 3][n % 3] - .001); /* it is reached */
+    static const double most[2][4] = {{1.20588, 1.20588, .99610, 0}, {.99414, .99414, .99210, 0}};
+    for (int n = 0; n < 48; n++) {
+        const qtri_format *format = drawn_format(n / 8);
+        const bool is_smooth = n % 2 == 1;
+        const double bound = most[format->colors == &qtri_colors_565][n / 2 % 4];
+        farthest f[2];
+        sweep(f, format, all[n / 2 % 4], is_smooth);
+        print_message("format %d blend %d: %.5f of a step: %.3f over %.0f, alpha %.0f; %.5f\n",
+                      n / 8, n / 2 % 4, f[0].off, f[0].color, f[0].under, f[0].share, f[1].off);
+        assert_true(f[0].off <= bound && f[1].off <= .9412);
+        assert_true(IS_SANITIZED || is_smooth || n / 8 > 2 || f[0].off >= bound - .001);
     }
 }
 
@@ -218,7 +216,7 @@ static void judge_fog(farthest *f, const canvas *c, const foggy *g)
 {
     const qtri_format *format = c->surface.format;
     const int channels = format->colors == &qtri_colors_gray ? 1 : 3;
-    for (int32_t x = 0; x <= most_of(format, 1); x++) {
+    for (int32_t x = 0; x <= most_steps(format, 1); x++) {
         const double depth = (g->depth + (double)g->depth_step * (x + 1)) / 65536 / 65535;
         if (depth > 1) {
             break;
@@ -227,11 +225,11 @@ static void judge_fog(farthest *f, const canvas *c, const foggy *g)
         const double color =
             (g->color[0] + (g->color[1] - g->color[0]) * (x + 1.) / (2 * WIDTH)) / 65536;
         for (int k = 0; k < channels; k++) {
-            const double most = most_of(format, k);
+            const double most = most_steps(format, k);
             const double over = (share * color + (1 - share) * g->gray) * most / 255;
-            const double under = x & most_of(format, k);
+            const double under = x & (int32_t)most;
             const double should = over * g->alpha / 255 + under * (255 - g->alpha) / 255;
-            const double off = steps_of(format, stored_pixel(&c->surface, x, 0), k) - should;
+            const double off = stored_steps(format, stored_pixel(&c->surface, x, 0), k) - should;
             keep_farthest(f, off, color, g->gray, share);
         }
     }

@@ -4,27 +4,9 @@
  */
 #include "support/core.h"
 #include "support/layouts.h"
+#include "support/steps.h"
 
 enum { WIDTH = 120, HEIGHT = 90 };
-
-/* Of a colour 0..255 in steps of the format's channel. */
-static double steps_of(const qtri_format *format, const double rgb[3], int channel)
-{
-    if (format->colors == &qtri_colors_gray) {
-        return .299 * rgb[0] + .587 * rgb[1] + .114 * rgb[2];
-    }
-    return format->colors == &qtri_colors_565 ? rgb[channel] * (channel == 1 ? 63 : 31) / 255
-                                              : rgb[channel];
-}
-
-/* A stored pixel's channel in those steps. */
-static double stored_steps(const qtri_format *format, uint32_t stored, int channel)
-{
-    const uint32_t decoded = format->decode(stored);
-    const double value = decoded >> (16 - 8 * channel) & 255;
-    return format->colors == &qtri_colors_565 ? round(value * (channel == 1 ? 63 : 31) / 255)
-                                              : value;
-}
 
 static double w_of(const qtri_screen_vertex *v)
 {
