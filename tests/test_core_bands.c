@@ -147,14 +147,15 @@ static void draw_scene(const qtri_surface *surface, const scene *s)
     }
 }
 
-static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
+static qtri_format own_565;
+static const qtri_format *const formats[4] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8, &own_565};
 
 TEST(bands)
 {
     uint64_t seed = 61;
     for (int n = 0; n < 1500; n++) {
         static scene s;
-        const qtri_format *format = formats[n % 3];
+        const qtri_format *format = formats[n % 4];
         random_scene(&s, &seed, n % 5 != 0);
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         draw_scene(&whole.surface, &s);
@@ -183,7 +184,7 @@ TEST(lit_meshes)
         .towards = {30000, -20000, 50000}, .ambient = Q16(.1), .diffuse = Q16(.9)};
     uint64_t seed = 66;
     for (int n = 0; n < 1000; n++) {
-        const qtri_format *format = formats[n % 3];
+        const qtri_format *format = formats[n % 4];
         qtri_vec3 positions[MESH_VERTICES];
         qtri_normal normals[MESH_VERTICES];
         for (int i = 0; i < MESH_VERTICES; i++) { /* within 32 pixels of a corner */
@@ -236,7 +237,7 @@ TEST(scissors)
     uint64_t seed = 62;
     for (int n = 0; n < 1000; n++) {
         static scene s;
-        const qtri_format *format = formats[n % 3];
+        const qtri_format *format = formats[n % 4];
         random_scene(&s, &seed, n % 5 != 0);
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         canvas parts = canvas_new(format, WIDTH, HEIGHT);
@@ -294,7 +295,7 @@ TEST(pitches)
     uint64_t seed = 63;
     for (int n = 0; n < 600; n++) {
         static scene s;
-        const qtri_format *format = formats[n % 3];
+        const qtri_format *format = formats[n % 4];
         random_scene(&s, &seed, n % 5 != 0);
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         draw_scene(&whole.surface, &s);
@@ -356,5 +357,7 @@ TEST(no_depth)
 
 int main(void)
 {
+    own_565 = qtri_rgb565;
+    own_565.kind = QTRI_OTHER_FORMAT;
     return run_all_tests(fill_textures, NULL);
 }

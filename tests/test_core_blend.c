@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Pixels over pixels: blends and fog against exact arithmetic, once for each pixel, in order, and
- * the same for every band and scissor.
+ * Pixels over pixels: blends and fog against exact arithmetic, once for each pixel, in order.
  */
 #include "support/core.h"
 #include "support/steps.h"
@@ -184,7 +183,7 @@ TEST(once)
     canvas_free(&c);
 }
 
-/* A heap of triangles, in one call and each alone, whole and in pieces. */
+/* A heap of triangles, in one call and each alone. */
 TEST(heaps)
 {
     enum { COUNT = 60 };
@@ -237,24 +236,6 @@ TEST(heaps)
             qtri_draw_mesh(&parts.surface, &view, &pose, &mesh, &m);
         }
         assert_same_picture(&whole.surface, &parts.surface);
-        mesh.triangles = (const uint16_t(*)[3])triangles;
-        mesh.triangle_count = COUNT;
-        canvas_clear(&parts);
-        const int32_t cut = random_in(&seed, 1, WIDTH - 1);
-        const qtri_rect left = {0, 0, cut, HEIGHT};
-        const qtri_rect right = {cut, 0, WIDTH, HEIGHT};
-        parts.surface.scissor = left;
-        qtri_draw_mesh(&parts.surface, &view, &pose, &mesh, &m);
-        parts.surface.scissor = right;
-        qtri_draw_mesh(&parts.surface, &view, &pose, &mesh, &m);
-        assert_same_picture(&whole.surface, &parts.surface);
-        const int32_t rows = random_in(&seed, 1, 20);
-        for (int32_t y = 0; y < HEIGHT; y += rows) {
-            canvas band = canvas_band(format, WIDTH, HEIGHT, y, rows);
-            qtri_draw_mesh(&band.surface, &view, &pose, &mesh, &m);
-            assert_same_picture(&whole.surface, &band.surface);
-            canvas_free(&band);
-        }
         canvas_free(&whole);
         canvas_free(&parts);
     }

@@ -493,31 +493,6 @@ TEST(comparisons)
     }
 }
 
-/* Bands and scissors are the whole frame's, and nothing is written beside them. */
-TEST(pieces)
-{
-    uint64_t seed = 8;
-    for (uint64_t n = 0; n < (uint64_t)random_cases(240); n++) {
-        const qtri_format *format = drawn_format((int32_t)n / FORMATS);
-        const qtri_depth_format *depth = formats[n % FORMATS];
-        board whole = board_new(format, depth);
-        draw_scene(&whole.surface, n * 31 + 7, true);
-        const int32_t rows = random_in(&seed, 1, HEIGHT);
-        for (int32_t first = 0; first < HEIGHT; first += rows) {
-            board band = board_band(format, depth, first, rows);
-            const int32_t cut = random_in(&seed, 0, WIDTH);
-            for (int side = 0; side < 2; side++) {
-                band.surface.scissor.x0 = side == 0 ? 0 : cut;
-                band.surface.scissor.x1 = side == 0 ? cut : WIDTH;
-                draw_scene(&band.surface, n * 31 + 7, true);
-            }
-            assert_same(&whole.surface, &band.surface);
-            board_free(&band);
-        }
-        board_free(&whole);
-    }
-}
-
 /* How far stored depths are from the triangle's plane, in steps of linear16. */
 TEST(planes)
 {

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Perspective along rows against double precision from the snapped vertices: texture coordinates
- * within 1/256 of a texel, or of what a pixel steps by; colours within 3/4 of a step; the same
- * pixels under any scissor, in any bands and by any loop.
+ * within 1/256 of a texel, or of what a pixel steps by; colours within 3/4 of a step.
  */
 #include "support/core.h"
 
@@ -414,67 +413,6 @@ TEST(colors)
         const double most = 1.5; /* rounded twice */
         assert_true(textured <= most);
         assert_true(textured_small <= most);
-    }
-}
-
-/* Materials and formats of all kinds, drawn whole and then in parts. */
-TEST(parts)
-{
-    number_texels();
-    uint64_t seed = 30;
-    const qtri_texture textures[] = {texture_of(&qtri_rgb565, 6, 6),
-                                     texture_of(&qtri_xrgb8888, 10, 10),
-                                     {.texels = texels16,
-                                      .format = &qtri_texel_rgb565,
-                                      .width_log2 = 5,
-                                      .height_log2 = 4,
-                                      .wrap_u = QTRI_CLAMP,
-                                      .has_key = true,
-                                      .key = 77},
-                                     {.texels = texels32,
-                                      .format = &qtri_texel_xrgb8888,
-                                      .width_log2 = 3,
-                                      .height_log2 = 5,
-                                      .filter = &qtri_bilinear}};
-    qtri_format other_565 = qtri_rgb565;
-    other_565.kind = QTRI_OTHER_FORMAT;
-    const qtri_format *const formats[] = {&qtri_rgb565, &other_565, &qtri_xrgb8888, &qtri_gray8};
-    for (int n = 0; n < random_cases(600); n++) {
-        const qtri_format *format = formats[n % 4];
-        qtri_material m = plain_material();
-        const int kind = random_in(&seed, 0, (int32_t)LENGTH_OF(textures));
-        m.texture = kind < (int)LENGTH_OF(textures) ? &textures[kind] : NULL;
-        m.texture_mode = (qtri_texture_mode)random_in(&seed, 0, 1);
-        m.shading = QTRI_SMOOTH;
-        m.depth_compare = random_flag(&seed) ? QTRI_LESS : QTRI_LESS_EQUAL;
-        const double ratio = pow(64, uniform(&seed));
-        const double reach = n % 3 == 0 ? 20 : 150;
-        qtri_screen_vertex t[3];
-        for (int i = 0; i < 3; i++) {
-            corner at = random_corner(&seed, reach, ratio, 4);
-            t[i] = vertex_of(&at);
-            t[i].depth_16p16 = (uint32_t)random_in(&seed, 0, 65535) << 15;
-        }
-        canvas whole = canvas_new(format, WIDTH, HEIGHT);
-        canvas tiles = canvas_new(format, WIDTH, HEIGHT);
-        qtri_raster_triangle(&whole.surface, qtri_pipelines_default, &m, t);
-        const int32_t width = random_in(&seed, 3, 90);
-        for (int32_t y = 0; y < HEIGHT; y += 37) {
-            for (int32_t x = 0; x < WIDTH; x += width) {
-                tiles.surface.scissor = (qtri_rect){x, y, x + width, y + 37};
-                qtri_raster_triangle(&tiles.surface, qtri_pipelines_default, &m, t);
-            }
-        }
-        assert_same_picture(&whole.surface, &tiles.surface);
-        for (int32_t first = 0; first < HEIGHT; first += 100) {
-            canvas band = canvas_band(format, WIDTH, HEIGHT, first,
-                                      first + 100 < HEIGHT ? 100 : HEIGHT - first);
-            qtri_raster_triangle(&band.surface, qtri_pipelines_default, &m, t);
-            assert_same_picture(&whole.surface, &band.surface);
-            canvas_free(&band);
-        }
-        canvas_free(&whole);
-        canvas_free(&tiles);
     }
 }
 

@@ -8,7 +8,7 @@
 #include "support/random_states.h"
 #include "support/recorded.h"
 
-enum { GROUPS = 8 };
+enum { GROUPS = 8, PARTED = 600 };
 
 typedef char a_slot_for_each_vertex[(int)FACES_VERTICES <= (int)STATES_VERTICES ? 1 : -1];
 
@@ -202,7 +202,7 @@ TEST(levels)
 
 TEST(usual)
 {
-    memset(&states, 0, sizeof states); /* of bands, which sanitizers try fewer of */
+    memset(&states, 0, sizeof states); /* of parts, which sanitizers try fewer of */
     record("usual", 90, random_draw_usual, random_on_surface);
     record("usual on screen", 120, random_draw_usual_screen, random_on_surface);
 }
@@ -238,17 +238,30 @@ TEST(passes)
     record("fours", 60, NULL, random_by_fours);
 }
 
-/* A band has the rows of the whole picture. */
-TEST(bands_have_the_pixels_of_the_whole)
+static uint32_t in_parts(const random_kind *kind, int n, int32_t band_rows, int32_t tile_columns)
+{
+    random_states *w = states_of(n);
+    w->band_rows = band_rows;
+    w->tile_columns = tile_columns;
+    w->other_depths = RANDOM_HASH_BEGIN;
+    const uint32_t hash = kind->picture(w, RANDOM_HASH_BEGIN, kind->draw);
+    w->band_rows = w->tile_columns = 0;
+    return random_hash(hash, w->other_depths, 4);
+}
+
+/* A band has the rows of the whole picture, a scissor its columns, both what they have in common.
+ */
+TEST(parts_have_the_pixels_of_the_whole)
 {
     for (const random_kind *kind = random_kinds; kind->name != NULL; kind++) {
-        for (int n = 0; kind->in_bands && n < random_cases(400); n++) {
-            random_states *w = states_of(n);
-            const uint32_t whole = kind->picture(w, RANDOM_HASH_BEGIN, kind->draw);
-            w = states_of(n);
-            w->band_rows = 1 + n % 19;
-            if (kind->picture(w, RANDOM_HASH_BEGIN, kind->draw) != whole) {
-                fail_msg("%s, seed %d: bands of %d rows differ", kind->name, n, 1 + n % 19);
+        for (int n = 0; kind->in_bands && n < random_cases(PARTED); n++) {
+            const int32_t rows = 1 + n % 19, columns = 5 + n % 31;
+            const uint32_t whole = in_parts(kind, n, 0, 0);
+            if (in_parts(kind, n, rows, 0) != whole) {
+                fail_msg("%s, seed %d: bands of %d rows differ", kind->name, n, (int)rows);
+            }
+            if (in_parts(kind, n, n % 2 == 0 ? 0 : 9 + rows, columns) != whole) {
+                fail_msg("%s, seed %d: scissors of %d columns differ", kind->name, n, (int)columns);
             }
         }
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Surfaces of four samples a pixel: samples against plain surfaces that are moved, colours in
- * range, no seams, blends, bands, scissors, prepared meshes, resolves.
+ * range, no seams, blends, prepared meshes, resolves.
  */
 #include "support/core.h"
 #include "support/layouts.h"
@@ -426,26 +426,6 @@ TEST(resolve)
     }
 }
 
-/* A lit mesh that reaches out of the frame and through the near plane, by bands and scissors. */
-static void draw_scene(const qtri_surface *surface, uint64_t seed, int way, qtri_prepared *prepared)
-{
-    (void)way;
-    qtri_samples_clear(surface, (qtri_rgb){24, 32, 48});
-    if (prepared != NULL) {
-        qtri_draw_prepared(surface, prepared);
-        return;
-    }
-    qtri_material material = plain_material();
-    material.depth_compare = QTRI_LESS;
-    for (int i = 0; i < 10; i++) {
-        qtri_screen_vertex v[3];
-        random_triangle(v, &seed, 0, 255);
-        material.blend = i % 3 == 2 ? &qtri_blend_alpha : NULL;
-        material.alpha = 100;
-        count_triangle(draw_triangle(surface, &material, v, true));
-    }
-}
-
 static void assert_samples(const qtri_surface *whole, const qtri_surface *part, qtri_rect in)
 {
     for (int32_t y = in.y0; y < in.y1; y++) {
@@ -486,14 +466,14 @@ static qtri_mesh random_mesh(uint64_t *seed)
     return mesh;
 }
 
-TEST(bands)
+/* A lit mesh that reaches out of the frame and through the near plane, prepared: in bands, and
+   within a scissor. */
+TEST(prepared_meshes)
 {
     uint64_t seed = 21;
     static uint16_t lists[QTRI_PREPARED_LISTS(98, HEIGHT, 5)];
     for (int n = 0; n < 24; n++) {
         const qtri_format *format = four[n % FORMATS];
-        const uint64_t own = seed += 77;
-        const bool has_mesh = n % 2 == 0;
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         qtri_mesh mesh = random_mesh(&seed);
         qtri_view view;
@@ -512,22 +492,17 @@ TEST(bands)
         view.vertex_count = 64;
         qtri_transform_identity(&pose);
         qtri_transform_rotate_y(&pose, random_in(&seed, 0, 60 << 16));
-        if (has_mesh) {
-            qtri_samples_clear(&whole.surface, (qtri_rgb){24, 32, 48});
-            qtri_draw_mesh(&whole.surface, &view, &pose, &mesh, &material);
-        } else {
-            draw_scene(&whole.surface, own, 0, NULL);
-        }
+        qtri_samples_clear(&whole.surface, (qtri_rgb){24, 32, 48});
+        qtri_draw_mesh(&whole.surface, &view, &pose, &mesh, &material);
         qtri_frame frame = {.width = WIDTH, .height = HEIGHT, .rows = 5, .format = format};
         qtri_prepared prepared;
         prepared_init_with(&prepared, slots, 64, lists, sizeof lists / sizeof lists[0]);
-        if (has_mesh) {
-            qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
-        }
+        qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
         for (int32_t row = 0; row < HEIGHT; row += 5) {
             const int32_t end = row + 5 < HEIGHT ? row + 5 : HEIGHT;
             canvas band = canvas_band(format, WIDTH, HEIGHT, row, end - row);
-            draw_scene(&band.surface, own, 0, has_mesh ? &prepared : NULL);
+            qtri_samples_clear(&band.surface, (qtri_rgb){24, 32, 48});
+            qtri_draw_prepared(&band.surface, &prepared);
             const qtri_rect rows = {0, row, WIDTH, end};
             assert_samples(&whole.surface, &band.surface, rows);
             canvas_free(&band);
@@ -535,7 +510,8 @@ TEST(bands)
         canvas cut = canvas_new(format, WIDTH, HEIGHT);
         cut.surface.scissor = (qtri_rect){random_in(&seed, 1, 30), random_in(&seed, 1, 20),
                                           random_in(&seed, 31, WIDTH), random_in(&seed, 21, 40)};
-        draw_scene(&cut.surface, own, 0, has_mesh ? &prepared : NULL);
+        qtri_samples_clear(&cut.surface, (qtri_rgb){24, 32, 48});
+        qtri_draw_prepared(&cut.surface, &prepared);
         assert_samples(&whole.surface, &cut.surface, cut.surface.scissor);
         canvas_free(&cut);
         canvas_free(&whole);

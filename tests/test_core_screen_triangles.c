@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Small triangles: depths and colours of few steps against double precision, pixels against the
- * fill rule and models of the depth test, whatever they look like and however the frame is cut up.
+ * fill rule and models of the depth test, whatever they look like.
  */
 #include "support/core.h"
 
@@ -190,50 +190,6 @@ static void random_background(canvas *c, uint64_t *seed)
     uint8_t *bytes = c->memory;
     for (size_t i = 0; i < c->bytes; i++) {
         bytes[i] = (uint8_t)random64(seed);
-    }
-}
-
-/* One triangle after the other, each with its material: whole, in a scissor, in a band. */
-TEST(cuts)
-{
-    uint64_t seed = 4;
-    for (int f = 0; f < 3; f++) {
-        canvas whole = canvas_new(drawn_format(f), WIDTH, HEIGHT);
-        canvas parts = canvas_new(drawn_format(f), WIDTH, HEIGHT);
-        for (int n = 0; n < random_cases(12000); n++) {
-            qtri_screen_vertex v[3];
-            qtri_material m;
-            qtri_texture texture;
-            random_triangle(v, &seed, n % 5);
-            random_material(&m, &texture, &seed);
-            if (n % 50 == 0) {
-                random_background(&whole, &seed);
-                memcpy(parts.memory, whole.memory, whole.bytes);
-            }
-            qtri_raster_triangle(&whole.surface, qtri_pipelines_default, &m, v);
-            const int32_t x = random_in(&seed, 0, WIDTH);
-            const int32_t y = random_in(&seed, 0, HEIGHT);
-            const qtri_rect scissor[4] = {
-                {0, 0, x, y}, {x, 0, WIDTH, y}, {0, y, x, HEIGHT}, {x, y, WIDTH, HEIGHT}};
-            for (int i = 0; i < 4; i++) {
-                qtri_surface part = parts.surface;
-                part.scissor = scissor[i];
-                if (n % 2 == 0) { /* the rows alone */
-                    const int32_t first = scissor[i].y0;
-                    part.first_row = first < HEIGHT ? first : HEIGHT - 1;
-                    part.rows = scissor[i].y1 - first > 0 ? scissor[i].y1 - first : 1;
-                    part.pixels += part.first_row * part.pitch;
-                    part.depth += part.first_row * part.depth_pitch;
-                }
-                qtri_raster_triangle(&part, qtri_pipelines_default, &m, v);
-            }
-            if (memcmp(parts.memory, whole.memory, whole.bytes) != 0) {
-                assert_same_picture(&whole.surface, &parts.surface);
-                fail();
-            }
-        }
-        canvas_free(&whole);
-        canvas_free(&parts);
     }
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Strokes: coverage against exact areas, joints, bands and scissors, formats, depth, extremes.
+ * Strokes: coverage against exact areas, joints, formats, depth, extremes.
  */
 #include "support/core.h"
 
@@ -359,42 +359,6 @@ TEST(effects)
         }
         canvas_free(&c);
         canvas_free(&plain);
-    }
-}
-
-/* Rows of any band and columns of any scissor are those of the whole frame, in every format. */
-TEST(bands_and_scissors)
-{
-    uint64_t seed = 6;
-    for (int n = 0; n < random_cases(160); n++) {
-        const qtri_format *format = drawn_format(n);
-        const scene s = colored_scene(&seed, n % 4 == 0 ? POINTS : 5);
-        qtri_material material = plain_material();
-        material.depth_compare = (qtri_compare)random_in(&seed, 0, 8);
-        material.depth_read_only = random_in(&seed, 0, 4) == 0;
-        qtri_fog fog;
-        if (n % 3 != 0) {
-            set_effects(&material, &fog, &seed);
-        }
-        canvas whole = canvas_new(format, WIDTH, HEIGHT);
-        paint(&whole.surface, &s, &material);
-        const int32_t rows = random_in(&seed, 1, 20);
-        for (int32_t first = 0; first < HEIGHT; first += rows) {
-            canvas band = canvas_band(format, WIDTH, HEIGHT, first, rows);
-            paint(&band.surface, &s, &material);
-            assert_same_picture(&whole.surface, &band.surface);
-            canvas_free(&band);
-        }
-        canvas tiles = canvas_new(format, WIDTH, HEIGHT);
-        const int32_t width = random_in(&seed, 1, 50);
-        for (int32_t x = 0; x < WIDTH; x += width) {
-            const qtri_rect scissor = {x, 0, x + width, HEIGHT};
-            tiles.surface.scissor = scissor;
-            paint(&tiles.surface, &s, &material);
-        }
-        assert_same_picture(&whole.surface, &tiles.surface);
-        canvas_free(&tiles);
-        canvas_free(&whole);
     }
 }
 
@@ -923,48 +887,6 @@ TEST(polylines_of_many_points)
     }
     canvas_free(&whole);
     canvas_free(&other);
-}
-
-/* Wireframes, with and without hidden lines: bands have the pixels of the whole frame. */
-TEST(wireframes)
-{
-    uint64_t seed = 12;
-    for (int n = 0; n < 40; n++) {
-        space s;
-        qtri_stroke stroke = qtri_stroke_default();
-        qtri_material material = qtri_material_default();
-        const qtri_format *format = drawn_format(n);
-        set_space(&s, &seed, n % 2 == 0);
-        stroke.width = random_in(&seed, 30000, 500000);
-        stroke.edges = n % 5 == 0 ? NULL : &qtri_stroke_smooth;
-        material.cull = n % 3 == 0 ? QTRI_CULL_NONE : QTRI_CULL_BACK;
-        material.depth_compare = n % 7 == 0 ? QTRI_DEPTH_OFF : QTRI_LESS;
-        canvas whole = canvas_new(format, WIDTH, HEIGHT);
-        for (int hidden = 0; hidden < 2; hidden++) {
-            canvas_clear(&whole);
-            int drawn = 0;
-            for (int32_t first = -7; first < HEIGHT; first += 7) {
-                canvas band = canvas_band(format, WIDTH, HEIGHT, first < 0 ? 0 : first, 7);
-                const qtri_surface *to = first < 0 ? &whole.surface : &band.surface;
-                if (hidden != 0) {
-                    qtri_draw_hidden_lines(to, &s.view, &s.pose, &s.mesh,
-                                           n % 4 == 0 ? NULL : &stroke, &material, Q16(.01));
-                } else {
-                    qtri_draw_wide_wireframe(to, &s.view, &s.pose, &s.mesh, &stroke, &material);
-                }
-                if (first >= 0) {
-                    assert_same_picture(&whole.surface, to);
-                }
-                canvas_free(&band);
-            }
-            for (int i = 0; i < WIDTH * HEIGHT; i++) {
-                drawn += stored_pixel(&whole.surface, i % WIDTH, i / WIDTH) != 0;
-            }
-            /* Or the eye is inside, where all faces turn away. */
-            assert_true(drawn > 20 || material.cull == QTRI_CULL_BACK);
-        }
-        canvas_free(&whole);
-    }
 }
 
 /* Faces hide the edges behind them: a cube without culling looks as one with its back culled. */

@@ -12,7 +12,6 @@
 
 #include "io/mipmap.h"
 #include "reference/reference.h"
-#include "support/bands.h"
 #include "tools/scene_draw.h"
 
 enum { WIDTH = 128, HEIGHT = 96, SIDE = 8, HORIZON = 39, FAR_ROWS = 14 };
@@ -222,19 +221,6 @@ TEST(test_moving)
     for (int f = 0; f < 4; f += 2) {
         assert_true(quality[f + 1] > quality[f] + 6);
         assert_true(moves[f + 1] < moves[f] / 3);
-    }
-}
-
-/* ---- In pieces ---- */
-
-TEST(test_bands)
-{
-    const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
-    for (int f = 0; f < 3; f++) {
-        struct scene scene =
-            parse(f == 0 ? "nearest mipmaps" : "bilinear mipmaps", "texformat rgb565\n", .2, .1);
-        assert_same_in_bands(&scene, formats[f], 9);
-        scene_free(&scene);
     }
 }
 

@@ -183,26 +183,6 @@ TEST(mixtures)
     assert_true(accuracy_per_100k(kinds[2].mixed.above, kinds[2].mixed.pixels) <= 10);
 }
 
-/* The picture in bands, and one of any format, is that of the whole frame. */
-TEST(bands)
-{
-    static const qtri_format *const formats[4] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8,
-                                                  &qtri_rgb565_swapped};
-    for (unsigned i = 0; i < 16; i++) {
-        struct scene scene;
-        struct picture whole;
-        struct picture banded;
-        read_scene(900 + i, &scene);
-        assert_true(scene_render(&scene, formats[i % 4], 0, false, &whole));
-        assert_true(
-            scene_render(&scene, formats[i % 4], 1 + (int32_t)(i * 7 % 30), false, &banded));
-        assert_memory_equal(whole.rgb, banded.rgb, 3 * (size_t)whole.width * (size_t)whole.height);
-        picture_free(&whole);
-        picture_free(&banded);
-        scene_free(&scene);
-    }
-}
-
 int main(void)
 {
     return run_all_tests(NULL, NULL);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Light by pixel (&qtri_per_pixel): against the double-precision renderer, which lights every
- * pixel, and the same pixels in bands.
+ * pixel.
  */
 #include "support/test.h"
 
@@ -10,7 +10,6 @@
 #include <string.h>
 
 #include "reference/reference.h"
-#include "support/bands.h"
 #include "tools/scene_draw.h"
 
 enum { WIDTH = 160, HEIGHT = 120 };
@@ -119,24 +118,6 @@ TEST(exactness)
         reference_free(&image);
         scene_free(&scene);
         scene_free(&smooth);
-    }
-}
-
-TEST(bands)
-{
-    static const char *const modes[] = {"",
-                                        "antialias msaa\n",
-                                        "fog linear .1 50 .5 .5 .6 .9 1\n",
-                                        "blend alpha .7\nvertexalpha .2 .6 1\n",
-                                        "depthslope -1\n",
-                                        "depthformat linear24\n"};
-    const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
-    for (size_t mode = 0; mode < sizeof modes / sizeof modes[0]; mode++) {
-        for (int n = 2; n < TRIALS; n++) {
-            struct scene scene = parse(trials[n], "pixel", modes[mode]);
-            assert_same_in_bands(&scene, formats[(mode + (size_t)n) % 3], 33);
-            scene_free(&scene);
-        }
     }
 }
 

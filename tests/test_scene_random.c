@@ -166,27 +166,6 @@ TEST(found_before)
     }
 }
 
-/* The picture in bands of `rows` rows equals the whole one. */
-TEST(bands_equal_whole)
-{
-    static const qtri_format *const formats[3] = {&qtri_rgb565, &qtri_xrgb8888, &qtri_gray8};
-    for (unsigned i = 0; i < 40 && i < scene_count(); i++) {
-        struct scene scene;
-        struct picture whole;
-        struct picture banded;
-        read_scene(first_seed() + i, i % 2 == 1, &scene);
-        assert_true(scene_render(&scene, formats[i % 3], 0, true, &whole));
-        assert_true(scene_render(&scene, formats[i % 3], 1 + (int32_t)(i * 7 % 50), true, &banded));
-        size_t pixels = (size_t)whole.width * (size_t)whole.height;
-        assert_memory_equal(whole.rgb, banded.rgb, 3 * pixels);
-        assert_memory_equal(whole.id, banded.id, pixels * sizeof *whole.id);
-        assert_memory_equal(whole.depth, banded.depth, pixels * sizeof *whole.depth);
-        picture_free(&whole);
-        picture_free(&banded);
-        scene_free(&scene);
-    }
-}
-
 int main(void)
 {
     return run_all_tests(NULL, NULL);

@@ -41,6 +41,17 @@ static uint32_t add_depths(const random_states *w, uint32_t hash)
     return hash;
 }
 
+/* Of surfaces from the top on, as they are in memory. */
+static void add_other_depths(random_states *w, const qtri_surface *s, int32_t bytes)
+{
+    const uint8_t *row = (const uint8_t *)s->depth;
+    for (int32_t y = 0; y < s->rows; y++, row += (ptrdiff_t)s->depth_pitch * bytes) {
+        for (int32_t i = 0; i < s->width * bytes; i++) {
+            w->other_depths = random_hash(w->other_depths, row[i], 1);
+        }
+    }
+}
+
 /* The rows of one band, or all. */
 static int32_t rows_of(const random_states *w)
 {
@@ -66,6 +77,20 @@ static void draw_twice(random_states *w, const qtri_surface *surface, random_dra
         random_material(w);
         draw(w, surface);
     }
+}
+
+static void draw_in_tiles(random_states *w, qtri_surface *surface, random_draw *draw)
+{
+    const qtri_rect all = surface->scissor;
+    const int32_t columns = w->tile_columns != 0 ? w->tile_columns : w->width;
+    const uint64_t seed = w->seed;
+    for (int32_t x = 0; x < w->width; x += columns) {
+        surface->scissor.x0 = x > all.x0 ? x : all.x0;
+        surface->scissor.x1 = x + columns < all.x1 ? x + columns : all.x1;
+        w->seed = seed;
+        draw_twice(w, surface, draw);
+    }
+    surface->scissor = all;
 }
 
 /* The colour and depth that a surface is cleared to are not the ends. */
@@ -94,10 +119,12 @@ uint32_t random_on_surface(random_states *w, uint32_t hash, random_draw *draw)
         qtri_surface_clear_depth(&surface, depth);
         surface.scissor = scissor;
         w->seed = seed;
-        draw_twice(w, &surface, draw);
+        draw_in_tiles(w, &surface, draw);
         hash = add_surface(hash, &surface);
         if (depths->bytes == 2) {
             keep_depths(w, &surface);
+        } else {
+            add_other_depths(w, &surface, depths->bytes);
         }
     }
     return depths->bytes == 2 ? add_depths(w, hash) : hash;
@@ -123,7 +150,7 @@ uint32_t random_on_samples(random_states *w, uint32_t hash, random_draw *draw)
             qtri_samples_clear_depth(&samples, depth);
         }
         w->seed = seed;
-        draw_twice(w, &samples, draw);
+        draw_in_tiles(w, &samples, draw);
         w->failed |= qtri_samples_resolve(&samples, &shown) != QTRI_OK;
         hash = add_surface(hash, &shown);
         keep_depths(w, &samples);

@@ -24,6 +24,8 @@ typedef struct random_states {
     uint64_t seed;
     bool failed;           /* an init function returned an error, or a word behind was written */
     int32_t band_rows;     /* of surfaces, which are drawn band by band; 0: whole */
+    int32_t tile_columns;  /* of scissors, which bands are drawn by one after the other; 0: all */
+    uint32_t other_depths; /* goes on from here: a checksum of depths that are not 16 bits */
     int32_t width, height; /* of a surface: mostly those above, or about as many pixels */
     qtri_view view;
     qtri_vertex vertices[STATES_VERTICES];
