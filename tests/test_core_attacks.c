@@ -10,15 +10,6 @@ enum { SIDE = 32 };
 
 static const qtri_rgb red = {255, 0, 0};
 
-static int painted(const qtri_surface *s)
-{
-    int count = 0;
-    for (int32_t i = 0; i < SIDE * SIDE; i++) {
-        count += stored_pixel(s, i % SIDE, i / SIDE) != 0;
-    }
-    return count;
-}
-
 static const qtri_vec3 corner_positions[3] = {
     {Q16(-1), Q16(-1), 0}, {Q16(1), Q16(-1), 0}, {Q16(0), Q16(1), 0}};
 static const uint16_t one_triangle[1][3] = {{0, 1, 2}};
@@ -37,10 +28,9 @@ TEST(surfaces_without_end)
     qtri_view view;
     qtri_transform pose;
     const qtri_material material = plain_material();
-    qtri_view_init(&view, SIDE, SIDE);
-    qtri_transform_identity(&pose);
+    start_view(&view, &pose, SIDE, SIDE);
     qtri_draw_mesh(&wanted.surface, &view, &pose, &one, &material);
-    assert_true(painted(&wanted.surface) > SIDE * SIDE / 4);
+    assert_true(count_painted(&wanted.surface) > SIDE * SIDE / 4);
     for (size_t i = 0; i < LENGTH_OF(extremes) * LENGTH_OF(extremes); i++) {
         const int32_t end = extremes[i % LENGTH_OF(extremes)];
         canvas c = canvas_new(&qtri_rgb565, SIDE, SIDE);
@@ -53,7 +43,7 @@ TEST(surfaces_without_end)
             assert_same_picture(&wanted.surface, &c.surface);
         }
         if (s.rows <= 0 || end <= 0) {
-            assert_int_equal(painted(&c.surface), 0);
+            assert_int_equal(count_painted(&c.surface), 0);
         }
         s = c.surface; /* rows that end beyond 32 bits, not one of them in memory */
         s.first_row = SIDE;
@@ -79,8 +69,7 @@ TEST(rows_of_zeros)
     qtri_view view;
     qtri_transform pose;
     const qtri_material material = plain_material();
-    qtri_view_init(&view, SIDE, SIDE);
-    qtri_transform_identity(&pose);
+    start_view(&view, &pose, SIDE, SIDE);
     qtri_draw_mesh(&wanted.surface, &view, &pose, &one, &material);
     for (size_t i = 0; i < LENGTH_OF(exponents); i++) {
         for (unsigned rows = 1; rows < 16; rows++) {
@@ -99,7 +88,7 @@ TEST(rows_of_zeros)
                 if (rows == 4) { /* z alone: flat, in the middle of the depths */
                     assert_same_picture(&wanted.surface, &c.surface);
                 } else if ((rows & 8) != 0) {
-                    assert_int_equal(painted(&c.surface), 0); /* w = 0 */
+                    assert_int_equal(count_painted(&c.surface), 0); /* w = 0 */
                 }
                 canvas_free(&c);
             }
@@ -118,10 +107,8 @@ TEST(zero_meshes)
     qtri_transform pose;
     qtri_frame frame;
     qtri_prepared prepared;
-    qtri_view_init(&view, SIDE, SIDE);
-    qtri_transform_identity(&pose);
-    assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, SIDE, SIDE, SIDE, c.memory, c.bytes),
-                     QTRI_OK);
+    start_view(&view, &pose, SIDE, SIDE);
+    assert_ok(qtri_frame_init(&frame, &qtri_rgb565, SIDE, SIDE, SIDE, c.memory, c.bytes));
     static const qtri_fill *const fills[] = {NULL, &qtri_wireframe};
     for (int n = 0; n < 24; n++) {
         qtri_mesh mesh = zero;
@@ -132,8 +119,7 @@ TEST(zero_meshes)
         mesh.faces.culling = n / 6 % 2 != 0 ? &qtri_cull_by_planes : NULL;
         qtri_material material = plain_material();
         material.fill = fills[n % 2];
-        view.vertices = n / 12 != 0 ? vertices : NULL;
-        view.vertex_count = n / 12 != 0 ? 4 : 0;
+        give_vertices(&view, n / 12 != 0 ? vertices : NULL, n / 12 != 0 ? 4 : 0);
         qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &material);
         prepared_init_with(&prepared, view.vertices, view.vertex_count, NULL, 0);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
@@ -143,7 +129,7 @@ TEST(zero_meshes)
     qtri_material material = plain_material();
     qtri_draw_triangles(&c.surface, &view, &pose, NULL, 0, &material);
     qtri_draw_lines(&c.surface, &view, &pose, NULL, 0, &material);
-    assert_int_equal(painted(&c.surface), 0);
+    assert_int_equal(count_painted(&c.surface), 0);
     canvas_free(&c);
 }
 
@@ -157,12 +143,10 @@ TEST(slots_never_written)
         qtri_view view;
         qtri_transform pose;
         const qtri_material material = plain_material();
-        qtri_view_init(&view, SIDE, SIDE);
-        qtri_transform_identity(&pose);
-        view.vertices = vertices;
-        view.vertex_count = slots;
+        start_view(&view, &pose, SIDE, SIDE);
+        give_vertices(&view, vertices, slots);
         qtri_draw_mesh(&c.surface, &view, &pose, &one, &material);
-        assert_true(painted(&c.surface) > SIDE * SIDE / 4);
+        assert_true(count_painted(&c.surface) > SIDE * SIDE / 4);
         free(vertices);
         canvas_free(&c);
     }
@@ -178,8 +162,7 @@ static void assert_inert(const qtri_surface *s, const uint8_t *memory, size_t by
                                     {{Q16(3), Q16(-1), 0, Q16_ONE}, {255, 255, 255}, {0, 0}},
                                     {{Q16(-1), Q16(3), 0, Q16_ONE}, {255, 255, 255}, {0, 0}}};
     const qtri_screen_vertex screen[3] = {screen_at(0, 0), screen_at(9999, 0), screen_at(0, 9999)};
-    qtri_view_init(&view, SIDE, SIDE);
-    qtri_transform_identity(&pose);
+    start_view(&view, &pose, SIDE, SIDE);
     clear_to(s, red, 0);
     qtri_draw_mesh(s, &view, &pose, &one, &material);
     qtri_draw_triangles(s, &view, &pose, corners, 3, &material);
@@ -218,9 +201,7 @@ TEST(failed_surfaces)
     memset(memory, 0xA5, sizeof memory);
     for (size_t i = 0; i < LENGTH_OF(cases); i++) {
         qtri_surface s;
-        assert_int_equal(
-            qtri_surface_init(&s, &qtri_rgb565, SIDE, SIDE, 0, SIDE, memory, sizeof memory),
-            QTRI_OK);
+        assert_ok(qtri_surface_init(&s, &qtri_rgb565, SIDE, SIDE, 0, SIDE, memory, sizeof memory));
         assert_int_equal(qtri_surface_init(&s, cases[i].format, cases[i].width, SIDE,
                                            cases[i].first_row, cases[i].rows, cases[i].memory,
                                            cases[i].bytes),
@@ -251,17 +232,14 @@ TEST(failed_frames)
     qtri_view view;
     qtri_transform pose;
     const qtri_material material = plain_material();
-    qtri_view_init(&view, SIDE, SIDE);
-    qtri_transform_identity(&pose);
+    start_view(&view, &pose, SIDE, SIDE);
     memset(memory, 0xA5, sizeof memory);
     for (size_t i = 0; i < LENGTH_OF(cases); i++) {
         qtri_frame frame;
         qtri_surface band = {0};
         qtri_prepared prepared;
         const qtri_rect all = {0, 0, SIDE, SIDE};
-        assert_int_equal(
-            qtri_frame_init(&frame, &qtri_rgb565, SIDE, SIDE, SIDE, memory, sizeof memory),
-            QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, &qtri_rgb565, SIDE, SIDE, SIDE, memory, sizeof memory));
         assert_int_equal(qtri_frame_init(&frame, cases[i].format, SIDE, SIDE, cases[i].rows,
                                          cases[i].memory, cases[i].bytes),
                          cases[i].error);
@@ -287,7 +265,7 @@ TEST(missing_memory)
     assert_int_equal(qtri_sum_store(&c.surface, NULL, UINT32_MAX, 1), QTRI_ERROR_MEMORY);
     assert_int_equal(qtri_outline_init(&outline, &one, NULL, UINT32_MAX), QTRI_ERROR_MEMORY);
     assert_null(outline.mesh);
-    assert_int_equal(painted(&c.surface), 0);
+    assert_int_equal(count_painted(&c.surface), 0);
     canvas_free(&c);
 }
 

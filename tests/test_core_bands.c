@@ -212,12 +212,10 @@ TEST(lit_meshes)
         material.depth_compare = n % 2 != 0 ? QTRI_LESS : QTRI_DEPTH_OFF;
         qtri_transform identity;
         qtri_view view;
-        qtri_transform_identity(&identity);
-        qtri_view_init(&view, WIDTH, HEIGHT);
+        start_view(&view, &identity, WIDTH, HEIGHT);
         qtri_transform_ortho(&view.projection, -Q16(1), Q16(1), -Q16(1), Q16(1), Q16(.5), Q16(4));
         view.light = &light;
-        view.vertices = vertices;
-        view.vertex_count = MESH_VERTICES;
+        give_vertices(&view, vertices, MESH_VERTICES);
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         qtri_draw_mesh(&whole.surface, &view, &identity, &mesh, &material);
         for (int32_t first = 0; first < HEIGHT;) {

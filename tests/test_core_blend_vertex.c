@@ -4,6 +4,7 @@
  */
 #include "support/core.h"
 #include "support/layouts.h"
+#include "support/shares.h"
 #include "support/steps.h"
 
 enum { WIDTH = 120, HEIGHT = 90 };
@@ -11,25 +12,6 @@ enum { WIDTH = 120, HEIGHT = 90 };
 static double w_of(const qtri_screen_vertex *v)
 {
     return ldexp(v->inv_w_q31, v->inv_w_exponent - 31);
-}
-
-/* Weights of the vertices at a pixel's centre, on the surface of the triangle. */
-static void weights_at(double b[3], const qtri_screen_vertex v[3], bool perspective, int32_t x,
-                       int32_t y)
-{
-    const double px = x * 256 + 128;
-    const double py = y * 256 + 128;
-    double sum = 0;
-    for (int i = 0; i < 3; i++) {
-        const qtri_screen_vertex *p = &v[(i + 1) % 3];
-        const qtri_screen_vertex *q = &v[(i + 2) % 3];
-        b[i] = (p->x_24p8 - px) * (q->y_24p8 - py) - (q->x_24p8 - px) * (p->y_24p8 - py);
-        b[i] *= perspective ? w_of(&v[i]) : 1;
-        sum += b[i];
-    }
-    for (int i = 0; i < 3; i++) {
-        b[i] /= sum;
-    }
 }
 
 /* One triangle over one colour. */
@@ -118,7 +100,7 @@ static double worst_of(const qtri_format *format)
                 continue;
             }
             double b[3];
-            weights_at(b, t.v, perspective, x, y);
+            shares_at(b, t.v, x, y, perspective);
             for (int k = 0; k < 3; k++) {
                 const double d =
                     fabs(stored_steps(format, is, k) - expected(&t, format, was, b, k));
@@ -201,7 +183,7 @@ TEST(near_and_far)
             double b[3];
             double expected = 0;
             double far = 0;
-            weights_at(b, t.v, true, x, y);
+            shares_at(b, t.v, x, y, true);
             for (int k = 0; k < 3; k++) {
                 expected += b[k] * t.alphas[k];
                 far += b[k] * nearest / w_of(&t.v[k]); /* of the pixel: w is what is linear */
@@ -346,8 +328,7 @@ TEST(meshes)
             of_corners.shading = QTRI_FLAT_LAST;
         }
         if (random_flag(&seed)) {
-            view.vertices = vertices;
-            view.vertex_count = POINTS;
+            give_vertices(&view, vertices, POINTS);
         }
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         qtri_surface_clear(&whole.surface, sky);
@@ -360,16 +341,10 @@ TEST(meshes)
         static uint8_t memory[QTRI_FRAME_BYTES(WIDTH, 13, QTRI_XRGB8888_BYTES)];
         qtri_frame frame;
         qtri_prepared prepared;
-        qtri_surface band;
-        assert_int_equal(qtri_frame_init(&frame, format, WIDTH, HEIGHT, 13, memory, sizeof memory),
-                         QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, format, WIDTH, HEIGHT, 13, memory, sizeof memory));
         prepared_init_with(&prepared, vertices, POINTS, lists, sizeof lists / sizeof lists[0]);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &s.mesh, &m);
-        while (qtri_frame_next_band(&frame, &band)) {
-            qtri_surface_clear(&band, sky);
-            qtri_draw_prepared(&band, &prepared);
-            assert_same_picture(&whole.surface, &band);
-        }
+        assert_same_bands(&whole.surface, &frame, &prepared, sky);
         canvas_free(&whole);
     }
 }
@@ -440,8 +415,8 @@ TEST(samples)
         qtri_raster_triangle(&many.surface, qtri_pipelines_default, &t.material, t.v);
         t.v[0].color_8p16[0] = t.v[0].color_8p16[1] = t.v[0].color_8p16[2] = 255 << 16;
         qtri_raster_triangle(&inside.surface, qtri_pipelines_default, &white, t.v);
-        assert_int_equal(qtri_samples_resolve(&many.surface, &resolved), QTRI_OK);
-        assert_int_equal(qtri_samples_resolve(&inside.surface, &whole), QTRI_OK);
+        assert_ok(qtri_samples_resolve(&many.surface, &resolved));
+        assert_ok(qtri_samples_resolve(&inside.surface, &whole));
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             const uint32_t cover = stored_pixel(&whole, i % WIDTH, i / WIDTH) & 0xFFFFFF;
             const uint32_t is = stored_pixel(&resolved, i % WIDTH, i / WIDTH);

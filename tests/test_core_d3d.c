@@ -142,9 +142,8 @@ TEST(same_picture)
             qtri_view view;
             qtri_transform pose;
             set_lights(sources, d3d);
-            assert_int_equal(qtri_light_init(&lights, sources, 2, ambient), QTRI_OK);
-            qtri_view_init(&view, 64, 48);
-            qtri_transform_identity(&pose);
+            assert_ok(qtri_light_init(&lights, sources, 2, ambient));
+            start_view(&view, &pose, 64, 48);
             view.light = &lights;
             if (d3d) {
                 const qtri_vec3 factor = {Q16_ONE, Q16_ONE, -Q16_ONE};
@@ -234,8 +233,7 @@ TEST(depth_reversed)
             qtri_view view;
             qtri_transform pose;
             qtri_material material = qtri_material_default();
-            qtri_view_init(&view, 64, 48);
-            qtri_transform_identity(&pose);
+            start_view(&view, &pose, 64, 48);
             if (n % 2 != 0) {
                 qtri_transform_look_at_d3d(&view.camera, eye, m.wide.origin, up);
             } else {

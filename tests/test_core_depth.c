@@ -50,9 +50,8 @@ static board board_band(const qtri_format *format, const qtri_depth_format *dept
     b.memory = malloc(b.bytes + 2 * GUARD);
     assert_non_null(b.memory);
     memset(b.memory, 0xA5, b.bytes + 2 * GUARD);
-    assert_int_equal(surface_with_depth(&b.surface, format, depth, WIDTH, HEIGHT, first, rows,
-                                        b.memory + GUARD, b.bytes),
-                     QTRI_OK);
+    assert_ok(surface_with_depth(&b.surface, format, depth, WIDTH, HEIGHT, first, rows,
+                                 b.memory + GUARD, b.bytes));
     qtri_surface_clear(&b.surface, (qtri_rgb){24, 32, 48});
     return b;
 }
@@ -195,8 +194,7 @@ static void draw_scene(const qtri_surface *s, uint64_t seed, bool smooth)
     qtri_view view;
     qtri_view_init(&view, WIDTH, HEIGHT);
     qtri_transform_perspective(&view.projection, Q16(60), Q16(1.3), Q16(1), Q16(9));
-    view.vertices = vertices;
-    view.vertex_count = LENGTH_OF(vertices);
+    give_vertices(&view, vertices, LENGTH_OF(vertices));
     for (int n = 0; n < 9; n++) {
         const qtri_material m = random_material(&seed, &texture, &fog);
         qtri_stroke stroke = qtri_stroke_default();
@@ -354,10 +352,8 @@ TEST(smooth_lines)
         stroke.width = random_in(&seed, Q16(.3), Q16(2));
         m.cull = QTRI_CULL_NONE;
         m.depth_read_only = n % 5 == 0;
-        qtri_transform_identity(&pose);
-        qtri_view_init(&view, WIDTH, HEIGHT);
-        view.vertices = vertices;
-        view.vertex_count = LENGTH_OF(vertices);
+        start_view(&view, &pose, WIDTH, HEIGHT);
+        give_vertices(&view, vertices, LENGTH_OF(vertices));
         for (int i = 0; i < 2; i++) {
             qtri_draw_wide_wireframe(&b[i].surface, &view, &pose, &mesh, &stroke, &m);
         }
@@ -605,9 +601,8 @@ TEST(layouts)
                          QTRI_ERROR_FORMAT);
         for (int pitch = 9; pitch >= -12; pitch -= 21) {
             static const q16 depths[] = {0, Q16(.25), Q16_ONE, INT32_MAX, INT32_MIN};
-            assert_int_equal(
-                surface_with_depth(&s, &qtri_rgb565, formats[f], 9, 9, 0, 5, memory, sizeof memory),
-                QTRI_OK);
+            assert_ok(surface_with_depth(&s, &qtri_rgb565, formats[f], 9, 9, 0, 5, memory,
+                                         sizeof memory));
             if (pitch < 0) {
                 s.depth = (uint16_t *)(void *)(memory + sizeof memory / 2);
                 s.depth_pitch = pitch;
@@ -629,8 +624,7 @@ TEST(layouts)
             }
         }
         /* Samples keep linear16: by hand put together, nothing is drawn. */
-        assert_int_equal(qtri_surface_init(&s, &qtri_rgb565_x4, 9, 9, 0, 9, memory, sizeof memory),
-                         QTRI_OK);
+        assert_ok(qtri_surface_init(&s, &qtri_rgb565_x4, 9, 9, 0, 9, memory, sizeof memory));
         qtri_samples_clear(&s, (qtri_rgb){0, 0, 0});
         s.depth_format = formats[f];
         uint64_t seed = 3;
@@ -648,9 +642,8 @@ TEST(layouts)
     const qtri_depth_format one_byte = {1, &qtri_depth_words, encode_twin, decode_twin, 0, NULL};
     assert_int_equal(surface_with_depth(&s, &qtri_rgb565, &one_byte, 9, 9, 0, 5, memory, 9999),
                      QTRI_ERROR_FORMAT);
-    assert_int_equal(surface_with_depth(&s, &qtri_rgb565, &qtri_depth_linear16, 9, 9, 0, 5, memory,
-                                        sizeof memory),
-                     QTRI_OK);
+    assert_ok(surface_with_depth(&s, &qtri_rgb565, &qtri_depth_linear16, 9, 9, 0, 5, memory,
+                                 sizeof memory));
     qtri_surface_clear(&s, (qtri_rgb){0, 0, 0});
     assert_int_equal(s.depth[44], UINT16_MAX);
 }
@@ -720,16 +713,13 @@ TEST(edges)
             b[i] = board_new(format, of[i]);
             qtri_view_init(&view, WIDTH, HEIGHT);
             qtri_transform_perspective(&view.projection, Q16(60), Q16(1.3), Q16(1), Q16(9));
-            view.vertices = vertices;
-            view.vertex_count = LENGTH_OF(vertices);
+            give_vertices(&view, vertices, LENGTH_OF(vertices));
             qtri_transform_identity(&pose);
             qtri_transform_translate(&pose, (qtri_vec3){0, 0, -Q16(3)});
             qtri_transform_rotate_x(&pose, Q16(17) * n);
-            assert_int_equal(
-                qtri_outline_init(&outline, &mesh, outline_memory, LENGTH_OF(outline_memory)),
-                QTRI_OK);
-            assert_int_equal(qtri_draw_mesh_outlined(&b[i].surface, &view, &pose, &m, &outline),
-                             QTRI_OK);
+            assert_ok(
+                qtri_outline_init(&outline, &mesh, outline_memory, LENGTH_OF(outline_memory)));
+            assert_ok(qtri_draw_mesh_outlined(&b[i].surface, &view, &pose, &m, &outline));
             if (n % 4 == 3) { /* from the last row on in memory */
                 const int32_t bytes = bytes_of(&b[i].surface);
                 uint8_t *depth = (uint8_t *)b[i].surface.depth;
@@ -743,16 +733,12 @@ TEST(edges)
                 b[i].surface.depth = (uint16_t *)(void *)(depth + (HEIGHT - 1) * length);
                 b[i].surface.depth_pitch = -WIDTH;
             }
-            assert_int_equal(qtri_edges_begin(&pass, &b[i].surface, words, LENGTH_OF(words)),
-                             QTRI_OK);
+            assert_ok(qtri_edges_begin(&pass, &b[i].surface, words, LENGTH_OF(words)));
             qtri_edges_note(&pass, &outline);
             qtri_edges_blend(&pass);
         }
         int differ = 0;
-        for (int i = 0; i < WIDTH * HEIGHT; i++) {
-            differ += stored_pixel(&b[0].surface, i % WIDTH, i / WIDTH) !=
-                      stored_pixel(&b[1].surface, i % WIDTH, i / WIDTH);
-        }
+        differ += count_different(&b[0].surface, &b[1].surface);
         assert_true(n % 8 < 4 ? differ == 0 : differ < WIDTH * HEIGHT / 100);
         board_free(&b[0]);
         board_free(&b[1]);

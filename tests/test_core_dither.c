@@ -185,7 +185,7 @@ TEST(diffusion_means)
         int value = n / 2;
         int16_t error[W];
         qtri_diffusion d;
-        assert_int_equal(qtri_diffusion_init(&d, W, error, W), QTRI_OK);
+        assert_ok(qtri_diffusion_init(&d, W, error, W));
         double gray_sum = 0;
         double level_sum = 0;
         for (int y = 0; y < H; y++) {
@@ -220,11 +220,11 @@ TEST(diffusion_weights)
     qtri_diffusion d;
     for (int value = 0; value < 256; value++) { /* the nearest level */
         uint8_t level = (uint8_t)value;
-        assert_int_equal(qtri_diffusion_init(&d, 1, error, 5), QTRI_OK);
+        assert_ok(qtri_diffusion_init(&d, 1, error, 5));
         qtri_diffuse_row(&d, 15, 0, 0, &level, 1, &level);
         assert_int_equal(level, (value + 8) / 17);
     }
-    assert_int_equal(qtri_diffusion_init(&d, 5, error, 5), QTRI_OK);
+    assert_ok(qtri_diffusion_init(&d, 5, error, 5));
     uint8_t row[5] = {0, 0, 112, 0, 0};
     qtri_diffuse_row(&d, 1, 0, 0, row, 5, row);
     /* 112: 49 right, 21 35 7 below. 49: 21 right, 9 15 4 below. 21: 9, 3 6 3. 9 stays below. */
@@ -254,7 +254,7 @@ TEST(diffusion_order)
         }
     }
     qtri_diffusion d;
-    assert_int_equal(qtri_diffusion_init(&d, W, error, W), QTRI_OK);
+    assert_ok(qtri_diffusion_init(&d, W, error, W));
     for (int y = 0; y < H; y++) {
         qtri_diffuse_row(&d, 15, 0, y, gray[y], W, whole[y]);
     }

@@ -133,15 +133,6 @@ static void random_pose(qtri_transform *pose, uint64_t *seed)
     qtri_transform_rotate_y(pose, random_in(seed, 0, 360 << 16));
 }
 
-static int painted(const canvas *c)
-{
-    int count = 0;
-    for (int32_t i = 0; i < c->surface.width * c->surface.height; i++) {
-        count += stored_pixel(&c->surface, i % c->surface.width, i / c->surface.width) != 0;
-    }
-    return count;
-}
-
 TEST(any_scratch_size)
 {
     static const uint32_t sizes[] = {1, 2, 3, 7, VERTICES - 1, VERTICES, 2 * VERTICES};
@@ -166,12 +157,11 @@ TEST(any_scratch_size)
         const qtri_format *format = drawn_format(n);
         canvas none = canvas_new(format, WIDTH, HEIGHT);
         qtri_draw_mesh(&none.surface, &view, &pose, &m.mesh, &material);
-        total += painted(&none);
+        total += count_painted(&none.surface);
         for (size_t i = 0; i < LENGTH_OF(sizes); i++) {
             canvas c = canvas_new(format, WIDTH, HEIGHT);
             memset(scratch, 0x5A + (int)i, sizeof scratch);
-            view.vertices = scratch;
-            view.vertex_count = sizes[i];
+            give_vertices(&view, scratch, sizes[i]);
             qtri_draw_mesh(&c.surface, &view, &pose, &m.mesh, &material);
             assert_same_picture(&none.surface, &c.surface);
             uint8_t behind = ((const uint8_t *)&scratch[sizes[i]])[0];
@@ -304,21 +294,11 @@ TEST(flat_light_without_normals)
         m.mesh.normals = NULL;
         qtri_draw_mesh(&without.surface, &view, &pose, &m.mesh, &material);
         assert_same_picture(&with.surface, &without.surface);
-        total += painted(&with);
+        total += count_painted(&with.surface);
         canvas_free(&with);
         canvas_free(&without);
     }
     assert_true(total > 10000);
-}
-
-/* Colours within a step of each other. */
-static bool is_close(uint32_t one, uint32_t two)
-{
-    bool close = true;
-    for (int shift = 0; shift < 24; shift += 8) {
-        close &= abs((int)(one >> shift & 255) - (int)(two >> shift & 255)) <= 1;
-    }
-    return close;
 }
 
 /*
@@ -358,19 +338,14 @@ TEST(compact_equals_wide)
         wide.uvs16 = NULL;
         wide.triangles8 = NULL;
         view.light = &light;
-        view.vertices = scratch;
-        view.vertex_count = VERTICES;
+        give_vertices(&view, scratch, VERTICES);
         qtri_material material = random_material(&seed);
         canvas a = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
         canvas b = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
         qtri_draw_mesh(&a.surface, &view, &pose, &m.mesh, &material);
         qtri_draw_mesh(&b.surface, &view, &pose, &wide, &material);
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            uint32_t one = stored_pixel(&a.surface, i % WIDTH, i / WIDTH);
-            uint32_t two = stored_pixel(&b.surface, i % WIDTH, i / WIDTH);
-            different += !is_close(one, two);
-            total += one != 0;
-        }
+        different += count_apart(&a.surface, &b.surface, 1);
+        total += count_painted(&a.surface);
         canvas_free(&a);
         canvas_free(&b);
     }
@@ -415,8 +390,7 @@ TEST(stages)
         }
         m.mesh.positions16 = is_compact ? m.position16 : NULL;
         m.mesh.normals8 = NULL;
-        view.vertices = scratch;
-        view.vertex_count = VERTICES;
+        give_vertices(&view, scratch, VERTICES);
         qtri_material material = random_material(&seed);
         const bool by_vertex = material.shading == QTRI_SMOOTH && m.mesh.normals != NULL;
         const bool is_served = (is_compact ? stage.positions16 : stage.positions) != NULL;
@@ -430,14 +404,11 @@ TEST(stages)
         if (is_served) {
             qtri_draw_mesh(&b.surface, &view, &pose, &m.mesh, &material);
         }
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            assert_true(is_close(stored_pixel(&a.surface, i % WIDTH, i / WIDTH),
-                                 stored_pixel(&b.surface, i % WIDTH, i / WIDTH)));
-        }
+        assert_close(&a.surface, &b.surface, 1);
         if (is_lit || !is_uneven) { /* others are drawn in a light of 1 */
             assert_same_picture(&a.surface, &b.surface);
         }
-        total += painted(&b);
+        total += count_painted(&b.surface);
         unlit += is_served && !is_lit;
         canvas_free(&a);
         canvas_free(&b);
@@ -485,8 +456,7 @@ TEST(bounds)
         int32_t first = random_in(&seed, 0, HEIGHT - 1);
         canvas a = canvas_band(&qtri_rgb565, WIDTH, HEIGHT, first, random_in(&seed, 1, HEIGHT));
         canvas b = canvas_band(&qtri_rgb565, WIDTH, HEIGHT, first, a.surface.rows);
-        view.vertices = scratch;
-        view.vertex_count = VERTICES;
+        give_vertices(&view, scratch, VERTICES);
         m.mesh.bounds = box;
         memset(scratch, 0x77, sizeof scratch);
         qtri_draw_mesh(&a.surface, &view, &pose, &m.mesh, &material);
@@ -643,15 +613,14 @@ TEST(nothing_to_draw)
     qtri_mesh bad = {
         .positions = points, .triangles = triangles, .vertex_count = 2, .triangle_count = 3};
     qtri_mesh no_vertices = {.triangles = triangles, .triangle_count = 3};
-    qtri_view_init(&view, WIDTH, HEIGHT);
-    qtri_transform_identity(&pose);
+    start_view(&view, &pose, WIDTH, HEIGHT);
     qtri_draw_mesh(&c.surface, &view, &pose, &empty, &material);
     qtri_draw_mesh(&c.surface, &view, &pose, &no_vertices, &material);
     material.cull = QTRI_CULL_NONE;
     qtri_draw_mesh(&c.surface, &view, &pose, &bad, &material);
     qtri_draw_triangles(&c.surface, &view, &pose, NULL, 0, &material);
     qtri_draw_lines(&c.surface, &view, &pose, NULL, 0, &material);
-    assert_int_equal(painted(&c), 0);
+    assert_int_equal(count_painted(&c.surface), 0);
     canvas_free(&c);
 
     canvas one = canvas_new(&qtri_gray8, 1, 1); /* a target of one pixel */
@@ -675,8 +644,7 @@ TEST(homogeneous)
         qtri_view view;
         qtri_transform pose;
         qtri_corner corners[2][3];
-        qtri_view_init(&view, WIDTH, HEIGHT);
-        qtri_transform_identity(&pose);
+        start_view(&view, &pose, WIDTH, HEIGHT);
         for (int i = 0; i < 3; i++) {
             q16 *p[2] = {&corners[0][i].position.x, &corners[1][i].position.x};
             for (int k = 0; k < 4; k++) {
@@ -786,8 +754,8 @@ TEST(garbage)
         }
         view.light = random_flag(&seed) ? &light : NULL;
         view.pipelines = random_flag(&seed) ? qtri_pipelines_default : NULL;
-        view.vertices = random_flag(&seed) ? scratch : NULL;
-        view.vertex_count = view.vertices != NULL ? LENGTH_OF(scratch) : 0;
+        const bool has_scratch = random_flag(&seed);
+        give_vertices(&view, has_scratch ? scratch : NULL, has_scratch ? LENGTH_OF(scratch) : 0);
         qtri_shininess_init(&table, random_any(&seed));
         random_lights(&lights, sources, &table, &seed);
         if (random_flag(&seed)) {

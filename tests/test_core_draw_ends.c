@@ -50,10 +50,7 @@ static int count_drawn(const canvas *c)
 {
     canvas empty = new_canvas();
     int count = 0;
-    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        count += stored_pixel(&c->surface, i % WIDTH, i / WIDTH) !=
-                 stored_pixel(&empty.surface, i % WIDTH, i / WIDTH);
-    }
+    count += count_different(&c->surface, &empty.surface);
     canvas_free(&empty);
     return count;
 }
@@ -67,8 +64,7 @@ static void draw_bands(canvas *c, const qtri_mesh *mesh, const qtri_view *view,
     qtri_prepared prepared;
     qtri_frame frame;
     prepared_init_with(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
-    assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c->memory, c->bytes),
-                     QTRI_OK);
+    assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c->memory, c->bytes));
     qtri_frame_begin(&frame);
     qtri_prepare_mesh(&prepared, &frame, view, pose, mesh, material);
     for (int32_t row = 0; row < HEIGHT; row += 7) {
@@ -103,11 +99,8 @@ TEST(planes_of_a_smaller_mesh)
         draw_bands(&c[2], &wrong, &view, &pose, &material);
         assert_same_picture(&c[0].surface, &c[2].surface);
         qtri_outline outline;
-        assert_int_equal(
-            qtri_outline_init(&outline, &wrong, outline_memory, LENGTH_OF(outline_memory)),
-            QTRI_OK);
-        assert_int_equal(qtri_draw_mesh_outlined(&c[3].surface, &view, &pose, &material, &outline),
-                         QTRI_OK);
+        assert_ok(qtri_outline_init(&outline, &wrong, outline_memory, LENGTH_OF(outline_memory)));
+        assert_ok(qtri_draw_mesh_outlined(&c[3].surface, &view, &pose, &material, &outline));
         assert_same_picture(&c[0].surface, &c[3].surface);
         met += count_drawn(&c[0]);
         for (int i = 0; i < 4; i++) {
@@ -135,8 +128,7 @@ TEST(vertices_that_were_never_met)
     qtri_frame frame;
     canvas c = new_canvas();
     prepared_init_with(&prepared, vertices, VERTICES, lists, LENGTH_OF(lists));
-    assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c.memory, c.bytes),
-                     QTRI_OK);
+    assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c.memory, c.bytes));
     qtri_frame_begin(&frame);
     qtri_surface band;
     while (qtri_frame_next_band(&frame, &band)) {
@@ -358,8 +350,7 @@ TEST(wide_edges_beside_a_band)
     qtri_transform identity;
     qtri_vertex slots[3];
     qtri_view_init(&view, 16, 64);
-    view.vertices = slots;
-    view.vertex_count = 3;
+    give_vertices(&view, slots, 3);
     qtri_transform_identity(&identity);
     int reached = 0;
     for (int32_t n = 0; n < 2 * 700; n++) {
@@ -405,7 +396,7 @@ TEST(prepared_in_many_lights)
                                            .quadratic = Q16(.1)}};
     const qtri_light_color dark = {Q16(.1), Q16(.1), Q16(.1)};
     qtri_light lights;
-    assert_int_equal(qtri_light_init(&lights, sources, 2, dark), QTRI_OK);
+    assert_ok(qtri_light_init(&lights, sources, 2, dark));
     for (int i = 0; i < 3 * VERTICES; i++) { /* one cube above, one in the frame, one below */
         spread[i] = cube_positions[i % VERTICES];
         spread[i].y += (i / VERTICES - 1) * Q16(5);
@@ -421,8 +412,7 @@ TEST(prepared_in_many_lights)
         qtri_transform pose;
         qtri_view view = view_of(n & 8 ? 3.5 : 7, &pose);
         view.light = &lights;
-        view.vertices = room;
-        view.vertex_count = n & 16 ? 2 * VERTICES : LENGTH_OF(room);
+        give_vertices(&view, room, n & 16 ? 2 * VERTICES : LENGTH_OF(room));
         const qtri_mesh mesh = {.positions = spread,
                                 .normals = up,
                                 .triangles = (const uint16_t(*)[3])all,
@@ -435,9 +425,7 @@ TEST(prepared_in_many_lights)
         qtri_prepared prepared;
         qtri_frame frame;
         prepared_init_with(&prepared, room, view.vertex_count, lists, list_counts[n & 3]);
-        assert_int_equal(
-            qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, c[1].memory, c[1].bytes),
-            QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 9, c[1].memory, c[1].bytes));
         qtri_frame_begin(&frame);
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
         for (int32_t row = 0; row < HEIGHT; row += 9) {
@@ -467,11 +455,10 @@ TEST(prepared_light_that_was_lost)
     qtri_prepared prepared;
     qtri_frame frame;
     canvas c = new_canvas(), empty = new_canvas();
-    assert_int_equal(qtri_light_init(&lights, &source, 1, dark), QTRI_OK);
+    assert_ok(qtri_light_init(&lights, &source, 1, dark));
     view.light = &lights;
     prepared_init_with(&prepared, vertices, LENGTH_OF(vertices), lists, LENGTH_OF(lists));
-    assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 40, c.memory, c.bytes),
-                     QTRI_OK);
+    assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 40, c.memory, c.bytes));
     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
     memset(&vertices[VERTICES], 0, sizeof vertices - VERTICES * sizeof vertices[0]);
     qtri_draw_prepared(&c.surface, &prepared);
@@ -503,9 +490,7 @@ TEST(prepared_for_another_frame)
         canvas empty = new_canvas();
         prepared_init_with(&prepared, vertices, VERTICES, many, counts[n]);
         qtri_prepared_set_outline(&prepared, NULL);
-        assert_int_equal(
-            qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c[0].memory, c[0].bytes),
-            QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, c[0].memory, c[0].bytes));
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
         qtri_surface other = c[0].surface;
         other.width--;
@@ -544,8 +529,7 @@ TEST(prepared_with_the_largest_groups)
     mesh.triangle_count = MANY;
     qtri_prepared prepared;
     qtri_frame frame;
-    assert_int_equal(
-        qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 40, c[1].memory, c[1].bytes), QTRI_OK);
+    assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 40, c[1].memory, c[1].bytes));
     prepared_init_with(&prepared, vertices, VERTICES, lists, 16);
     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
     qtri_draw_prepared(&c[1].surface, &prepared);
@@ -568,9 +552,7 @@ TEST(prepared_in_rows)
         canvas c[2] = {new_canvas(), new_canvas()};
         canvas empty = new_canvas();
         prepared_init_with(&prepared, vertices, VERTICES, lists, counts[n & 3]);
-        assert_int_equal(
-            qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 1, c[0].memory, c[0].bytes),
-            QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 1, c[0].memory, c[0].bytes));
         frame.height = n < 4 ? HEIGHT : 0;
         qtri_prepare_mesh(&prepared, &frame, &view, &pose, &mesh, &material);
         for (int32_t row = 0; row < HEIGHT; row++) {
@@ -668,13 +650,12 @@ TEST(samples_beside_the_frame)
         qtri_transform_identity(&pose);
         qtri_transform_translate(&pose, vec3_of(-3.15 - n * .008, 0, -5));
         for (int i = 0; i < 2; i++) {
-            assert_int_equal(qtri_surface_init(&s[i], &qtri_rgb565_x4, WIDTH, HEIGHT, 0, HEIGHT,
-                                               memory[i], sizeof memory[i]),
-                             QTRI_OK);
+            assert_ok(qtri_surface_init(&s[i], &qtri_rgb565_x4, WIDTH, HEIGHT, 0, HEIGHT, memory[i],
+                                        sizeof memory[i]));
             qtri_samples_clear(&s[i], sky);
             mesh.bounds.half = i == 0 ? vec3_of(0, 0, 0) : vec3_of(1, 1, 1);
             qtri_draw_mesh(&s[i], &view, &pose, &mesh, &material);
-            assert_int_equal(qtri_samples_resolve(&s[i], &s[i]), QTRI_OK);
+            assert_ok(qtri_samples_resolve(&s[i], &s[i]));
         }
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             const uint32_t pixel = stored_pixel(&s[0], i % WIDTH, i / WIDTH);

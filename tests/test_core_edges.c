@@ -195,8 +195,7 @@ static qtri_outline outline[2];
 static void begin_outlines(const struct scene *s, uint32_t words)
 {
     for (int i = 0; i < 2; i++) {
-        assert_int_equal(qtri_outline_init(&outline[i], &s->mesh, outline_memory[i], words),
-                         QTRI_OK);
+        assert_ok(qtri_outline_init(&outline[i], &s->mesh, outline_memory[i], words));
         outline[i].creases = s->creases;
     }
 }
@@ -207,24 +206,20 @@ static void draw_on(struct scene *s, qtri_surface *surface, bool find)
     qtri_edges edges;
     clear_to(surface, sky, s->far);
     for (int i = 0; i < 2; i++) {
-        s->view.vertices = vertices[i];
-        s->view.vertex_count = VERTICES;
+        give_vertices(&s->view, vertices[i], VERTICES);
         s->material.color.g = (uint8_t)(i * 200);
         if (find) {
             qtri_draw_mesh(surface, &s->view, &s->pose[i], &s->mesh, &s->material);
         } else {
-            assert_int_equal(
-                qtri_draw_mesh_outlined(surface, &s->view, &s->pose[i], &s->material, &outline[i]),
-                QTRI_OK);
+            assert_ok(
+                qtri_draw_mesh_outlined(surface, &s->view, &s->pose[i], &s->material, &outline[i]));
         }
     }
-    assert_int_equal(qtri_edges_begin(&edges, surface, edge_memory, WORDS), QTRI_OK);
+    assert_ok(qtri_edges_begin(&edges, surface, edge_memory, WORDS));
     for (int i = 0; i < 2; i++) {
         if (find) {
             s->view.vertices = vertices[0]; /* shared */
-            assert_int_equal(
-                qtri_find_outline(surface, &s->view, &s->pose[i], &s->material, &outline[i]),
-                QTRI_OK);
+            assert_ok(qtri_find_outline(surface, &s->view, &s->pose[i], &s->material, &outline[i]));
         }
         qtri_edges_note(&edges, &outline[i]);
     }
@@ -233,9 +228,8 @@ static void draw_on(struct scene *s, qtri_surface *surface, bool find)
 
 static void init_surface(const struct scene *s, qtri_surface *surface, int32_t first, int32_t rows)
 {
-    assert_int_equal(
-        qtri_surface_init(surface, s->format, WIDTH, HEIGHT, first, rows, memory, sizeof memory),
-        QTRI_OK);
+    assert_ok(
+        qtri_surface_init(surface, s->format, WIDTH, HEIGHT, first, rows, memory, sizeof memory));
     if (!s->has_depth) {
         surface->depth = NULL;
     }
@@ -264,10 +258,8 @@ static void begin_bands(struct bands *b, const struct scene *s, int32_t rows, in
                         size_t bytes)
 {
     static uint32_t kept[QTRI_FRAME_KEPT_BYTES(WIDTH, 3, 4) / sizeof(uint32_t)];
-    assert_int_equal(qtri_frame_init(&b->frame, s->format, WIDTH, HEIGHT, rows, memory, bytes),
-                     QTRI_OK);
-    assert_int_equal(
-        qtri_frame_set_overlap(&b->frame, overlap, b->keeps ? kept : NULL, sizeof kept), QTRI_OK);
+    assert_ok(qtri_frame_init(&b->frame, s->format, WIDTH, HEIGHT, rows, memory, bytes));
+    assert_ok(qtri_frame_set_overlap(&b->frame, overlap, b->keeps ? kept : NULL, sizeof kept));
 }
 
 static void prepare(struct bands *b, const struct scene *s, qtri_prepared *prepared,
@@ -275,7 +267,7 @@ static void prepare(struct bands *b, const struct scene *s, qtri_prepared *prepa
 {
     qtri_prepared_set_outline(prepared, of);
     qtri_prepare_mesh(prepared, &b->frame, &s->view, pose, &s->mesh, material);
-    assert_int_equal(qtri_prepared_find_edges(prepared, of), QTRI_OK);
+    assert_ok(qtri_prepared_find_edges(prepared, of));
 }
 
 TEST(bands_and_lists)
@@ -317,7 +309,7 @@ TEST(bands_and_lists)
             if (s.format == &qtri_rgb565 && random_flag(&seed)) {
                 band.format = &any_565;
             }
-            assert_int_equal(qtri_edges_begin(&edges, &band, edge_memory, WORDS), QTRI_OK);
+            assert_ok(qtri_edges_begin(&edges, &band, edge_memory, WORDS));
             qtri_edges_note(&edges, &outline[0]);
             qtri_edges_note(&edges, &outline[1]);
             qtri_edges_blend(&edges);
@@ -377,8 +369,7 @@ TEST(drawing_is_the_same)
         static struct picture plain, outlined, smooth;
         qtri_surface surface;
         init_surface(&s, &surface, 0, HEIGHT);
-        s.view.vertices = vertices[0];
-        s.view.vertex_count = VERTICES;
+        give_vertices(&s.view, vertices[0], VERTICES);
         clear_to(&surface, sky, s.far);
         qtri_draw_mesh(&surface, &s.view, &s.pose[0], &s.mesh, &s.material);
         keep(&plain, &surface, 0, 0, WIDTH, HEIGHT);
@@ -435,15 +426,14 @@ static void draw_polygon(qtri_surface *surface, const struct polygon *polygon, q
         corners[i] = corner_at(polygon->x[i], polygon->y[i], surface->width, surface->height);
     }
     qtri_view_init(&view, surface->width, surface->height);
-    view.vertices = vertices[0];
-    view.vertex_count = VERTICES;
+    give_vertices(&view, vertices[0], VERTICES);
     qtri_transform_identity(&pose);
     const qtri_rgb black = {0, 0, 0};
     qtri_surface_clear(surface, black);
-    assert_int_equal(qtri_outline_init(&outline[0], &mesh, outline_memory[0], WORDS), QTRI_OK);
+    assert_ok(qtri_outline_init(&outline[0], &mesh, outline_memory[0], WORDS));
     (void)qtri_draw_mesh_outlined(surface, &view, &pose, &material, &outline[0]);
     if (blended) {
-        assert_int_equal(qtri_edges_begin(&edges, surface, edge_memory, WORDS), QTRI_OK);
+        assert_ok(qtri_edges_begin(&edges, surface, edge_memory, WORDS));
         qtri_edges_note(&edges, &outline[0]);
         qtri_edges_blend(&edges);
     }
@@ -501,9 +491,7 @@ TEST(shares_are_the_coverage)
         qtri_vec3 corners[4];
         struct polygon p = {.count = 3};
         qtri_surface surface;
-        assert_int_equal(
-            qtri_surface_init(&surface, &qtri_gray8, 64, 64, 0, 64, memory, sizeof memory),
-            QTRI_OK);
+        assert_ok(qtri_surface_init(&surface, &qtri_gray8, 64, 64, 0, 64, memory, sizeof memory));
         for (int i = 0; i < 3; i++) { /* on the grid of 1/256, large, of any slope */
             p.x[i] = random_in(&seed, -40 * 256, 104 * 256) / 256.0;
             p.y[i] = random_in(&seed, -40 * 256, 104 * 256) / 256.0;
@@ -626,11 +614,10 @@ TEST(long_edges)
         const qtri_rgb black = {0, 0, 0};
         material.cull = QTRI_CULL_NONE;
         qtri_view_init(&view, 8192, 8192);
-        view.vertices = vertices[0];
-        view.vertex_count = 3;
+        give_vertices(&view, vertices[0], 3);
         qtri_transform_identity(&pose);
         qtri_surface_clear(&surface, black);
-        assert_int_equal(qtri_outline_init(&outline[0], &mesh, outline_memory[0], WORDS), QTRI_OK);
+        assert_ok(qtri_outline_init(&outline[0], &mesh, outline_memory[0], WORDS));
         (void)qtri_draw_mesh_outlined(&surface, &view, &pose, &material, &outline[0]);
         (void)qtri_edges_begin(&edges, &surface, marks, QTRI_EDGES_WORDS(8192, 6, 1));
         qtri_edges_note(&edges, &outline[0]);
@@ -668,8 +655,7 @@ TEST(hidden_edges)
         qtri_surface surface;
         init_surface(&s, &surface, 0, HEIGHT);
         begin_outlines(&s, WORDS);
-        s.view.vertices = vertices[0];
-        s.view.vertex_count = VERTICES;
+        give_vertices(&s.view, vertices[0], VERTICES);
         clear_to(&surface, sky, s.far);
         (void)qtri_draw_mesh_outlined(&surface, &s.view, &s.pose[0], &s.material, &outline[0]);
         qtri_transform still;
@@ -719,12 +705,11 @@ TEST(errors)
     assert_int_equal(qtri_outline_init(&outline[0], &s.mesh, outline_memory[0], least - 1),
                      QTRI_ERROR_MEMORY);
     init_surface(&s, &surface, 0, HEIGHT);
-    s.view.vertices = vertices[0];
-    s.view.vertex_count = VERTICES;
+    give_vertices(&s.view, vertices[0], VERTICES);
     assert_int_equal(
         qtri_draw_mesh_outlined(&surface, &s.view, &s.pose[0], &s.material, &outline[0]),
         QTRI_ERROR_MEMORY);
-    assert_int_equal(qtri_outline_init(&outline[0], &s.mesh, outline_memory[0], least), QTRI_OK);
+    assert_ok(qtri_outline_init(&outline[0], &s.mesh, outline_memory[0], least));
     s.view.vertex_count = VERTICES - 1;
     assert_int_equal(
         qtri_draw_mesh_outlined(&surface, &s.view, &s.pose[0], &s.material, &outline[0]),
@@ -736,7 +721,7 @@ TEST(errors)
     assert_int_equal(qtri_outline_init(&outline[0], &s.mesh, outline_memory[0], WORDS),
                      QTRI_ERROR_SIZE);
     const uint32_t words = QTRI_EDGES_WORDS(WIDTH, HEIGHT, 4);
-    assert_int_equal(qtri_edges_begin(&edges, &surface, edge_memory, words), QTRI_OK);
+    assert_ok(qtri_edges_begin(&edges, &surface, edge_memory, words));
     assert_int_equal(qtri_edges_begin(&edges, &surface, edge_memory, words - 1), QTRI_ERROR_MEMORY);
     qtri_edges_note(&edges, &outline[0]);
     qtri_edges_blend(&edges);
@@ -748,10 +733,10 @@ TEST(errors)
     qtri_edges_blend(&edges);
     surface.depth = NULL;
     const uint32_t more = QTRI_EDGES_WORDS_WITHOUT_DEPTH(WIDTH, HEIGHT, 4);
-    assert_int_equal(qtri_edges_begin(&edges, &surface, edge_memory, more), QTRI_OK);
+    assert_ok(qtri_edges_begin(&edges, &surface, edge_memory, more));
     assert_int_equal(qtri_edges_begin(&edges, &surface, edge_memory, more - 1), QTRI_ERROR_MEMORY);
     surface.rows = 0;
-    assert_int_equal(qtri_edges_begin(&edges, &surface, NULL, 0), QTRI_OK);
+    assert_ok(qtri_edges_begin(&edges, &surface, NULL, 0));
 }
 
 /* Bands whose overlap is drawn again: where they lie, and what is changed. */
@@ -769,11 +754,9 @@ TEST(overlap_is_drawn_again)
     for (int round = 0; round < 500; round++) {
         const int32_t rows = random_in(&seed, 1, 60), above = random_in(&seed, 0, 8);
         const bool two = random_flag(&seed);
-        assert_int_equal(
-            frame_with_overlap(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, above, memory,
-                               two ? QTRI_FRAME_BYTES_DOUBLE(WIDTH, rows + 2 * above, 2)
-                                   : QTRI_FRAME_BYTES(WIDTH, rows + 2 * above, 2)),
-            QTRI_OK);
+        assert_ok(frame_with_overlap(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, above, memory,
+                                     two ? QTRI_FRAME_BYTES_DOUBLE(WIDTH, rows + 2 * above, 2)
+                                         : QTRI_FRAME_BYTES(WIDTH, rows + 2 * above, 2)));
         for (int turn = 0; turn < 2; turn++) {
             const qtri_rect changed = {20, 15, 30, 22};
             int32_t next = 0;
@@ -825,9 +808,8 @@ TEST(overlap_is_kept)
         {6, QTRI_FRAME_BYTES(WIDTH, 6 + 2 * 3, 2), QTRI_FRAME_KEPT_BYTES(WIDTH, 3, 2), QTRI_OK}};
     for (size_t i = 0; i < LENGTH_OF(tries); i++) {
         qtri_frame frame;
-        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, tries[i].rows, memory,
-                                         tries[i].bytes),
-                         QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, tries[i].rows, memory,
+                                  tries[i].bytes));
         assert_int_equal(qtri_frame_set_overlap(&frame, 3, kept, tries[i].kept_bytes),
                          tries[i].error);
         assert_true(qtri_frame_next_band(&frame, &band) == (tries[i].error == QTRI_OK));
@@ -838,13 +820,11 @@ TEST(overlap_is_kept)
         const int32_t rows = random_in(&seed, overlap > 0 ? 2 * overlap : 1, 60);
         const bool two = random_flag(&seed);
         uint8_t *rest = kept + random_in(&seed, 0, 1); /* at words or not */
-        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, memory,
-                                         two ? QTRI_FRAME_BYTES_DOUBLE(WIDTH, rows + 2 * overlap, 2)
-                                             : QTRI_FRAME_BYTES(WIDTH, rows + 2 * overlap, 2)),
-                         QTRI_OK);
-        assert_int_equal(
-            qtri_frame_set_overlap(&frame, overlap, rest, sizeof kept - (size_t)(rest - kept)),
-            QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, memory,
+                                  two ? QTRI_FRAME_BYTES_DOUBLE(WIDTH, rows + 2 * overlap, 2)
+                                      : QTRI_FRAME_BYTES(WIDTH, rows + 2 * overlap, 2)));
+        assert_ok(
+            qtri_frame_set_overlap(&frame, overlap, rest, sizeof kept - (size_t)(rest - kept)));
         for (int turn = 0; turn < 2; turn++) {
             int32_t next_drawn = 0;
             int32_t next_shown_row = 0;
@@ -899,9 +879,8 @@ TEST(overlap_widens_changes)
                  {{0, 9, 1, 10}, {0, 7, 3, 12}},   {{19, 9, 20, 10}, {17, 7, 20, 12}}};
     for (size_t i = 0; i < LENGTH_OF(cases); i++) {
         qtri_frame frame;
-        assert_int_equal(frame_with_overlap(&frame, &qtri_xrgb8888, SIDE, SIDE, ROWS, OVERLAP,
-                                            bytes, sizeof bytes),
-                         QTRI_OK);
+        assert_ok(frame_with_overlap(&frame, &qtri_xrgb8888, SIDE, SIDE, ROWS, OVERLAP, bytes,
+                                     sizeof bytes));
         qtri_surface band, shown;
         while (next_shown(&frame, &band, &shown)) { /* the first: all of it has changed */
         }
@@ -930,8 +909,7 @@ TEST(rows_below_the_last_band)
             init_surface(&s, &surface, 0, HEIGHT);
             clear_to(&surface, sky, s.far);
             surface.scissor.y0 = HEIGHT - 1 - round % 2;
-            s.view.vertices = vertices[1];
-            s.view.vertex_count = VERTICES;
+            give_vertices(&s.view, vertices[1], VERTICES);
             if (i == 0) {
                 qtri_draw_prepared(&surface, &prepared);
             } else {

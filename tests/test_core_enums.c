@@ -97,9 +97,8 @@ static void draw_with(board *b, const setting *s, uint32_t number)
     m.alpha = 100;
     set_field(&m, &texture, &stroke, s->field, number);
     memset(b, 0, sizeof *b);
-    assert_int_equal(surface_with_depth(&b->surface, s->format, s->depth, WIDTH, HEIGHT, 0, HEIGHT,
-                                        b->memory, sizeof b->memory),
-                     QTRI_OK);
+    assert_ok(surface_with_depth(&b->surface, s->format, s->depth, WIDTH, HEIGHT, 0, HEIGHT,
+                                 b->memory, sizeof b->memory));
     const qtri_rgb sky = {10, 20, 60};
     if (s->format->pixels->bytes >= QTRI_GRAY8_X4_BYTES) {
         qtri_samples_clear(&b->surface, sky);

@@ -171,19 +171,10 @@ static void draw_in_bands(canvas *c, qtri_vertex *vertices, uint32_t count, uint
     static uint32_t memory[QTRI_BAND_BYTES(WIDTH, 16, QTRI_XRGB8888_BYTES) / sizeof(uint32_t)];
     qtri_frame frame;
     qtri_prepared prepared;
-    qtri_surface band;
-    assert_int_equal(
-        qtri_frame_init(&frame, c->surface.format, WIDTH, HEIGHT, 16, memory, sizeof memory),
-        QTRI_OK);
+    assert_ok(qtri_frame_init(&frame, c->surface.format, WIDTH, HEIGHT, 16, memory, sizeof memory));
     prepared_init_with(&prepared, vertices, count, lists, list_count);
     qtri_prepare_mesh(&prepared, &frame, view, pose, mesh, material);
-    while (qtri_frame_next_band(&frame, &band)) {
-        band.pixels = c->surface.pixels + band.first_row * c->surface.pitch;
-        band.depth = c->surface.depth + band.first_row * c->surface.depth_pitch;
-        band.pitch = c->surface.pitch;
-        band.depth_pitch = c->surface.depth_pitch;
-        qtri_draw_prepared(&band, &prepared);
-    }
+    draw_in_bands_of(c, &frame, &prepared);
 }
 
 /*
@@ -197,7 +188,7 @@ TEST(same_pictures)
     static qtri_vertex vertices[FACES_VERTICES + 50];
     static uint16_t lists[QTRI_PREPARED_LISTS(FACES_TRIANGLES, HEIGHT, 16)];
     uint64_t seed = 203;
-    unsigned painted = 0;
+    int painted = 0;
     for (int n = 0; n < repeats(1500); n++) {
         if (n % 8 == 0) {
             faces_mesh_make(&m, &seed, noise_of(n / 8));
@@ -216,8 +207,7 @@ TEST(same_pictures)
         faces_view(&view, &seed, WIDTH, HEIGHT);
         faces_pose(&pose, &seed, &mesh);
         view.light = material.shading == QTRI_SMOOTH && random_flag(&seed) ? &light : NULL;
-        view.vertices = vertices;
-        view.vertex_count = FACES_VERTICES + 50;
+        give_vertices(&view, vertices, FACES_VERTICES + 50);
         const qtri_format *format = drawn_format(n % 3);
         canvas without = canvas_new(format, WIDTH, HEIGHT);
         canvas with = canvas_new(format, WIDTH, HEIGHT);
@@ -227,9 +217,7 @@ TEST(same_pictures)
         memset(vertices, 0xA5, sizeof vertices);
         qtri_draw_mesh(&with.surface, &view, &pose, &mesh, &material);
         assert_same_picture(&without.surface, &with.surface);
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            painted += stored_pixel(&with.surface, i % WIDTH, i / WIDTH) != 0;
-        }
+        painted += count_painted(&with.surface);
         canvas_clear(&with);
         view.vertex_count = (uint32_t)random_in(&seed, 0, FACES_VERTICES - 30);
         qtri_draw_mesh(&with.surface, &view, &pose, &mesh, &material);
@@ -246,8 +234,8 @@ TEST(same_pictures)
         canvas_free(&without);
         canvas_free(&with);
     }
-    print_message("%u pixels\n", painted);
-    assert_true(painted > (unsigned)random_cases(1000000));
+    print_message("%d pixels\n", painted);
+    assert_true(painted > random_cases(1000000));
 }
 
 /* The numbers of a corner as planes count them. */
@@ -416,8 +404,7 @@ TEST(pictures_lit_by_planes)
             qtri_transform_scale(&pose, factor);
         }
         view.light = &light;
-        view.vertices = vertices;
-        view.vertex_count = FACES_VERTICES;
+        give_vertices(&view, vertices, FACES_VERTICES);
         canvas without = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
         canvas with = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
         canvas other = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);

@@ -51,9 +51,7 @@ static void draw_picture(const qtri_surface *surface, uint64_t seed)
 
 static void begin(qtri_surface *surface, const qtri_format *format, uint64_t seed)
 {
-    assert_int_equal(
-        qtri_surface_init(surface, format, WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory),
-        QTRI_OK);
+    assert_ok(qtri_surface_init(surface, format, WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory));
     draw_picture(surface, seed);
 }
 
@@ -101,7 +99,7 @@ TEST(halves_are_means)
         levels_of(format, levels);
         begin(&large, format, seed);
         keep(&before, &large, all);
-        assert_int_equal(qtri_halve(&large, &half), QTRI_OK);
+        assert_ok(qtri_halve(&large, &half));
         assert_int_equal(half.width, WIDTH / 2);
         assert_int_equal(half.rows, HEIGHT / 2);
         for (int y = 0; y < HEIGHT / 2; y++) {
@@ -126,7 +124,7 @@ TEST(halves_are_means)
             keep(&one, &half, quarter);
             begin(&large, format, seed);
             large.format = &any_565;
-            assert_int_equal(qtri_halve(&large, &half), QTRI_OK);
+            assert_ok(qtri_halve(&large, &half));
             keep(&other, &half, quarter);
             assert_same(one, other);
         }
@@ -148,7 +146,7 @@ TEST(halves_are_measured)
         large.scissor.x1 = random_in(&seed, large.scissor.x0 + 1, large.width);
         large.scissor.y0 = random_in(&seed, large.first_row, large.first_row + large.rows - 1);
         large.scissor.y1 = random_in(&seed, large.scissor.y0 + 1, large.first_row + large.rows);
-        assert_int_equal(qtri_halve(&large, &half), QTRI_OK);
+        assert_ok(qtri_halve(&large, &half));
         assert_int_equal(2 * half.width, large.width);
         assert_int_equal(2 * half.height, large.height);
         assert_int_equal(2 * half.first_row, large.first_row);
@@ -171,14 +169,14 @@ TEST(halves_of_bands)
         memset(&whole, 0, sizeof whole);
         memset(&banded, 0, sizeof banded);
         begin(&large, format, (uint64_t)round);
-        assert_int_equal(qtri_halve(&large, &half), QTRI_OK);
+        assert_ok(qtri_halve(&large, &half));
         const qtri_rect quarter = {0, 0, WIDTH / 2, HEIGHT / 2};
         keep(&whole, &half, quarter);
         const int32_t rows = 2 * random_in(&seed, 1, 14);
         for (int32_t first = 0; first < HEIGHT; first += rows) {
             (void)qtri_surface_init(&band, format, WIDTH, HEIGHT, first, rows, copy, sizeof copy);
             draw_picture(&band, (uint64_t)round);
-            assert_int_equal(qtri_halve(&band, &part), QTRI_OK);
+            assert_ok(qtri_halve(&band, &part));
             const qtri_rect r = {0, first / 2, WIDTH / 2, first / 2 + part.rows};
             keep(&banded, &part, r);
         }
@@ -191,7 +189,7 @@ TEST(halves_of_bands)
         if (round % 2 == 0 && format == &qtri_rgb565) {
             large.format = &any_565;
         }
-        assert_int_equal(qtri_halve(&large, &half), QTRI_OK);
+        assert_ok(qtri_halve(&large, &half));
         for (int y = (scissor.y0 + 1) / 2; y < scissor.y1 / 2; y++) {
             for (int x = (scissor.x0 + 1) / 2; x < scissor.x1 / 2; x++) {
                 assert_int_equal(pixel_at(&half, x, y), whole.pixel[y][x]);
@@ -220,7 +218,7 @@ static void smooth(const qtri_surface *surface, enum way way)
     }
     const uint32_t count =
         s.format == &qtri_rgb565 ? QTRI_FXAA_565_WORDS(WIDTH) : QTRI_FXAA_WORDS(WIDTH);
-    assert_int_equal((way == ONE_BY_ONE ? narrow_fxaa : qtri_fxaa)(&s, words, count), QTRI_OK);
+    assert_ok((way == ONE_BY_ONE ? narrow_fxaa : qtri_fxaa)(&s, words, count));
 }
 
 TEST(fxaa_bands_and_scissors)
@@ -241,10 +239,9 @@ TEST(fxaa_bands_and_scissors)
                 changed += whole.pixel[y][x] != plain.pixel[y][x];
             }
         }
-        assert_int_equal(frame_with_overlap(&frame, format, WIDTH, HEIGHT, random_in(&seed, 1, 30),
-                                            QTRI_FXAA_OVERLAP + random_in(&seed, 0, 1), copy,
-                                            sizeof copy),
-                         QTRI_OK);
+        assert_ok(frame_with_overlap(&frame, format, WIDTH, HEIGHT, random_in(&seed, 1, 30),
+                                     QTRI_FXAA_OVERLAP + random_in(&seed, 0, 1), copy,
+                                     sizeof copy));
         while (next_shown(&frame, &band, &shown)) {
             draw_picture(&band, (uint64_t)round);
             smooth(&band, round % 3 == 0 ? ONE_BY_ONE : PAIRS);
@@ -314,7 +311,7 @@ TEST(fxaa_leaves_the_rest)
     begin(&surface, &qtri_rgb565, 0);
     assert_int_equal(qtri_fxaa(&surface, words, QTRI_FXAA_565_WORDS(WIDTH) - 1), QTRI_ERROR_MEMORY);
     surface.scissor.x1 = 0;
-    assert_int_equal(qtri_fxaa(&surface, NULL, 0), QTRI_OK);
+    assert_ok(qtri_fxaa(&surface, NULL, 0));
 }
 
 /* ---- Sums ---- */
@@ -337,11 +334,9 @@ TEST(means_are_exact)
             if (format == &qtri_rgb565 && !quick) {
                 surface.format = &any_565;
             }
-            assert_int_equal(qtri_sum_add(words,
-                                          quick ? QTRI_SUM_565_WORDS(WIDTH, HEIGHT)
-                                                : QTRI_SUM_WORDS(WIDTH, HEIGHT),
-                                          &surface),
-                             QTRI_OK);
+            assert_ok(qtri_sum_add(
+                words, quick ? QTRI_SUM_565_WORDS(WIDTH, HEIGHT) : QTRI_SUM_WORDS(WIDTH, HEIGHT),
+                &surface));
             for (int y = 0; y < HEIGHT; y++) {
                 for (int x = 0; x < WIDTH; x++) {
                     for (int c = 0; c < 3; c++) {
@@ -354,7 +349,7 @@ TEST(means_are_exact)
         surface.scissor.x0 = 1;
         surface.scissor.y1 = HEIGHT - 1;
         const uint32_t corner = pixel_at(&surface, 0, HEIGHT - 1);
-        assert_int_equal(qtri_sum_store(&surface, words, LENGTH_OF(words), log2), QTRI_OK);
+        assert_ok(qtri_sum_store(&surface, words, LENGTH_OF(words), log2));
         assert_int_equal(pixel_at(&surface, 0, HEIGHT - 1), corner);
         for (int y = 0; y < HEIGHT - 1; y++) {
             for (int x = 1; x < WIDTH; x++) {

@@ -224,8 +224,7 @@ TEST(nothing)
                      QTRI_ERROR_FORMAT);
     assert_int_equal(qtri_surface_init(&s, &qtri_rgb888, 8, 8, 0, 8, memory, 8 * 8 * 5 + 7),
                      QTRI_ERROR_MEMORY);
-    assert_int_equal(qtri_surface_init(&s, &qtri_rgb888, 8, 8, 0, 8, memory, 8 * 8 * 5 + 8),
-                     QTRI_OK);
+    assert_ok(qtri_surface_init(&s, &qtri_rgb888, 8, 8, 0, 8, memory, 8 * 8 * 5 + 8));
     const qtri_rgb white = {255, 255, 255};
     qtri_material material = qtri_material_default();
     qtri_screen_vertex v[3] = {screen_at(0, 0), screen_at(0, 8 * 256), screen_at(8 * 256, 0)};

@@ -115,21 +115,6 @@ static void draw_stored(const qtri_surface *s)
     canvas_free(&c);
 }
 
-static void assert_close(const qtri_surface *a, const qtri_surface *b, int most)
-{
-    for (int32_t y = 0; y < HEIGHT; y++) {
-        for (int32_t x = 0; x < WIDTH; x++) {
-            const qtri_rgb of_a = qtri_surface_pixel(a, x, y);
-            const qtri_rgb of_b = qtri_surface_pixel(b, x, y);
-            if (abs(of_a.r - of_b.r) > most || abs(of_a.g - of_b.g) > most ||
-                abs(of_a.b - of_b.b) > most) {
-                fail_msg("pixel %d,%d: %d %d %d and %d %d %d", (int)x, (int)y, of_a.r, of_a.g,
-                         of_a.b, of_b.r, of_b.g, of_b.b);
-            }
-        }
-    }
-}
-
 static void blend_cubes(const qtri_surface *s)
 {
     static const qtri_blend *const blends[3] = {&qtri_blend_alpha, &qtri_blend_add,
@@ -289,16 +274,16 @@ TEST(filters_are_the_same)
         for (int i = 0; i < 2; i++) {
             qtri_sum_clear(words, LENGTH_OF(words));
             draw_stored(&c[i].surface);
-            assert_int_equal(qtri_fxaa(&c[i].surface, words, LENGTH_OF(words)), QTRI_OK);
+            assert_ok(qtri_fxaa(&c[i].surface, words, LENGTH_OF(words)));
             qtri_sum_clear(words, LENGTH_OF(words));
-            assert_int_equal(qtri_sum_add(words, LENGTH_OF(words), &c[i].surface), QTRI_OK);
-            assert_int_equal(qtri_sum_add(words, LENGTH_OF(words), &c[i].surface), QTRI_OK);
+            assert_ok(qtri_sum_add(words, LENGTH_OF(words), &c[i].surface));
+            assert_ok(qtri_sum_add(words, LENGTH_OF(words), &c[i].surface));
             clear_to(&c[i].surface, sky, 0);
-            assert_int_equal(qtri_sum_store(&c[i].surface, words, LENGTH_OF(words), 1), QTRI_OK);
+            assert_ok(qtri_sum_store(&c[i].surface, words, LENGTH_OF(words), 1));
         }
         assert_same_stored(&c[0].surface, &c[1].surface, 0x00FFFFFF);
-        assert_int_equal(qtri_halve(&c[0].surface, &half[0]), QTRI_OK);
-        assert_int_equal(qtri_halve(&c[1].surface, &half[1]), QTRI_OK);
+        assert_ok(qtri_halve(&c[0].surface, &half[0]));
+        assert_ok(qtri_halve(&c[1].surface, &half[1]));
         assert_same_stored(&half[0], &half[1], 0x00FFFFFF);
         canvas_free(&c[0]);
         canvas_free(&c[1]);

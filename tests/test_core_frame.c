@@ -123,8 +123,7 @@ static void random_scene(scene *s, uint64_t *seed)
 static void draw_whole(const qtri_surface *surface, scene *s)
 {
     static qtri_vertex vertices[VERTICES];
-    s->view.vertices = vertices;
-    s->view.vertex_count = VERTICES;
+    give_vertices(&s->view, vertices, VERTICES);
     qtri_surface_clear(surface, sky);
     qtri_draw_mesh(surface, &s->view, &s->pose, &s->mesh, &s->material);
 }
@@ -146,13 +145,11 @@ TEST(heights)
         draw_whole(&whole.surface, &s);
         for (int32_t rows = 1; rows <= HEIGHT; rows++) {
             qtri_frame frame;
-            qtri_surface band;
             qtri_prepared prepared;
             const bool two = random_flag(&seed);
             const size_t bytes = two ? QTRI_FRAME_BYTES_DOUBLE(WIDTH, rows, format->pixels->bytes)
                                      : QTRI_FRAME_BYTES(WIDTH, rows, format->pixels->bytes);
-            assert_int_equal(
-                qtri_frame_init(&frame, format, WIDTH, HEIGHT, rows, band_memory, bytes), QTRI_OK);
+            assert_ok(qtri_frame_init(&frame, format, WIDTH, HEIGHT, rows, band_memory, bytes));
             const uint32_t few[4] = {VERTICES, VERTICES, 20, 0};
             const uint32_t short_lists[6] = {
                 QTRI_PREPARED_LISTS(TRIANGLES, HEIGHT, HEIGHT), LISTS, LISTS, 100, 20, 0};
@@ -160,11 +157,7 @@ TEST(heights)
                                short_lists[random_in(&seed, 0, 5)]);
             qtri_frame_begin(&frame);
             qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
-            while (qtri_frame_next_band(&frame, &band)) {
-                qtri_surface_clear(&band, sky);
-                qtri_draw_prepared(&band, &prepared);
-                assert_same_picture(&whole.surface, &band);
-            }
+            assert_same_bands(&whole.surface, &frame, &prepared, sky);
         }
         canvas_free(&whole);
     }
@@ -190,10 +183,9 @@ TEST(lists_have_room_for_thin_bands)
             qtri_view view;
             qtri_transform pose;
             qtri_prepared prepared;
-            assert_int_equal(qtri_shape_sphere(&mesh, &room, Q16(1), slices, slices), QTRI_OK);
-            assert_int_equal(qtri_frame_init(&frame, &qtri_gray8, SIDE, SIDE, rows, frame_memory,
-                                             sizeof frame_memory),
-                             QTRI_OK);
+            assert_ok(qtri_shape_sphere(&mesh, &room, Q16(1), slices, slices));
+            assert_ok(qtri_frame_init(&frame, &qtri_gray8, SIDE, SIDE, rows, frame_memory,
+                                      sizeof frame_memory));
             qtri_view_init(&view, SIDE, SIDE);
             qtri_view_look_at(&view, eye, vec3_of(0, 0, 0), up);
             qtri_view_perspective(&view, Q16(11.9), Q16(1), Q16(20)); /* 2 asin(1 / sqrt(94)) */
@@ -230,9 +222,8 @@ TEST(lists_take_no_more_than_they_need)
         qtri_view_perspective(&view, Q16(60), Q16(.5), Q16(30));
         qtri_transform_identity(&pose);
         qtri_transform_translate(&pose, vec3_of(0, 0, -4));
-        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, band_memory,
-                                         sizeof band_memory),
-                         QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, band_memory,
+                                  sizeof band_memory));
         const uint32_t bands = (uint32_t)((HEIGHT + rows - 1) / rows);
         const uint32_t least = (2 * bands + 7) / 8 * 8 + 8 * bands;
         prepared_init_with(&prepared, vertex_memory, VERTICES, list_memory, least);
@@ -254,7 +245,7 @@ TEST(colored_light_has_room_for_colors)
     const qtri_light_color ambient = {Q16(.1), Q16(.2), Q16(.3)};
     qtri_light lights;
     uint64_t seed = 78;
-    assert_int_equal(qtri_light_init(&lights, &source, 1, ambient), QTRI_OK);
+    assert_ok(qtri_light_init(&lights, &source, 1, ambient));
     for (int32_t rows = 1; rows <= HEIGHT; rows++) {
         scene s;
         qtri_frame frame;
@@ -267,9 +258,8 @@ TEST(colored_light_has_room_for_colors)
         s.material.cull = QTRI_CULL_BACK;
         qtri_transform_identity(&s.pose);
         qtri_transform_translate(&s.pose, vec3_of(0, 0, -4));
-        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, band_memory,
-                                         sizeof band_memory),
-                         QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, band_memory,
+                                  sizeof band_memory));
         qtri_prepared_init(
             &prepared, memory,
             QTRI_PREPARED_BYTES(QTRI_LIT_VERTICES(VERTICES), TRIANGLES, HEIGHT, rows));
@@ -291,7 +281,7 @@ TEST(any_memory_draws_the_same)
     const qtri_light_color ambient = {Q16(.1), Q16(.2), Q16(.3)};
     qtri_light lights;
     int fitting = 0;
-    assert_int_equal(qtri_light_init(&lights, &source, 1, ambient), QTRI_OK);
+    assert_ok(qtri_light_init(&lights, &source, 1, ambient));
     for (int n = 0; n < 200; n++) {
         static scene s;
         random_scene(&s, &seed);
@@ -305,7 +295,6 @@ TEST(any_memory_draws_the_same)
         canvas whole = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
         draw_whole(&whole.surface, &s);
         qtri_frame frame;
-        qtri_surface band;
         qtri_prepared prepared;
         const int32_t first = random_in(&seed, 0, 3);
         const int32_t few = random_in(&seed, 0, MOST - first - 1);
@@ -313,10 +302,8 @@ TEST(any_memory_draws_the_same)
                               : n % 50 == 2 ? (int32_t)sizeof memory - first - 1
                                             : few;
         memset(memory, 0x5A, sizeof memory);
-        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT,
-                                         random_in(&seed, 1, HEIGHT), band_memory,
-                                         sizeof band_memory),
-                         QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, random_in(&seed, 1, HEIGHT),
+                                  band_memory, sizeof band_memory));
         qtri_prepared_init(&prepared, memory + first, (size_t)bytes);
         qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
         const bool fits = qtri_prepared_fits(&prepared);
@@ -325,11 +312,7 @@ TEST(any_memory_draws_the_same)
         assert_true(fits || bytes < MOST);
         assert_true(n % 50 != 3 || (!prepared.is_seen && fits));
         fitting += fits;
-        while (qtri_frame_next_band(&frame, &band)) {
-            qtri_surface_clear(&band, sky);
-            qtri_draw_prepared(&band, &prepared);
-            assert_same_picture(&whole.surface, &band);
-        }
+        assert_same_bands(&whole.surface, &frame, &prepared, sky);
         assert_true(first == 0 || memory[0] == 0x5A);
         assert_int_equal(memory[first + bytes], 0x5A);
         canvas_free(&whole);
@@ -346,10 +329,8 @@ TEST(other_rows)
         random_scene(&s, &seed);
         qtri_frame frame;
         qtri_prepared prepared;
-        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT,
-                                         random_in(&seed, 1, HEIGHT), band_memory,
-                                         sizeof band_memory),
-                         QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, random_in(&seed, 1, HEIGHT),
+                                  band_memory, sizeof band_memory));
         prepared_init_with(&prepared, vertex_memory, VERTICES, list_memory, LISTS);
         qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
         for (int part = 0; part < 4; part++) {
@@ -382,10 +363,8 @@ TEST(only_reads)
         qtri_frame frame;
         qtri_surface band;
         qtri_prepared prepared;
-        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT,
-                                         random_in(&seed, 1, HEIGHT), band_memory,
-                                         sizeof band_memory),
-                         QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, random_in(&seed, 1, HEIGHT),
+                                  band_memory, sizeof band_memory));
         const uint32_t list_count = (uint32_t)random_in(&seed, 0, 2) * 150;
         prepared_init_with(&prepared, vertex_memory, VERTICES, list_memory, list_count);
         qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
@@ -412,18 +391,16 @@ TEST(nothing_drawn)
     canvas black = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
     qtri_frame frame;
     qtri_prepared prepared;
-    assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT - 1, 7, band_memory,
-                                     sizeof band_memory),
-                     QTRI_OK);
+    assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT - 1, 7, band_memory,
+                              sizeof band_memory));
     prepared_init_with(&prepared, NULL, 0, NULL, 0);
     qtri_draw_prepared(&c.surface, &prepared);
     qtri_prepared_mark(&prepared, &frame);
     qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
     qtri_draw_prepared(&c.surface, &prepared);
     s.mesh.triangle_count = 0;
-    assert_int_equal(
-        qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, band_memory, sizeof band_memory),
-        QTRI_OK);
+    assert_ok(
+        qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 7, band_memory, sizeof band_memory));
     qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
     qtri_draw_prepared(&c.surface, &prepared);
     assert_same_picture(&black.surface, &c.surface);
@@ -476,7 +453,7 @@ TEST(sizes)
     assert_false(qtri_frame_next_band(&none, &no_band));
     static uint8_t exact[QTRI_FRAME_BYTES(9, 3, QTRI_GRAY8_BYTES)];
     qtri_frame frame;
-    assert_int_equal(qtri_frame_init(&frame, &qtri_gray8, 9, 9, 3, exact, sizeof exact), QTRI_OK);
+    assert_ok(qtri_frame_init(&frame, &qtri_gray8, 9, 9, 3, exact, sizeof exact));
     assert_int_equal(qtri_frame_init(&frame, &qtri_gray8, 9, 9, 3, exact, sizeof exact - 1),
                      QTRI_ERROR_MEMORY);
 }
@@ -494,7 +471,7 @@ TEST(bands)
                                  : QTRI_FRAME_BYTES(13, rows, format->pixels->bytes);
         qtri_frame frame;
         qtri_surface band;
-        assert_int_equal(qtri_frame_init(&frame, format, 13, 9, rows, start, bytes), QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, format, 13, 9, rows, start, bytes));
         const uint8_t *last = NULL;
         for (int turn = 0; turn < 3; turn++) {
             int32_t next = 0;
@@ -530,9 +507,8 @@ TEST(shares)
         for (int32_t part = 0; part < parts; part++) {
             qtri_frame frame;
             qtri_surface band;
-            assert_int_equal(
-                qtri_frame_init(&frame, &qtri_gray8, 8, HEIGHT, 3, band_memory, sizeof band_memory),
-                QTRI_OK);
+            assert_ok(qtri_frame_init(&frame, &qtri_gray8, 8, HEIGHT, 3, band_memory,
+                                      sizeof band_memory));
             qtri_frame_share(&frame, part, parts);
             while (qtri_frame_next_band(&frame, &band)) {
                 for (int32_t y = 0; y < band.rows; y++) {
@@ -546,9 +522,7 @@ TEST(shares)
     }
     qtri_frame frame;
     qtri_surface band;
-    assert_int_equal(
-        qtri_frame_init(&frame, &qtri_gray8, 8, HEIGHT, 3, band_memory, sizeof band_memory),
-        QTRI_OK);
+    assert_ok(qtri_frame_init(&frame, &qtri_gray8, 8, HEIGHT, 3, band_memory, sizeof band_memory));
     qtri_frame_share(&frame, INT32_MAX, INT32_MIN);
     assert_false(qtri_frame_next_band(&frame, &band));
     qtri_frame_share(&frame, INT32_MIN, INT32_MAX);
@@ -567,9 +541,8 @@ TEST(marks)
 {
     qtri_frame frame;
     qtri_surface band;
-    assert_int_equal(
-        qtri_frame_init(&frame, &qtri_gray8, WIDTH, HEIGHT, 8, band_memory, sizeof band_memory),
-        QTRI_OK);
+    assert_ok(
+        qtri_frame_init(&frame, &qtri_gray8, WIDTH, HEIGHT, 8, band_memory, sizeof band_memory));
     qtri_frame_begin(&frame);
     assert_rect(qtri_frame_changes(&frame), 0, 0, WIDTH, HEIGHT); /* the first frame */
     assert_true(qtri_frame_next_band(&frame, &band));
@@ -620,9 +593,8 @@ TEST(display)
         scene s[2];
         static qtri_vertex vertices[2][VERTICES];
         static uint16_t lists[2][LISTS];
-        assert_int_equal(qtri_frame_init(&frame, format, WIDTH, HEIGHT, random_in(&seed, 1, HEIGHT),
-                                         band_memory, sizeof band_memory),
-                         QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, format, WIDTH, HEIGHT, random_in(&seed, 1, HEIGHT),
+                                  band_memory, sizeof band_memory));
         for (int i = 0; i < 2; i++) {
             random_scene(&s[i], &seed);
             prepared_init_with(&prepared[i], vertices[i], random_flag(&seed) ? VERTICES : 30,
@@ -687,9 +659,8 @@ TEST(tight)
     qtri_transform_identity(&s.pose);
     const qtri_vec3 at = {0, 0, Q16(-5)};
     qtri_transform_translate(&s.pose, at);
-    assert_int_equal(
-        qtri_frame_init(&frame, &qtri_gray8, WIDTH, HEIGHT, 8, band_memory, sizeof band_memory),
-        QTRI_OK);
+    assert_ok(
+        qtri_frame_init(&frame, &qtri_gray8, WIDTH, HEIGHT, 8, band_memory, sizeof band_memory));
     assert_true(qtri_frame_next_band(&frame, &band));
     qtri_frame_begin(&frame);
     prepared_init_with(&prepared, vertex_memory, VERTICES, list_memory, LISTS);

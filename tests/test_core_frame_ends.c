@@ -54,9 +54,8 @@ TEST(refused_frames_have_no_bands)
     static uint8_t memory[QTRI_FRAME_BYTES(1, QTRI_SURFACE_MAX, QTRI_RGB565_BYTES)];
     for (int32_t spare = 3; spare <= 4; spare++) {
         qtri_frame frame;
-        assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, 1, HEIGHT, QTRI_SURFACE_MAX - spare,
-                                         memory, sizeof memory),
-                         QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, &qtri_rgb565, 1, HEIGHT, QTRI_SURFACE_MAX - spare, memory,
+                                  sizeof memory));
         assert_int_equal(qtri_frame_set_overlap(&frame, 2, NULL, 0),
                          spare == 4 ? QTRI_OK : QTRI_ERROR_SIZE);
         assert_int_equal(frame.height, spare == 4 ? HEIGHT : 0);
@@ -85,9 +84,8 @@ TEST(nothing_is_left_out_where_rows_are_kept)
     const qtri_rect change = {3, 9, 5, 10};
     qtri_frame frame;
     qtri_surface band, shown;
-    assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 4, memory, sizeof memory),
-                     QTRI_OK);
-    assert_int_equal(qtri_frame_set_overlap(&frame, 1, kept, sizeof kept), QTRI_OK);
+    assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, 4, memory, sizeof memory));
+    assert_ok(qtri_frame_set_overlap(&frame, 1, kept, sizeof kept));
     memset(&band, 0x5A, sizeof band);
     qtri_frame_shown(&frame, &band, &shown); /* no band was taken: it is what is given */
     assert_memory_equal(&shown, &band, sizeof band);
@@ -125,9 +123,7 @@ TEST(changes_of_nothing)
     qtri_frame frame;
     qtri_surface band;
     qtri_surface shown;
-    assert_int_equal(
-        frame_with_overlap(&frame, &qtri_rgb565, WIDTH, HEIGHT, 4, 2, memory, sizeof memory),
-        QTRI_OK);
+    assert_ok(frame_with_overlap(&frame, &qtri_rgb565, WIDTH, HEIGHT, 4, 2, memory, sizeof memory));
     while (next_shown(&frame, &band, &shown)) {
     }
     for (size_t i = 0; i < LENGTH_OF(empty); i++) {
@@ -153,7 +149,7 @@ TEST(diffusion_at_the_last_row)
     int16_t errors[2][WIDTH];
     qtri_diffusion d[2];
     for (int i = 0; i < 2; i++) {
-        assert_int_equal(qtri_diffusion_init(&d[i], WIDTH, errors[i], WIDTH), QTRI_OK);
+        assert_ok(qtri_diffusion_init(&d[i], WIDTH, errors[i], WIDTH));
     }
     for (int32_t row = 0; row < 4; row++) {
         uint8_t gray[WIDTH];
@@ -172,7 +168,7 @@ TEST(errors_are_held)
     for (int sign = 0; sign < 2; sign++) {
         int16_t errors[WIDTH];
         qtri_diffusion d;
-        assert_int_equal(qtri_diffusion_init(&d, WIDTH, errors, WIDTH), QTRI_OK);
+        assert_ok(qtri_diffusion_init(&d, WIDTH, errors, WIDTH));
         for (int32_t y = 0; y < 60; y++) {
             const bool ends = y >= 30;
             for (int32_t x = 0; x < WIDTH; x++) { /* half of a level, so that all go one way */
@@ -230,9 +226,9 @@ TEST(nothing_to_filter)
         for (int i = 0; i < 3; i++) {
             qtri_edges edges;
             c.surface.scissor = empty[i];
-            assert_int_equal(filter_all(&c.surface, NULL, 0), QTRI_OK);
+            assert_ok(filter_all(&c.surface, NULL, 0));
             uint32_t word = 0;
-            assert_int_equal(qtri_edges_begin(&edges, &c.surface, &word, 1), QTRI_OK);
+            assert_ok(qtri_edges_begin(&edges, &c.surface, &word, 1));
             qtri_edges_blend(&edges);
         }
         c.surface.scissor = same.surface.scissor;
@@ -286,7 +282,7 @@ TEST(halves_of_odd_memory)
                 memcpy(s.pixels + y * s.pitch + 2 * x, &pair[x & 1], 2);
             }
         }
-        assert_int_equal(qtri_halve(&s, &half[i]), QTRI_OK);
+        assert_ok(qtri_halve(&s, &half[i]));
     }
     for (int32_t y = 0; y < HEIGHT / 2; y++) {
         for (int32_t x = 0; x < WIDTH / 2; x++) {
@@ -329,7 +325,7 @@ TEST(fxaa_of_odd_rows)
         odd.width--;
         odd.scissor.x1--;
         odd.format = i == 0 ? &any_565 : &qtri_rgb565;
-        assert_int_equal(qtri_fxaa(&odd, words, LENGTH_OF(words)), QTRI_OK);
+        assert_ok(qtri_fxaa(&odd, words, LENGTH_OF(words)));
     }
     assert_same_picture(&c[0].surface, &c[1].surface);
     canvas_free(&c[0]);

@@ -112,9 +112,8 @@ TEST(alternate_bands)
         prepared_init_with(&prepared, vertices, VERTICES, lists, n == 7 ? 0 : LENGTH_OF(lists));
         pthread_t thread[THREADS];
         for (int i = 0; i < THREADS; i++) {
-            assert_int_equal(qtri_frame_init(&cores[i].frame, &qtri_rgb565, WIDTH, HEIGHT, ROWS,
-                                             cores[i].memory, sizeof cores[i].memory),
-                             QTRI_OK);
+            assert_ok(qtri_frame_init(&cores[i].frame, &qtri_rgb565, WIDTH, HEIGHT, ROWS,
+                                      cores[i].memory, sizeof cores[i].memory));
             qtri_frame_share(&cores[i].frame, i, THREADS);
             cores[i].prepared = &prepared;
             cores[i].picture = shown.surface.pixels;

@@ -366,7 +366,7 @@ TEST(sizes_beyond_any_do_not_dim)
     qtri_light lights;
     qtri_view view;
     qtri_view_init(&view, 10, 10);
-    assert_int_equal(qtri_light_init(&lights, &source, 1, black), QTRI_OK);
+    assert_ok(qtri_light_init(&lights, &source, 1, black));
     view.light = &lights;
     for (int up = 0; up < 2; up++) {
         const q16 scale = up ? Q16(16384) : 4;
@@ -414,7 +414,7 @@ TEST(places_of_short_positions)
     double worst = 0;
     int uneven = 0;
     qtri_view_init(&view, 10, 10);
-    assert_int_equal(qtri_light_init(&lights, &source, 1, black), QTRI_OK);
+    assert_ok(qtri_light_init(&lights, &source, 1, black));
     view.light = &lights;
     for (int n = 0; n < 4000; n++) {
         qtri_transform pose;
@@ -487,8 +487,7 @@ TEST(views_end_a_pixel_beside)
         {Q16_ONE + PIXEL, PIXEL / 4}, {Q16_ONE + PIXEL, PIXEL / 4}, {Q16_ONE, Q16_ONE / 16}};
     qtri_view view;
     qtri_transform pose;
-    qtri_view_init(&view, SIDE, SIDE);
-    qtri_transform_identity(&pose);
+    start_view(&view, &pose, SIDE, SIDE);
     for (int axis = 0; axis < 3; axis++) {
         for (int side = -1; side <= 1; side += 2) {
             for (int further = -1; further <= 1; further += 2) {

@@ -412,7 +412,7 @@ TEST(of_samples)
         qtri_image_paint_affine(&plain.surface, &image, &m, alpha);
         qtri_image_paint_affine(&four.surface, &sampled, &m, alpha);
         qtri_surface resolved;
-        assert_int_equal(qtri_samples_resolve(&four.surface, &resolved), QTRI_OK);
+        assert_ok(qtri_samples_resolve(&four.surface, &resolved));
         for (int32_t i = 0; i < SIDE * SIDE; i++) { /* mixed, they are rounded once more */
             const qtri_rgb x = qtri_surface_pixel(&plain.surface, i % SIDE, i / SIDE);
             const qtri_rgb y = qtri_surface_pixel(&resolved, i % SIDE, i / SIDE);

@@ -283,7 +283,7 @@ static void against_double(bool even, bool compact)
         world w;
         random_world(&seed, &w, even);
         qtri_light lights;
-        assert_int_equal(qtri_light_init(&lights, w.sources, w.count, w.ambient), QTRI_OK);
+        assert_ok(qtri_light_init(&lights, w.sources, w.count, w.ambient));
         qtri_mesh mesh = {.extent = random_in(&seed, Q16(.2), Q16(4)),
                           .origin = random_vec3(&seed, 17)};
         qtri_illumination by;

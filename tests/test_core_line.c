@@ -3,6 +3,7 @@
  * Lines: the rule of draw.h exactly, both directions, chains, pictures, values along them.
  */
 #include "support/core.h"
+#include "support/steps.h"
 #include "support/line_narrow.h"
 
 #include "raster/line_path.h"
@@ -158,19 +159,6 @@ TEST(pictures)
     canvas_free(&c);
 }
 
-/* Stored channels as the format has them, and 255 in its steps. */
-static void channels_of(const qtri_format *format, uint32_t pixel, double channel[3],
-                        double steps[3])
-{
-    static const int shift[2][3] = {{11, 5, 0}, {16, 8, 0}};
-    static const int bits[2][3] = {{5, 6, 5}, {8, 8, 8}};
-    for (int i = 0; i < 3; i++) {
-        uint32_t most = (1u << bits[format == &qtri_xrgb8888][i]) - 1;
-        steps[i] = most;
-        channel[i] = pixel >> shift[format == &qtri_xrgb8888][i] & most;
-    }
-}
-
 /* Where the line is at the pixel: 0 at v[0], 1 at v[1]. */
 static double along_line(const qtri_screen_vertex v[2], int32_t x, int32_t y)
 {
@@ -190,13 +178,11 @@ static void measure(const qtri_surface *s, const qtri_screen_vertex v[2], double
             continue;
         }
         double t = along_line(v, x, y);
-        double channel[3];
-        double steps[3];
-        channels_of(s->format, stored_pixel(s, x, y), channel, steps);
         for (int c = 0; c < 3; c++) {
             double exact =
                 v[0].color_8p16[c] + t * ((double)v[1].color_8p16[c] - v[0].color_8p16[c]);
-            *color = fmax(*color, fabs(channel[c] - exact / 65536 * steps[c] / 255));
+            const double should = exact / 65536 * most_steps(s->format, c) / 255;
+            *color = fmax(*color, fabs(stored_steps(s->format, stored_pixel(s, x, y), c) - should));
         }
         double exact = v[0].depth_16p16 + t * ((double)v[1].depth_16p16 - (double)v[0].depth_16p16);
         *depth = fmax(*depth, fabs(stored_depth(s, x, y) - exact / 65536));
@@ -421,14 +407,13 @@ TEST(tints)
                 const double share =
                     (end[0].intensity_q15 + t * (end[1].intensity_q15 - end[0].intensity_q15)) /
                     32768;
-                double channel[3];
-                double steps[3];
                 if (x >= c.surface.width) {
                     break;
                 }
-                channels_of(kinds[f].format, stored_pixel(&c.surface, x, 0), channel, steps);
+                const uint32_t stored = stored_pixel(&c.surface, x, 0);
                 for (int i = 0; i < 3; i++) {
-                    worst = fmax(worst, fabs(channel[i] - tint[i] * share / 255 * steps[i]));
+                    const double should = tint[i] * share / 255 * most_steps(kinds[f].format, i);
+                    worst = fmax(worst, fabs(stored_steps(kinds[f].format, stored, i) - should));
                 }
             }
         }

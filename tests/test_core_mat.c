@@ -75,7 +75,7 @@ static double error_of(const qtri_mat4 *m, const real4 *exact)
     return (double)worst;
 }
 
-static void assert_close(const qtri_mat4 *m, const real4 *exact, double tolerance)
+static void assert_near_matrix(const qtri_mat4 *m, const real4 *exact, double tolerance)
 {
     double error = error_of(m, exact);
     if (!(error <= tolerance)) {
@@ -535,7 +535,7 @@ TEST(reflections)
                 exact.m[i][j] -= 2 * e[i] * e[j] / square;
             }
         }
-        assert_close(&m, &exact, .5001);
+        assert_near_matrix(&m, &exact, .5001);
     }
     qtri_vec4 ground = {0, Q16(2), 0, Q16(-6)}; /* y = 3 */
     qtri_mat4 m = qtri_mat4_reflect(ground);

@@ -84,8 +84,7 @@ static canvas draw_whole(sheet *s, const qtri_mesh *mesh)
 {
     static qtri_vertex vertices[VERTICES];
     canvas c = canvas_new(&qtri_rgb565, WIDTH, HEIGHT);
-    s->view.vertices = vertices;
-    s->view.vertex_count = VERTICES;
+    give_vertices(&s->view, vertices, VERTICES);
     qtri_draw_mesh(&c.surface, &s->view, &s->pose, mesh, &s->material);
     return c;
 }
@@ -99,29 +98,12 @@ static void assert_prepared(const qtri_surface *whole, sheet *s, const qtri_mesh
     static uint16_t lists[LISTS];
     static const qtri_rgb black = {0, 0, 0};
     qtri_frame frame;
-    qtri_surface band;
     qtri_prepared prepared;
-    assert_int_equal(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, memory,
-                                     QTRI_FRAME_BYTES(WIDTH, rows, QTRI_RGB565_BYTES)),
-                     QTRI_OK);
+    assert_ok(qtri_frame_init(&frame, &qtri_rgb565, WIDTH, HEIGHT, rows, memory,
+                              QTRI_FRAME_BYTES(WIDTH, rows, QTRI_RGB565_BYTES)));
     prepared_init_with(&prepared, vertices, kept, lists, LISTS);
     qtri_prepare_mesh(&prepared, &frame, &s->view, &s->pose, mesh, &s->material);
-    while (qtri_frame_next_band(&frame, &band)) {
-        qtri_surface_clear(&band, black);
-        qtri_draw_prepared(&band, &prepared);
-        assert_same_picture(whole, &band);
-    }
-}
-
-/* How many pixels differ in colour, and in depth by more than a step. */
-static void count_different(int counts[2], const canvas *a, const canvas *b)
-{
-    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        const int32_t x = i % WIDTH;
-        const int32_t y = i / WIDTH;
-        counts[0] += stored_pixel(&a->surface, x, y) != stored_pixel(&b->surface, x, y);
-        counts[1] += abs(stored_depth(&a->surface, x, y) - stored_depth(&b->surface, x, y)) > 1;
-    }
+    assert_same_bands(whole, &frame, &prepared, black);
 }
 
 TEST(wide_compact_and_prepared_meshes_agree)
@@ -134,7 +116,8 @@ TEST(wide_compact_and_prepared_meshes_agree)
         make_sheet(&s, &seed);
         canvas wide = draw_whole(&s, &s.wide);
         canvas compact = draw_whole(&s, &s.compact);
-        count_different(counts, &wide, &compact);
+        counts[0] += count_different(&wide.surface, &compact.surface);
+        counts[1] += count_depths_apart(&wide.surface, &compact.surface, 1);
         for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
             covered += stored_depth(&wide.surface, i % WIDTH, i / WIDTH) != UINT16_MAX;
         }

@@ -4,6 +4,8 @@
  * within 1/256 of a texel, or of what a pixel steps by; colours within 3/4 of a step.
  */
 #include "support/core.h"
+#include "support/shares.h"
+#include "support/steps.h"
 
 enum { WIDTH = 320, HEIGHT = 240, SIDE_MAX = 1024 };
 
@@ -50,46 +52,17 @@ typedef struct exact {
     double u, v, color[3];
 } exact;
 
-/* A vertex as exact_at() needs it, in double precision. */
-typedef struct exact_vertex {
-    double x, y, inv_w, u, v, color[3];
-} exact_vertex;
-
-static void exact_triangle(exact_vertex e[3], const qtri_screen_vertex t[3])
-{
-    for (int i = 0; i < 3; i++) {
-        e[i].x = t[i].x_24p8;
-        e[i].y = t[i].y_24p8;
-        e[i].inv_w = ldexp((double)t[i].inv_w_q31, t[i].inv_w_exponent);
-        e[i].u = ldexp((double)t[i].u_q32, -32);
-        e[i].v = ldexp((double)t[i].v_q32, -32);
-        for (int k = 0; k < 3; k++) {
-            e[i].color[k] = t[i].color_8p16[k] / 65536.0;
-        }
-    }
-}
-
-static exact exact_at(const exact_vertex t[3], double x, double y)
+static exact exact_at(const qtri_screen_vertex t[3], int32_t x, int32_t y)
 {
     exact e = {0, 0, {0, 0, 0}};
-    double total = 0;
+    double b[3];
+    shares_at(b, t, x, y, true);
     for (int i = 0; i < 3; i++) {
-        const exact_vertex *p = &t[(i + 1) % 3];
-        const exact_vertex *q = &t[(i + 2) % 3];
-        double b =
-            (q->x - p->x) * ((y + .5) * 256 - p->y) - (q->y - p->y) * ((x + .5) * 256 - p->x);
-        b *= t[i].inv_w;
-        e.u += b * t[i].u;
-        e.v += b * t[i].v;
+        e.u += b[i] * ldexp((double)t[i].u_q32, -32);
+        e.v += b[i] * ldexp((double)t[i].v_q32, -32);
         for (int k = 0; k < 3; k++) {
-            e.color[k] += b * t[i].color[k];
+            e.color[k] += b[i] * t[i].color_8p16[k] / 65536.0;
         }
-        total += b;
-    }
-    e.u /= total;
-    e.v /= total;
-    for (int k = 0; k < 3; k++) {
-        e.color[k] /= total;
     }
     return e;
 }
@@ -113,17 +86,15 @@ static void judge(tally *sum, canvas *c, const canvas *cleared, const qtri_scree
 {
     const int width = 1 << texture->width_log2;
     const int height = 1 << texture->height_log2;
-    exact_vertex e[3];
-    exact_triangle(e, t);
     const qtri_rect box = pixels_around(&c->surface, t);
     for (screen_pixel p = first_pixel(box); p.y < box.y1; p = next_pixel(p, box)) {
         if (stored_depth(&c->surface, p.x, p.y) == 65535) {
             continue;
         }
         const uint32_t texel = stored_pixel(&c->surface, p.x, p.y);
-        const exact at = exact_at(e, p.x, p.y);
-        const exact right = exact_at(e, p.x + 1, p.y);
-        const exact below = exact_at(e, p.x, p.y + 1);
+        const exact at = exact_at(t, p.x, p.y);
+        const exact right = exact_at(t, p.x + 1, p.y);
+        const exact below = exact_at(t, p.x, p.y + 1);
         double step = fmax(fabs(right.u - at.u), fabs(below.u - at.u)) * width;
         step = fmax(step, fmax(fabs(right.v - at.v), fabs(below.v - at.v)) * height);
         const double u = outside(at.u * width, (int)(texel & (uint32_t)(width - 1)), width);
@@ -313,28 +284,6 @@ TEST(nearly_level)
     report("narrow, w to 1:60000", level_rows(14, 200, 16, 30, 30, 4));
 }
 
-/* A stored pixel's channels in steps of the format, and what they should be. */
-static void channels_of(double stored[3], double should[3], const qtri_format *format,
-                        uint32_t pixel, const double color[3])
-{
-    if (format == &qtri_gray8) {
-        stored[0] = pixel;
-        should[0] = .299 * color[0] + .587 * color[1] + .114 * color[2];
-        for (int i = 1; i < 3; i++) {
-            stored[i] = 0;
-            should[i] = 0;
-        }
-        return;
-    }
-    const bool narrow = format == &qtri_rgb565;
-    stored[0] = narrow ? pixel >> 11 : pixel >> 16;
-    stored[1] = narrow ? pixel >> 5 & 63 : pixel >> 8 & 255;
-    stored[2] = narrow ? pixel & 31 : pixel & 255;
-    should[0] = color[0] * (narrow ? 31.0 / 255 : 1);
-    should[1] = color[1] * (narrow ? 63.0 / 255 : 1);
-    should[2] = color[2] * (narrow ? 31.0 / 255 : 1);
-}
-
 /* Colours of random triangles, alone or times a texture: the channel farthest off, in steps. */
 static double random_colors(uint64_t seed, int count, const qtri_format *format, double reach,
                             double ratio, const qtri_texture *texture, bool equal)
@@ -358,21 +307,16 @@ static double random_colors(uint64_t seed, int count, const qtri_format *format,
         m.shading = QTRI_SMOOTH;
         m.depth_compare = QTRI_LESS;
         qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, t);
-        exact_vertex e[3];
-        exact_triangle(e, t);
         const qtri_rect box = pixels_around(&c.surface, t);
         for (screen_pixel p = first_pixel(box); p.y < box.y1; p = next_pixel(p, box)) {
             if (stored_depth(&c.surface, p.x, p.y) == 65535) {
                 continue;
             }
-            const exact at = exact_at(e, p.x, p.y);
-            double stored[3];
-            double should[3];
-            channels_of(stored, should, format, stored_pixel(&c.surface, p.x, p.y), at.color);
+            const exact at = exact_at(t, p.x, p.y);
+            const uint32_t stored = stored_pixel(&c.surface, p.x, p.y);
             for (int k = 0; k < 3; k++) {
-                if (fabs(stored[k] - should[k]) > worst) {
-                    worst = fabs(stored[k] - should[k]);
-                }
+                worst = fmax(worst,
+                             fabs(stored_steps(format, stored, k) - steps_of(format, at.color, k)));
             }
             pixels++;
         }
@@ -459,14 +403,12 @@ TEST(extremes)
         for (int32_t i = 0; m.texture == NULL && i < WIDTH * HEIGHT; i++) {
             const uint32_t pixel = stored_pixel(&c.surface, i % WIDTH, i / WIDTH);
             const double ends[2][3] = {{least, least, least}, {greatest, greatest, greatest}};
-            double stored[3];
-            double low[3];
-            double high[3];
-            channels_of(stored, low, format, pixel, ends[0]);
-            channels_of(stored, high, format, pixel, ends[1]);
             for (int k = 0; k < 3 && pixel != 0; k++) {
-                if (stored[k] < low[k] - .75 || stored[k] > high[k] + .75) {
-                    fail_msg("triangle %d: %f is not in %f..%f", n, stored[k], low[k], high[k]);
+                const double stored = stored_steps(format, pixel, k);
+                const double low = steps_of(format, ends[0], k);
+                const double high = steps_of(format, ends[1], k);
+                if (stored < low - .75 || stored > high + .75) {
+                    fail_msg("triangle %d: %f is not in %f..%f", n, stored, low, high);
                 }
             }
         }

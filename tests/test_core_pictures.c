@@ -50,8 +50,7 @@ static void random_faces(random_states *w)
     if (random_one_in(w, 3)) {
         w->view.light = &w->lights;
     }
-    w->view.vertices = w->vertices;
-    w->view.vertex_count = STATES_VERTICES;
+    give_vertices(&w->view, w->vertices, STATES_VERTICES);
     w->material.cull = random_one_in(w, 3) ? w->material.cull : QTRI_CULL_BACK;
 }
 

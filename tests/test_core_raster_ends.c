@@ -99,18 +99,6 @@ static void draw_all(const qtri_surface *s, qtri_material material)
     }
 }
 
-static void assert_near_pixels(const canvas *a, const canvas *b, int steps)
-{
-    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        const qtri_rgb p = qtri_surface_pixel(&a->surface, i % WIDTH, i / WIDTH);
-        const qtri_rgb q = qtri_surface_pixel(&b->surface, i % WIDTH, i / WIDTH);
-        if (abs(p.r - q.r) > steps || abs(p.g - q.g) > steps || abs(p.b - q.b) > steps) {
-            fail_msg("pixel %d,%d: %d %d %d and %d %d %d", (int)(i % WIDTH), (int)(i / WIDTH), p.r,
-                     p.g, p.b, q.r, q.g, q.b);
-        }
-    }
-}
-
 /* ---- Alpha ---- */
 
 /* Texels that are opaque, blended: as those without alpha, lit and not, with fog, through a door.
@@ -137,7 +125,8 @@ TEST(opaque_texels_are_texels)
             material.texture = &with;
             draw_all(&c[1].surface, material);
             /* Mixed as 8 bits a channel, and rounded to the format's once more. */
-            assert_near_pixels(&c[0], &c[1], plain[f]->colors == &qtri_colors_565 ? 9 : 2);
+            assert_close(&c[0].surface, &c[1].surface,
+                         plain[f]->colors == &qtri_colors_565 ? 9 : 2);
             for (int32_t y = 0; y < HEIGHT; y++) {
                 assert_memory_equal(c[0].surface.depth + y * WIDTH, c[1].surface.depth + y * WIDTH,
                                     2 * WIDTH);
@@ -261,9 +250,8 @@ TEST(samples_that_are_alike)
         for (int n = 0; n < 4; n++) {
             canvas want = new_canvas(plain[f]);
             qtri_surface s;
-            assert_int_equal(
-                qtri_surface_init(&s, four[f], WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory),
-                QTRI_OK);
+            assert_ok(
+                qtri_surface_init(&s, four[f], WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory));
             qtri_samples_clear(&s, sky);
             qtri_texture texture = texture_of(&qtri_texel_rgb565, rgb565);
             texture.has_key = n == 1;
@@ -303,7 +291,7 @@ TEST(samples_that_are_alike)
                 const qtri_rgb b = qtri_surface_pixel(&s, i % WIDTH, i / WIDTH);
                 assert_memory_equal(&a, &b, sizeof a);
             }
-            assert_int_equal(qtri_samples_resolve(&s, &s), QTRI_OK);
+            assert_ok(qtri_samples_resolve(&s, &s));
             for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
                 assert_int_equal(stored_pixel(&want.surface, i % WIDTH, i / WIDTH),
                                  stored_pixel(&s, i % WIDTH, i / WIDTH));
@@ -328,9 +316,8 @@ TEST(samples_that_differ)
                 uint64_t seed = 31;
                 qtri_material material = plain_material();
                 material.shading = QTRI_SMOOTH;
-                assert_int_equal(qtri_surface_init(&s[i], four[f], WIDTH, HEIGHT, 0, HEIGHT,
-                                                   memory[i], sizeof memory[i]),
-                                 QTRI_OK);
+                assert_ok(qtri_surface_init(&s[i], four[f], WIDTH, HEIGHT, 0, HEIGHT, memory[i],
+                                            sizeof memory[i]));
                 qtri_samples_clear(&s[i], sky);
                 qtri_samples_clear_depth(&s[i], depth_of(i == 0 ? 40000 : 25535));
                 material.depth_compare = compares[i][n];
@@ -352,8 +339,8 @@ TEST(samples_that_differ)
             for (int32_t k = 0; k < WIDTH * HEIGHT; k++) {
                 read[k] = qtri_surface_pixel(&before, k % WIDTH, k / WIDTH);
             }
-            assert_int_equal(qtri_samples_resolve(&s[1], &s[1]), QTRI_OK);
-            assert_int_equal(qtri_samples_resolve(&s[0], &out), QTRI_OK);
+            assert_ok(qtri_samples_resolve(&s[1], &s[1]));
+            assert_ok(qtri_samples_resolve(&s[0], &out));
             for (int32_t k = 0; k < WIDTH * HEIGHT; k++) {
                 const qtri_rgb a = qtri_surface_pixel(&out, k % WIDTH, k / WIDTH);
                 assert_memory_equal(&a, &read[k], sizeof a);
@@ -391,16 +378,6 @@ static void reverse(uint32_t *texel, const qtri_texture *texture, int32_t count)
     (void)texture;
     for (int32_t i = 0; i < count; i++) {
         texel[i] ^= 0xFFFF;
-    }
-}
-
-static void assert_close(const qtri_surface *a, const qtri_surface *b, int most)
-{
-    for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        const qtri_rgb of_a = qtri_surface_pixel(a, i % WIDTH, i / WIDTH);
-        const qtri_rgb of_b = qtri_surface_pixel(b, i % WIDTH, i / WIDTH);
-        assert_true(abs(of_a.r - of_b.r) <= most && abs(of_a.g - of_b.g) <= most &&
-                    abs(of_a.b - of_b.b) <= most);
     }
 }
 
@@ -454,10 +431,7 @@ TEST(sides_above_1024)
             material.texture = &texture;
             draw_all(&c[i].surface, material);
             int other = 0;
-            for (int32_t k = 0; k < WIDTH * HEIGHT; k++) {
-                other += stored_pixel(&c[0].surface, k % WIDTH, k / WIDTH) !=
-                         stored_pixel(&c[i].surface, k % WIDTH, k / WIDTH);
-            }
+            other += count_different(&c[0].surface, &c[i].surface);
             assert_in_range(other, 0, WIDTH * HEIGHT / 50);
         }
         for (int i = 0; i < 4; i++) {
@@ -509,10 +483,7 @@ TEST(levels_of_large_textures)
             qtri_raster_triangle(&c[i].surface, qtri_pipelines_default, &material, v);
         }
         int other = 0;
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            other += stored_pixel(&c[0].surface, i % WIDTH, i / WIDTH) !=
-                     stored_pixel(&c[1].surface, i % WIDTH, i / WIDTH);
-        }
+        other += count_different(&c[0].surface, &c[1].surface);
         assert_in_range(other, 0, WIDTH * HEIGHT / 50); /* where a level begins */
         canvas_free(&c[0]);
         canvas_free(&c[1]);

@@ -45,8 +45,7 @@ static void draw_both(canvas c[2], const qtri_mesh *mesh, const qtri_material *m
     qtri_transform pose;
     qtri_view view;
     qtri_view_init(&view, WIDTH, HEIGHT);
-    view.vertices = vertices;
-    view.vertex_count = LENGTH_OF(vertices);
+    give_vertices(&view, vertices, LENGTH_OF(vertices));
     qtri_transform_identity(&pose);
     qtri_draw_mesh(&c[0].surface, &view, &pose, mesh, material);
     for (int part = 0; part < 2; part++) {
@@ -128,8 +127,7 @@ TEST(thin_lines_of_any_pitch)
             qtri_material material = qtri_material_default();
             material.cull = QTRI_CULL_NONE;
             qtri_view_init(&view, WIDTH, HEIGHT);
-            view.vertices = vertices;
-            view.vertex_count = LENGTH_OF(vertices);
+            give_vertices(&view, vertices, LENGTH_OF(vertices));
             qtri_transform_identity(&pose);
             qtri_transform_scale(&pose, vec3_of(.8, .8, .8));
             qtri_draw_wide_wireframe(on[i], &view, &pose, &mesh, &stroke, &material);
@@ -205,9 +203,8 @@ TEST(samples_at_the_end)
     static uint32_t memory[QTRI_BAND_BYTES(WIDTH, HEIGHT, QTRI_RGB565_X4_BYTES) / 4];
     static uint8_t before[sizeof memory];
     qtri_surface s;
-    assert_int_equal(
-        qtri_surface_init(&s, &qtri_rgb565_x4, WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory),
-        QTRI_OK);
+    assert_ok(
+        qtri_surface_init(&s, &qtri_rgb565_x4, WIDTH, HEIGHT, 0, HEIGHT, memory, sizeof memory));
     qtri_samples_clear(&s, sky);
     memcpy(before, memory, sizeof memory);
     const qtri_material material = plain_material();
@@ -327,8 +324,7 @@ TEST(diagonals)
         stroke.cap = QTRI_CAP_BUTT;
         material.cull = QTRI_CULL_NONE;
         qtri_view_init(&view, PIXELS, PIXELS);
-        view.vertices = vertices;
-        view.vertex_count = LENGTH_OF(vertices);
+        give_vertices(&view, vertices, LENGTH_OF(vertices));
         qtri_transform_identity(&pose);
         qtri_draw_wide_wireframe(&c.surface, &view, &pose, &mesh, &stroke, &material);
         for (int32_t y = 14; y < PIXELS; y++) { /* behind its end */

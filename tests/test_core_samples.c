@@ -6,6 +6,7 @@
 #include "support/core.h"
 #include "support/layouts.h"
 
+#include "support/shares.h"
 #include "support/triangle.h"
 
 #include "raster/samples.h"
@@ -213,18 +214,13 @@ TEST(texels)
 static void exact_texel(double at[2], const qtri_screen_vertex v[3], double x, double y,
                         int side_log2)
 {
-    double sum = 0;
+    double b[3];
+    shares_at_place(b, v, x, y, true);
     at[0] = at[1] = 0;
     for (int i = 0; i < 3; i++) {
-        const qtri_screen_vertex *a = &v[(i + 1) % 3], *b = &v[(i + 2) % 3];
-        const double q = ((a->x_24p8 - x) * (b->y_24p8 - y) - (b->x_24p8 - x) * (a->y_24p8 - y)) *
-                         (double)v[i].inv_w_q31;
-        sum += q;
-        at[0] += q * ldexp((double)v[i].u_q32, side_log2 - 32);
-        at[1] += q * ldexp((double)v[i].v_q32, side_log2 - 32);
+        at[0] += b[i] * ldexp((double)v[i].u_q32, side_log2 - 32);
+        at[1] += b[i] * ldexp((double)v[i].v_q32, side_log2 - 32);
     }
-    at[0] /= sum;
-    at[1] /= sum;
 }
 
 /* 1: the place lies inside of all edges, 0: outside of one, -1: on one of them. */
@@ -404,7 +400,7 @@ TEST(resolve)
                 count_triangle(draw_triangle(&both[i]->surface, &material, v, true));
             }
         }
-        assert_int_equal(qtri_samples_resolve(&c.surface, &out), QTRI_OK);
+        assert_ok(qtri_samples_resolve(&c.surface, &out));
         assert_true(out.format == plain[f] && out.depth == NULL);
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
             const int x = i % WIDTH;
@@ -488,8 +484,7 @@ TEST(prepared_meshes)
                                vec3_of(0, 1, 0));
         qtri_transform_perspective(&view.projection, Q16(60), Q16(1.3), Q16(.1), Q16(50));
         view.light = &light;
-        view.vertices = slots;
-        view.vertex_count = 64;
+        give_vertices(&view, slots, 64);
         qtri_transform_identity(&pose);
         qtri_transform_rotate_y(&pose, random_in(&seed, 0, 60 << 16));
         qtri_samples_clear(&whole.surface, (qtri_rgb){24, 32, 48});

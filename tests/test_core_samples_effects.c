@@ -132,8 +132,7 @@ static void draw_by(const qtri_pipeline *pipeline, const qtri_surface *surface, 
     qtri_transform pose;
     qtri_view_init(&view, WIDTH, HEIGHT);
     qtri_transform_perspective(&view.projection, Q16(60), Q16(1.2), Q16(1), Q16(20));
-    view.vertices = slots;
-    view.vertex_count = VERTICES;
+    give_vertices(&view, slots, VERTICES);
     view.pipelines = list;
     for (int n = 0; n < 3; n++) {
         const double reach = n == 1 ? .5 : .12;

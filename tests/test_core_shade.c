@@ -4,31 +4,12 @@
  * stored formats.
  */
 #include "support/core.h"
+#include "support/shares.h"
+#include "support/steps.h"
 
 enum { WIDTH = 40, HEIGHT = 36 };
 
 static const double max_565[3] = {31, 63, 31};
-
-/* Barycentric weights of pixel (x, y)'s centre, and the perspective-correct ones. */
-static void weights(const qtri_screen_vertex v[3], int32_t x, int32_t y, bool perspective,
-                    double b[3])
-{
-    double total = 0;
-    for (int i = 0; i < 3; i++) {
-        const qtri_screen_vertex *p = &v[(i + 1) % 3];
-        const qtri_screen_vertex *q = &v[(i + 2) % 3];
-        /* exact: below 2^53 */
-        b[i] = (double)(q->x_24p8 - p->x_24p8) * (y * 256 + 128 - p->y_24p8) -
-               (double)(q->y_24p8 - p->y_24p8) * (x * 256 + 128 - p->x_24p8);
-        if (perspective) {
-            b[i] *= ldexp(v[i].inv_w_q31, v[i].inv_w_exponent);
-        }
-        total += b[i];
-    }
-    for (int i = 0; i < 3; i++) {
-        b[i] /= total;
-    }
-}
 
 /* From a pixel to a whole guard band, slivers too. */
 static void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int kind)
@@ -67,14 +48,13 @@ static void check_pixel(const canvas *c, const qtri_material *m, const qtri_scre
     double linear[3];
     double b[3];
     double color[3];
-    weights(v, x, y, false, linear);
-    weights(v, x, y, m->interpolation == QTRI_PERSPECTIVE, b);
+    shares_at(linear, v, x, y, false);
+    shares_at(b, v, x, y, m->interpolation == QTRI_PERSPECTIVE);
     double depth = 0;
     for (int i = 0; i < 3; i++) {
         depth += linear[i] * v[i].depth_16p16;
     }
     w->depth = fmax(w->depth, fabs(stored_depth(&c->surface, x, y) - depth / 65536));
-    double gray = 0;
     for (int channel = 0; channel < 3; channel++) {
         int provoking = m->shading == QTRI_FLAT_FIRST ? 0 : 2;
         double sum = v[provoking].color_8p16[channel];
@@ -90,25 +70,16 @@ static void check_pixel(const canvas *c, const qtri_material *m, const qtri_scre
             assert_true(sum >= low - 1 && sum <= high + 1);
         }
         color[channel] = sum / 65536;
-        static const double luma[3] = {.299, .587, .114};
-        gray += luma[channel] * sum / 65536;
         if (m->shading == QTRI_SMOOTH && c->surface.format == &qtri_xrgb8888) {
             double is = stored_pixel(&c->surface, x, y) >> (16 - 8 * channel) & 255;
             assert_true(is >= floor(low / 65536 + .5) && is <= floor(high / 65536 + .5));
         }
     }
-    uint32_t pixel = stored_pixel(&c->surface, x, y);
-    if (c->surface.format == &qtri_rgb565) {
-        double is[3] = {pixel >> 11, pixel >> 5 & 63, pixel & 31};
-        for (int i = 0; i < 3; i++) {
-            w->color = fmax(w->color, fabs(is[i] - color[i] * max_565[i] / 255));
-        }
-    } else if (c->surface.format == &qtri_xrgb8888) {
-        for (int i = 0; i < 3; i++) {
-            w->color = fmax(w->color, fabs((double)(pixel >> (16 - 8 * i) & 255) - color[i]));
-        }
-    } else {
-        w->color = fmax(w->color, fabs(pixel - gray));
+    const qtri_format *format = c->surface.format;
+    const uint32_t pixel = stored_pixel(&c->surface, x, y);
+    for (int i = 0; i < 3; i++) {
+        w->color =
+            fmax(w->color, fabs(stored_steps(format, pixel, i) - steps_of(format, color, i)));
     }
     w->pixels++;
 }
@@ -289,8 +260,7 @@ TEST(halves_of_luma_go_up)
     const qtri_material material = qtri_material_default();
     qtri_transform pose;
     qtri_view view;
-    qtri_view_init(&view, WIDTH, HEIGHT);
-    qtri_transform_identity(&pose);
+    start_view(&view, &pose, WIDTH, HEIGHT);
     for (int n = 0; n < 5; n++) {
         canvas c = canvas_new(&qtri_gray8, WIDTH, HEIGHT);
         const qtri_corner corner[3] = {

@@ -114,7 +114,7 @@ TEST(meshes)
         const q16 a = Q16(2.5);
         const q16 b = Q16(0.75);
         const made r = make(kind, &memory, a, b, slices, rows);
-        assert_int_equal(r.error, QTRI_OK);
+        assert_ok(r.error);
         assert_int_equal(r.mesh.vertex_count, vertices_of(kind, slices, rows));
         assert_int_equal(r.mesh.triangle_count, triangles_of(kind, slices, rows));
         assert_outwards(&r.mesh);
@@ -167,7 +167,7 @@ TEST(errors)
     for (int kind = SPHERE; kind < KINDS; kind++) {
         const int32_t n = least[kind][0];
         const int32_t k = least[kind][1];
-        assert_int_equal(make(kind, &memory, 1, 1, n, k).error, QTRI_OK);
+        assert_ok(make(kind, &memory, 1, 1, n, k).error);
         assert_int_equal(make(kind, &memory, 1, 1, n - 1, k).error, QTRI_ERROR_SIZE);
         if (k > 0) {
             assert_int_equal(make(kind, &memory, 1, 1, n, k - 1).error, QTRI_ERROR_SIZE);
@@ -181,7 +181,7 @@ TEST(errors)
     for (int n = 0; n < 3000; n++) {
         const made r =
             make(n % KINDS, n & 64 ? &m : &memory, random_any(&seed), random_any(&seed), 7, 4);
-        assert_int_equal(r.error, QTRI_OK);
+        assert_ok(r.error);
     }
 }
 

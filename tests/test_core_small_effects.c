@@ -127,8 +127,7 @@ TEST(in_order)
         set_view(&view, WIDTH, HEIGHT);
         qtri_transform_identity(&pose);
         view.light = n % 8 == 4 ? NULL : &light;
-        view.vertices = vertices;
-        view.vertex_count = 3 * COUNT;
+        give_vertices(&view, vertices, 3 * COUNT);
         canvas whole = canvas_new(format, WIDTH, HEIGHT);
         canvas parts = canvas_new(format, WIDTH, HEIGHT);
         if (n % 6 == 5) {
@@ -172,8 +171,7 @@ TEST(cut_or_whole)
         set_view(&view, WIDE, HIGH);
         qtri_transform_identity(&pose);
         view.light = &light;
-        view.vertices = vertices;
-        view.vertex_count = 3 * COUNT;
+        give_vertices(&view, vertices, 3 * COUNT);
         canvas whole = canvas_new(&qtri_rgb565, WIDE, HIGH);
         canvas parts = canvas_new(&qtri_rgb565, WIDE, HIGH);
         qtri_surface_clear_depth(&whole.surface, Q16(.9));

@@ -392,8 +392,7 @@ static void set_view(qtri_view *view, double distance)
     qtri_transform_look_at(&view->camera, vec3_of(0, 0, distance), vec3_of(0, 0, 0),
                            vec3_of(0, 1, 0));
     qtri_transform_perspective(&view->projection, Q16(60), Q16(1.4), Q16(.1), Q16(50));
-    view->vertices = slots;
-    view->vertex_count = VERTICES;
+    give_vertices(view, slots, VERTICES);
 }
 
 /* Bands of a prepared mesh, bands of the mesh, and the whole, also where it is clipped. */

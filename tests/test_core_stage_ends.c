@@ -39,9 +39,8 @@ typedef struct board {
 static void board_init(board *b, const qtri_format *format, const qtri_depth_format *depth)
 {
     memset(b, 0, sizeof *b);
-    assert_int_equal(surface_with_depth(&b->surface, format, depth, WIDTH, HEIGHT, 0, HEIGHT,
-                                        b->memory, sizeof b->memory),
-                     QTRI_OK);
+    assert_ok(surface_with_depth(&b->surface, format, depth, WIDTH, HEIGHT, 0, HEIGHT, b->memory,
+                                 sizeof b->memory));
     if (format == &qtri_rgb565_x4) {
         qtri_samples_clear(&b->surface, sky);
     } else {
@@ -62,8 +61,7 @@ static void draw_mesh(const qtri_surface *surface, const qtri_material *material
     qtri_view view;
     qtri_view_init(&view, WIDTH, HEIGHT);
     qtri_transform_perspective(&view.projection, Q16(60), Q16(1.33), Q16(.5), Q16(20));
-    view.vertices = vertices;
-    view.vertex_count = LENGTH_OF(vertices);
+    give_vertices(&view, vertices, LENGTH_OF(vertices));
     qtri_transform_identity(&pose);
     qtri_transform_translate(&pose, vec3_of(0, 0, -distance));
     qtri_draw_mesh(surface, &view, &pose, mesh, material);
@@ -146,9 +144,7 @@ TEST(formats_without_depth)
             qtri_raster_line(&b[i].surface, &m, v);
         }
         memset(words[i], 0xA5, sizeof words[i]);
-        assert_int_equal(
-            qtri_edges_begin(&edges, &b[i].surface, words[i], (uint32_t)LENGTH_OF(words[i])),
-            QTRI_OK);
+        assert_ok(qtri_edges_begin(&edges, &b[i].surface, words[i], (uint32_t)LENGTH_OF(words[i])));
         qtri_edges_blend(&edges);
     }
     assert_same_memory(&b[0], &b[1]);

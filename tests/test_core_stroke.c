@@ -587,8 +587,8 @@ TEST(corners_in_space)
             s.v[i].depth_16p16 = (uint32_t)32768 << 16;
             corner[i] = corner_at(s.v[i].x_24p8, s.v[i].y_24p8);
         }
-        view.vertices = n % 3 == 0 ? NULL : kept;
-        view.vertex_count = n % 3 == 0 ? 0 : (uint32_t)random_in(&seed, 0, POINTS);
+        give_vertices(&view, n % 3 == 0 ? NULL : kept,
+                      n % 3 == 0 ? 0 : (uint32_t)random_in(&seed, 0, POINTS));
         canvas_clear(&c);
         canvas_clear(&d);
         draw(&c.surface, &s);
@@ -816,8 +816,7 @@ static void set_space(space *s, uint64_t *seed, bool kept)
     qtri_transform_rotate_y(&s->pose, random_any(seed));
     s->light = light;
     s->view.light = &s->light;
-    s->view.vertices = kept ? s->vertices : NULL;
-    s->view.vertex_count = kept ? 8 : 0;
+    give_vertices(&s->view, kept ? s->vertices : NULL, kept ? 8 : 0);
     s->mesh.positions = cube_positions;
     s->mesh.triangles = cube_triangles;
     s->mesh.vertex_count = 8;

@@ -120,8 +120,7 @@ TEST(sizes_and_memory)
         const qtri_format *format = aligned[n % 3];
         size_t bytes = QTRI_BAND_BYTES(13, 5, format->pixels->bytes);
         qtri_surface s;
-        assert_int_equal(qtri_surface_init(&s, format, 13, 7, 4, 5, memory + n / 3, bytes),
-                         QTRI_OK);
+        assert_ok(qtri_surface_init(&s, format, 13, 7, 4, 5, memory + n / 3, bytes));
         assert_int_equal(s.rows, 3);
         assert_int_equal((uintptr_t)s.pixels % format->pixels->bytes, 0);
         assert_int_equal((uintptr_t)s.depth % 2, 0);

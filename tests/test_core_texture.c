@@ -330,8 +330,7 @@ TEST(levels_begin_at_their_step)
                                         .vertex_count = 3,
                                         .triangle_count = 1};
                 qtri_vertex vertices[3];
-                view.vertices = vertices;
-                view.vertex_count = 3;
+                give_vertices(&view, vertices, 3);
                 canvas_clear(&c);
                 qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &material);
                 const int32_t drawn = (int32_t)stored_pixel(&c.surface, 0, 0) - 10;
@@ -427,8 +426,7 @@ static void draw_small(canvas *c, const qtri_texture *texture, const qtri_vec2 u
     m.texture_mode = QTRI_REPLACE;
     m.interpolation = interpolation;
     qtri_view_init(&view, WIDTH, HEIGHT);
-    view.vertices = vertices;
-    view.vertex_count = 3;
+    give_vertices(&view, vertices, 3);
     qtri_transform_identity(&pose);
     canvas_clear(c);
     qtri_draw_mesh(&c->surface, &view, &pose, &mesh, &m);

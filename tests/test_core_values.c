@@ -462,7 +462,7 @@ static uint32_t filters(uint32_t hash)
     (void)qtri_sum_store(&c.surface, memory, LENGTH_OF(memory), frames_log2);
     hash = add_surface(hash, &c.surface);
     (void)(is_565 && one_in(2));
-    assert_int_equal(qtri_halve(&c.surface, &half), QTRI_OK);
+    assert_ok(qtri_halve(&c.surface, &half));
     hash = add_surface(hash, &c.surface);
     canvas_free(&c);
     return hash;
@@ -604,7 +604,7 @@ static uint32_t grays(uint32_t hash)
     qtri_diffusion diffusion;
     const uint8_t max_level = (uint8_t)(1 + below(255));
     const qtri_dither dither = (qtri_dither)below(3);
-    assert_int_equal(qtri_diffusion_init(&diffusion, WIDTH, error, LENGTH_OF(error)), QTRI_OK);
+    assert_ok(qtri_diffusion_init(&diffusion, WIDTH, error, LENGTH_OF(error)));
     for (int32_t y = 0; y < 6; y++) {
         for (int32_t x = 0; x < WIDTH; x++) {
             gray[x] = (uint8_t)below(256);

@@ -144,8 +144,7 @@ static void random_scene(scene *s, uint64_t *seed)
     qtri_view_init(&s->view, WIDTH, HEIGHT);
     qtri_transform_perspective(&s->view.projection, Q16(60), Q16(1.3), Q16(.5), Q16(30));
     s->view.light = random_flag(seed) ? &s->light : NULL;
-    s->view.vertices = scratch;
-    s->view.vertex_count = VERTICES;
+    give_vertices(&s->view, scratch, VERTICES);
     const qtri_vec3 at = {random_in(seed, Q16(-.6), Q16(.6)), random_in(seed, Q16(-.6), Q16(.6)),
                           -random_in(seed, random_in(seed, 0, 4) == 0 ? 0 : Q16(2.5), Q16(7))};
     qtri_transform_identity(&s->pose);
@@ -230,8 +229,7 @@ TEST(prepared_mesh)
         qtri_frame frame;
         qtri_prepared prepared;
         const int32_t rows = random_in(&seed, 1, HEIGHT);
-        assert_int_equal(
-            qtri_frame_init(&frame, s.format, WIDTH, HEIGHT, rows, memory, sizeof memory), QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, s.format, WIDTH, HEIGHT, rows, memory, sizeof memory));
         prepared_init_with(&prepared, vertices, random_in(&seed, 0, 3) == 0 ? 20 : VERTICES, lists,
                            random_in(&seed, 0, 2) == 0 ? LISTS / 4 : LISTS);
         qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
@@ -263,9 +261,7 @@ TEST(edges_once)
         s.material.cull = QTRI_CULL_NONE;
         qtri_transform_identity(&s.pose);
         qtri_transform_translate(&s.pose, vec3_of(0, 0, -5));
-        assert_int_equal(
-            qtri_frame_init(&frame, s.format, WIDTH, HEIGHT, HEIGHT, memory, sizeof memory),
-            QTRI_OK);
+        assert_ok(qtri_frame_init(&frame, s.format, WIDTH, HEIGHT, HEIGHT, memory, sizeof memory));
         prepared_init_with(&prepared, vertices, VERTICES, NULL, 0);
         qtri_prepare_mesh(&prepared, &frame, &s.view, &s.pose, &s.mesh, &s.material);
         int edges = 0;

@@ -42,8 +42,8 @@ static void send_white(setup *s, qtri_rect rect, int32_t first, int32_t rows)
                               qtri_panel_height(&s->panel), first, rows);
     qtri_rgb white = {255, 255, 255};
     qtri_surface_clear(&band.surface, white);
-    assert_int_equal(qtri_panel_write_rect(&s->panel, &band.surface, rect), QTRI_OK);
-    assert_int_equal(qtri_panel_finish(&s->panel), QTRI_OK);
+    assert_ok(qtri_panel_write_rect(&s->panel, &band.surface, rect));
+    assert_ok(qtri_panel_finish(&s->panel));
     canvas_free(&band);
 }
 
@@ -51,7 +51,7 @@ TEST(ssd1306_sequence)
 {
     static setup s;
     setup_init(&s, 0);
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
     assert_log(&s.wire, "r1 w1 r0 w100 cAE cD580 cA83F cD300 c40 c8D14 c2000 cA1 cC8 cDA12 c81CF "
                         "cD9F1 cDB20 c2E cA4 cA6 c21007F c220007 " ZEROS "..(1024) cAF");
     send_white(&s, small_rect(), 0, 16);
@@ -60,7 +60,7 @@ TEST(ssd1306_sequence)
     send_white(&s, rect, 0, 16);
     assert_log(&s.wire, "c21007F c220001 dC0C0C0E0E0E0E0C0C0C0C0C0C0C0C0C0C0..(256)");
     qtri_panel_step contrast = {0x81, 1, {0x10}, 3};
-    assert_int_equal(qtri_panel_send(&s.panel, &contrast, 1), QTRI_OK);
+    assert_ok(qtri_panel_send(&s.panel, &contrast, 1));
     assert_log(&s.wire, "c8110 w3");
     assert_chip_content(&s.sim.chip);
     setup_end(&s);
@@ -71,7 +71,7 @@ TEST(i2c_sequence)
 {
     static setup s;
     setup_init(&s, 2);
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_180, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_180, true));
     clear_log(&s.wire);
     qtri_rect rect = {0, 0, 40, 8};
     send_white(&s, rect, 0, 16); /* turned: columns 88..127, page 7 */
@@ -89,7 +89,7 @@ TEST(ssd0323_sequence)
 {
     static setup s;
     setup_init(&s, 4);
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, false), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, false));
     assert_log_ends(&s.wire,
                     "r1 w1 r0 w1 cAE c8132 c85 cA052 cA100 cA24C cA83F cB122 cB246 cB3F1 "
                     "cBF0D cBE02 cBC10 cB80111223243546576 cAD03 cA4 c15003F c75003F " ZEROS
@@ -100,7 +100,7 @@ TEST(ssd0323_sequence)
     setup_end(&s);
 
     setup_init(&s, 5);
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
     clear_log(&s.wire);
     send_white(&s, small_rect(), 5,
                2); /* from the image, row by row; pixels 2 and 7 are black yet */
@@ -113,7 +113,7 @@ TEST(lcd_sequence)
 {
     static setup s;
     setup_init(&s, 8);
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_90, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_90, true));
     assert_log_ends(&s.wire,
                     "r1 w1 r0 w120 c01 w120 cCB d392C003402 cCF d00C130 cE8 d850078 cEA d0000 "
                     "cED d64031281 cF7 d20 cC0 d23 cC1 d10 cC5 d3E28 cC7 d86 c3A d55 cB1 d0018 "
@@ -121,7 +121,7 @@ TEST(lcd_sequence)
                     "cE1 d000E1403110731C148080F0C31360F c11 w120 c36 d28 c20 "
                     "c2A d0000013F c2B d000000EF c2C s",
                     "..(960) f960 c29");
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_90, false), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_90, false));
     clear_log(&s.wire);
     qtri_rect two = {300, 5, 302, 6};
     send_white(&s, two, 0, 16);
@@ -129,7 +129,7 @@ TEST(lcd_sequence)
     setup_end(&s);
 
     setup_init(&s, 8);
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
     clear_log(&s.wire);
     send_white(&s, small_rect(), 0, 16);
     assert_log(&s.wire, "c2A d00030006 c2B d00050006 c2C sFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFF f16");
@@ -137,9 +137,8 @@ TEST(lcd_sequence)
 
     setup_init(&s, 8);
     uint8_t three_pixels[15]; /* twice three pixels and some bytes */
-    assert_int_equal(qtri_panel_init(&s.panel, &qtri_ili9341, &s.wire.bus, QTRI_ROTATE_0,
-                                     three_pixels, sizeof three_pixels),
-                     QTRI_OK);
+    assert_ok(qtri_panel_init(&s.panel, &qtri_ili9341, &s.wire.bus, QTRI_ROTATE_0, three_pixels,
+                              sizeof three_pixels));
     clear_log(&s.wire);
     send_white(&s, small_rect(), 0, 16);
     assert_log(&s.wire,
@@ -153,7 +152,7 @@ TEST(lcd_sequence)
                                            "c2A d002B002D c2B d00390039 c2C dFFFFFFFFFFFF"};
     for (int rotation = 0; rotation < 4; rotation++) {
         setup_init(&s, 11);
-        assert_int_equal(setup_start(&s, (qtri_rotation)rotation, true), QTRI_OK);
+        assert_ok(setup_start(&s, (qtri_rotation)rotation, true));
         clear_log(&s.wire);
         qtri_rect three = {3, 5, 6, 6};
         send_white(&s, three, 0, 16);
@@ -167,7 +166,7 @@ TEST(memory_lcd_sequence)
 {
     static setup s;
     setup_init(&s, 35);
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
     assert_log(&s.wire, "r1 w1 r0 w1 c00 d2000 c00");
     for (int n = 0; n < 3; n++) { /* rows 5 and 6 are lines 6 and 7; VCOM each second time */
         send_white(&s, small_rect(), 0, 16);
@@ -189,7 +188,7 @@ TEST(paper_sequence)
 {
     static setup s;
     setup_init(&s, 6);
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, false), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, false));
     assert_log(&s.wire,
                "r1 w10 r0 w10 c12 w1 w1 w1 w1 w1 w1 w1 w1 w1 w1 c01 dF90000 c11 d03 c3C d05 "
                "c18 d80 c21 d4080");
@@ -202,7 +201,7 @@ TEST(paper_sequence)
     assert_log(&s.wire, "c44 d0F0F c45 dC800C800 c4E d0F c4F dC800 c24 dC0");
     assert_int_equal(s.sim.ssd1680.refreshes, 0);
     s.wire.bus.busy = NULL; /* the pin is not wired: as long as it mostly takes */
-    assert_int_equal(qtri_panel_refresh(&s.panel), QTRI_OK);
+    assert_ok(qtri_panel_refresh(&s.panel));
     assert_log(&s.wire, "c22 dF7 c20 w2000");
     assert_int_equal(s.sim.ssd1680.refreshes, 1);
     assert_chip_content(&s.sim.chip);
@@ -236,7 +235,7 @@ TEST(failures)
             reached = s.wire.calls >= fail;
             assert_int_equal(error, reached ? QTRI_ERROR_BUS : QTRI_OK);
             assert_int_equal(s.wire.calls, reached ? fail : s.wire.calls);
-            assert_int_equal(qtri_panel_finish(&s.panel), QTRI_OK);
+            assert_ok(qtri_panel_finish(&s.panel));
             setup_end(&s);
         }
     }
@@ -256,7 +255,7 @@ TEST(failed_starts_have_no_finish)
                 setup_end(&s);
                 break;
             }
-            assert_int_equal(qtri_panel_finish(&s.panel), QTRI_OK);
+            assert_ok(qtri_panel_finish(&s.panel));
             clear_log(&s.wire);
             s.wire.fail_at = s.wire.calls + fail;
             canvas band = canvas_band(&qtri_rgb565, qtri_panel_width(&s.panel),
@@ -277,8 +276,8 @@ TEST(failed_starts_have_no_finish)
             failed_starts += start_failed;
             failed_finishes += end != QTRI_OK;
             s.wire.fail_at = 0;
-            assert_int_equal(qtri_panel_write_rect(&s.panel, &band.surface, rect), QTRI_OK);
-            assert_int_equal(qtri_panel_finish(&s.panel), QTRI_OK);
+            assert_ok(qtri_panel_write_rect(&s.panel, &band.surface, rect));
+            assert_ok(qtri_panel_finish(&s.panel));
             canvas_free(&band);
             setup_end(&s);
             if (!reached) {
@@ -330,7 +329,7 @@ TEST(errors)
                                              sizeof memory),
                              QTRI_ERROR_SIZE);
         }
-        assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+        assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
         clear_log(&s.wire);
         canvas none = canvas_new(&qtri_rgb565, 9, 9);
         none.surface.format = NULL;
@@ -361,31 +360,31 @@ TEST(any_rectangle)
     uint64_t random = 5;
     for (int n = 0; n < SETUPS; n++) {
         setup_init(&s, n);
-        assert_int_equal(setup_start(&s, (qtri_rotation)(n % 4), true), QTRI_OK);
+        assert_ok(setup_start(&s, (qtri_rotation)(n % 4), true));
         int32_t w = qtri_panel_width(&s.panel);
         int32_t h = qtri_panel_height(&s.panel);
         canvas band = canvas_band(&qtri_gray8, w, h, h / 2, 3);
         for (int i = 0; i < 300; i++) {
             qtri_rect rect = {random_any(&random), random_any(&random), random_any(&random),
                               random_any(&random)};
-            assert_int_equal(qtri_panel_write_rect(&s.panel, &band.surface, rect), QTRI_OK);
+            assert_ok(qtri_panel_write_rect(&s.panel, &band.surface, rect));
         }
-        assert_int_equal(qtri_panel_finish(&s.panel), QTRI_OK);
+        assert_ok(qtri_panel_finish(&s.panel));
         clear_log(&s.wire);
         const qtri_rect nothing[] = {{5, h / 2, 5, h / 2 + 1},     {5, 0, 9, h / 2},
                                      {5, h / 2 + 3, 9, h},         {w, 0, w + 1, h},
                                      {INT32_MAX, 0, INT32_MIN, h}, {-9, 0, 0, h},
                                      {0, INT32_MAX, w, INT32_MIN}};
         for (size_t i = 0; i < LENGTH_OF(nothing); i++) {
-            assert_int_equal(qtri_panel_write_rect(&s.panel, &band.surface, nothing[i]), QTRI_OK);
+            assert_ok(qtri_panel_write_rect(&s.panel, &band.surface, nothing[i]));
         }
         qtri_surface odd = band.surface;
         odd.rows = INT32_MAX;
         odd.first_row = INT32_MAX;
-        assert_int_equal(qtri_panel_write(&s.panel, &odd), QTRI_OK);
+        assert_ok(qtri_panel_write(&s.panel, &odd));
         odd.rows = INT32_MIN;
         odd.first_row = INT32_MIN;
-        assert_int_equal(qtri_panel_write(&s.panel, &odd), QTRI_OK);
+        assert_ok(qtri_panel_write(&s.panel, &odd));
         assert_log(&s.wire, "");
         assert_chip_content(&s.sim.chip);
         canvas_free(&band);

@@ -127,7 +127,7 @@ TEST(failures_between_rows)
         const qtri_format *const format = n == 0 ? &qtri_rgb565_swapped : &qtri_xrgb8888;
         for (int fail = 1, reached = 1; reached; fail++) {
             setup_init(&s, n < 2 ? 15 : ILI9488);
-            assert_int_equal(setup_start(&s, QTRI_ROTATE_0, false), QTRI_OK);
+            assert_ok(setup_start(&s, QTRI_ROTATE_0, false));
             canvas band =
                 canvas_band(format, qtri_panel_width(&s.panel), qtri_panel_height(&s.panel), 0, 4);
             const qtri_rect rect = {3, 0, 7, 4};
@@ -148,9 +148,9 @@ TEST(tearing_after_a_failure)
 {
     static setup s;
     setup_init(&s, 8);
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
     canvas whole = canvas_new(&qtri_rgb565_swapped, 240, 320);
-    assert_int_equal(qtri_panel_write(&s.panel, &whole.surface), QTRI_OK);
+    assert_ok(qtri_panel_write(&s.panel, &whole.surface));
     s.wire.fail_at = s.wire.calls + 1; /* what ends it */
     assert_int_equal(qtri_tearing_wait(&s.panel, NULL, 100), QTRI_ERROR_BUS);
     canvas_free(&whole);
@@ -197,23 +197,22 @@ TEST(framebuffers_need_no_bus)
     const qtri_panel_description d = QTRI_FRAMEBUFFER(W, H, QTRI_PANEL_XRGB8888, QTRI_ORDER_NATIVE);
     for (int n = 0; n < 2; n++) {
         qtri_panel panel;
-        assert_int_equal(
-            qtri_panel_init(&panel, &d, n == 0 ? NULL : &bus, QTRI_ROTATE_0, memory, sizeof memory),
-            QTRI_OK);
+        assert_ok(qtri_panel_init(&panel, &d, n == 0 ? NULL : &bus, QTRI_ROTATE_0, memory,
+                                  sizeof memory));
         canvas whole = canvas_new(&qtri_rgb565, W, H);
         draw_picture(&whole.surface, 4);
         memset(memory, 0, sizeof memory);
-        assert_int_equal(qtri_panel_write(&panel, &whole.surface), QTRI_OK);
+        assert_ok(qtri_panel_write(&panel, &whole.surface));
         for (int32_t i = 0; i < W * H; i++) { /* rows of more than one piece */
             uint32_t pixel;
             memcpy(&pixel, memory + 4 * i, 4);
             const qtri_rgb c = qtri_surface_pixel(&whole.surface, i % W, i / W);
             assert_int_equal(pixel, (uint32_t)c.r << 16 | (uint32_t)c.g << 8 | c.b);
         }
-        assert_int_equal(qtri_panel_refresh(&panel), QTRI_OK);
-        assert_int_equal(qtri_panel_refresh_changes(&panel), QTRI_OK);
+        assert_ok(qtri_panel_refresh(&panel));
+        assert_ok(qtri_panel_refresh_changes(&panel));
         if (n == 0) {
-            assert_int_equal(qtri_tearing_wait(&panel, rises, 4), QTRI_OK);
+            assert_ok(qtri_tearing_wait(&panel, rises, 4));
         }
         whole.surface.height--; /* of another frame */
         assert_int_equal(qtri_panel_write(&panel, &whole.surface), QTRI_ERROR_SIZE);
@@ -235,8 +234,7 @@ TEST(descriptions_without_a_sequence)
         qtri_panel panel;
         d.init = n & 1 ? steps : NULL;
         d.init_count = n & 2 ? 1 : 0;
-        assert_int_equal(qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, memory, sizeof memory),
-                         QTRI_OK);
+        assert_ok(qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, memory, sizeof memory));
         assert_int_equal(r.commands, n == 3);
         assert_int_equal(r.count, 2 * 10 * 6);
     }
@@ -270,9 +268,8 @@ TEST(any_memory_sends_the_same)
         qtri_panel_description d = plain(W, H, QTRI_PANEL_RGB666, QTRI_ORDER_BIG);
         qtri_panel panel;
         d.write = qtri_panel_write_666;
-        assert_int_equal(qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, memory, bytes[n]),
-                         QTRI_OK);
-        assert_int_equal(qtri_panel_write(&panel, &whole.surface), QTRI_OK);
+        assert_ok(qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, memory, bytes[n]));
+        assert_ok(qtri_panel_write(&panel, &whole.surface));
         assert_int_equal(r[n].count, 2 * 3 * W * H); /* black, then the picture */
         assert_memory_equal(r[n].data, r[0].data, r[0].count);
     }
@@ -293,12 +290,11 @@ TEST(orders_of_converted_pixels)
         const qtri_bus bus = recording(&r[n]);
         const qtri_panel_description d = plain(W, H, QTRI_PANEL_RGB565, orders[n]);
         qtri_panel panel;
-        assert_int_equal(qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, memory, sizeof memory),
-                         QTRI_OK);
+        assert_ok(qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, memory, sizeof memory));
         r[n].count = 0;
         canvas whole = canvas_new(&qtri_xrgb8888, W, H);
         draw_picture(&whole.surface, 4);
-        assert_int_equal(qtri_panel_write(&panel, &whole.surface), QTRI_OK);
+        assert_ok(qtri_panel_write(&panel, &whole.surface));
         assert_int_equal(r[n].count, 2 * W * H);
         canvas_free(&whole);
     }
@@ -330,14 +326,12 @@ TEST(formats_of_other_sizes)
                 own.pixels = n == 0 ? own.pixels : &qtri_pixels_32;
                 canvas whole = canvas_new(&own, W, H);
                 draw_picture(&whole.surface, 9);
-                assert_int_equal(
-                    qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, line, sizeof line), QTRI_OK);
+                assert_ok(qtri_panel_init(&panel, &d, &bus, QTRI_ROTATE_0, line, sizeof line));
                 r[n].count = 0;
-                assert_int_equal(qtri_panel_write(&panel, &whole.surface), QTRI_OK);
-                assert_int_equal(qtri_panel_init(&panel, &mapped, NULL, QTRI_ROTATE_0, memory[n],
-                                                 sizeof memory[n]),
-                                 QTRI_OK);
-                assert_int_equal(qtri_panel_write(&panel, &whole.surface), QTRI_OK);
+                assert_ok(qtri_panel_write(&panel, &whole.surface));
+                assert_ok(qtri_panel_init(&panel, &mapped, NULL, QTRI_ROTATE_0, memory[n],
+                                          sizeof memory[n]));
+                assert_ok(qtri_panel_write(&panel, &whole.surface));
                 canvas_free(&whole);
             }
             assert_int_equal(r[0].count, r[1].count);
@@ -378,14 +372,12 @@ TEST(numbers_that_are_no_format_or_order)
             const qtri_bus other = recording(&r[i]);
             const qtri_panel_description d = plain(W, H, QTRI_PANEL_RGB565, to);
             const qtri_panel_description mapped = QTRI_FRAMEBUFFER(W, H, QTRI_PANEL_RGB565, to);
-            assert_int_equal(qtri_panel_init(&panel, &d, &other, QTRI_ROTATE_0, line, sizeof line),
-                             QTRI_OK);
+            assert_ok(qtri_panel_init(&panel, &d, &other, QTRI_ROTATE_0, line, sizeof line));
             r[i].count = 0;
-            assert_int_equal(qtri_panel_write(&panel, &whole.surface), QTRI_OK);
-            assert_int_equal(
-                qtri_panel_init(&panel, &mapped, NULL, QTRI_ROTATE_0, memory[i], sizeof memory[i]),
-                QTRI_OK);
-            assert_int_equal(qtri_panel_write(&panel, &whole.surface), QTRI_OK);
+            assert_ok(qtri_panel_write(&panel, &whole.surface));
+            assert_ok(
+                qtri_panel_init(&panel, &mapped, NULL, QTRI_ROTATE_0, memory[i], sizeof memory[i]));
+            assert_ok(qtri_panel_write(&panel, &whole.surface));
         }
         assert_int_equal(r[0].count, r[1].count);
         assert_memory_equal(r[0].data, r[1].data, 2 * W * H);
@@ -411,12 +403,11 @@ TEST(gray_that_mirrors_itself)
         d.orientation_command = 0x36;
         module.mirror_columns = (n & 1) != 0;
         module.mirror_rows = (n & 2) != 0;
-        assert_int_equal(qtri_panel_init_module(&panel, &d, &module, &bus, QTRI_ROTATE_0, memory,
-                                                n & 4 ? sizeof memory : ROW),
-                         QTRI_OK);
+        assert_ok(qtri_panel_init_module(&panel, &d, &module, &bus, QTRI_ROTATE_0, memory,
+                                         n & 4 ? sizeof memory : ROW));
         assert_int_equal(r.commands, 1);
         r.count = 0;
-        assert_int_equal(qtri_panel_write(&panel, &whole.surface), QTRI_OK);
+        assert_ok(qtri_panel_write(&panel, &whole.surface));
         assert_int_equal(r.count, sizeof want);
         if (n == 0) {
             memcpy(want, r.data, sizeof want);
@@ -447,13 +438,12 @@ TEST(completion_passes_pins)
         const size_t bytes = memory_bytes(s.description, true);
         s.memory = (uint8_t *)malloc(bytes);
         assert_non_null(s.memory);
-        assert_int_equal(
-            qtri_panel_init(&s.panel, s.description, bus, QTRI_ROTATE_0, s.memory, bytes), QTRI_OK);
+        assert_ok(qtri_panel_init(&s.panel, s.description, bus, QTRI_ROTATE_0, s.memory, bytes));
         canvas whole =
             canvas_new(&qtri_gray8, qtri_panel_width(&s.panel), qtri_panel_height(&s.panel));
         draw_picture(&whole.surface, 5);
-        assert_int_equal(qtri_panel_write(&s.panel, &whole.surface), QTRI_OK);
-        assert_int_equal(qtri_panel_refresh(&s.panel), QTRI_OK);
+        assert_ok(qtri_panel_write(&s.panel, &whole.surface));
+        assert_ok(qtri_panel_refresh(&s.panel));
         uint32_t *expected = picture_expected(&whole.surface, &s.panel);
         assert_seen(&s, expected);
         free(expected);
@@ -470,11 +460,11 @@ TEST(i2c_without_reset)
     static setup s;
     setup_init(&s, 2);
     s.wire.i2c.reset = NULL;
-    assert_int_equal(qtri_i2c_bus(&s.wire.bus, &s.wire.i2c), QTRI_OK);
+    assert_ok(qtri_i2c_bus(&s.wire.bus, &s.wire.i2c));
     assert_null(s.wire.bus.reset);
     chip_reset_pin(&s.sim.chip, true); /* what the module does when it gets its supply */
     chip_reset_pin(&s.sim.chip, false);
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
     assert_chip_content(&s.sim.chip);
     setup_end(&s);
 }
@@ -512,17 +502,17 @@ TEST(changes_alone_of_any_size)
         s.sim.ssd1680.height = h;
         s.sim.ssd1680.first_column = glass[i].column;
         s.sim.ssd1680.first_row = glass[i].row;
-        assert_int_equal(setup_start(&s, (qtri_rotation)(n % 4), true), QTRI_OK);
+        assert_ok(setup_start(&s, (qtri_rotation)(n % 4), true));
         const size_t bytes = QTRI_PANEL_IMAGE_BYTES(w, h, QTRI_PANEL_GRAY1);
         for (uint64_t k = 0; k < 3; k++) {
             canvas whole =
                 canvas_new(&qtri_gray8, qtri_panel_width(&s.panel), qtri_panel_height(&s.panel));
             draw_picture(&whole.surface, 3 + k);
             uint32_t *expected = picture_expected(&whole.surface, &s.panel);
-            assert_int_equal(qtri_panel_write(&s.panel, &whole.surface), QTRI_OK);
-            assert_int_equal(qtri_panel_finish(&s.panel), QTRI_OK);
+            assert_ok(qtri_panel_write(&s.panel, &whole.surface));
+            assert_ok(qtri_panel_finish(&s.panel));
             const size_t before = s.wire.data_bytes;
-            assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_OK);
+            assert_ok(qtri_panel_refresh_changes(&s.panel));
             /* Parameters besides: one byte of a refresh or seven of one of changes, nine of the
                window. */
             assert_int_equal(s.wire.data_bytes - before, bytes + 9 + (k == 0 ? 1 : 7));

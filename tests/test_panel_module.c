@@ -28,11 +28,11 @@ static void assert_shows(setup *s, int32_t rows)
     for (int32_t first = 0; first < h; first += rows) {
         canvas band = canvas_band(&qtri_rgb565, w, h, first, rows);
         draw_picture(&band.surface, 5);
-        assert_int_equal(qtri_panel_write(&s->panel, &band.surface), QTRI_OK);
-        assert_int_equal(qtri_panel_finish(&s->panel), QTRI_OK);
+        assert_ok(qtri_panel_write(&s->panel, &band.surface));
+        assert_ok(qtri_panel_finish(&s->panel));
         canvas_free(&band);
     }
-    assert_int_equal(qtri_panel_refresh(&s->panel), QTRI_OK);
+    assert_ok(qtri_panel_refresh(&s->panel));
     assert_seen(s, expected);
     free(expected);
     canvas_free(&whole);
@@ -63,7 +63,7 @@ TEST(offsets)
             s.sim.ssd1680.first_column = 16;
             s.sim.ssd1680.first_row = 40;
         }
-        assert_int_equal(start_module(&s, &module, rotation, true), QTRI_OK);
+        assert_ok(start_module(&s, &module, rotation, true));
         assert_shows(&s, qtri_panel_height(&s.panel));
         assert_shows(&s, 7);
         setup_end(&s);
@@ -102,7 +102,7 @@ TEST(mounted_otherwise)
             module.mirror_rows = (how & 2) != 0;
             module.swap_red_blue = is_lcd && how == 1;
             module.invert = is_lcd && how == 2;
-            assert_int_equal(start_module(&s, &module, (qtri_rotation)(n % 4), true), QTRI_OK);
+            assert_ok(start_module(&s, &module, (qtri_rotation)(n % 4), true));
             if (is_lcd) {
                 lcd_glass *g = setup_glass(&s);
                 g->blue_first ^= module.swap_red_blue;
@@ -117,9 +117,9 @@ TEST(mounted_otherwise)
                 canvas whole = canvas_new(&qtri_rgb565, w, h);
                 draw_picture(&whole.surface, 5);
                 uint32_t *expected = picture_expected(&whole.surface, &s.panel);
-                assert_int_equal(qtri_panel_write(&s.panel, &whole.surface), QTRI_OK);
-                assert_int_equal(qtri_panel_finish(&s.panel), QTRI_OK);
-                assert_int_equal(qtri_panel_refresh(&s.panel), QTRI_OK);
+                assert_ok(qtri_panel_write(&s.panel, &whole.surface));
+                assert_ok(qtri_panel_finish(&s.panel));
+                assert_ok(qtri_panel_refresh(&s.panel));
                 assert_chip_content(&s.sim.chip);
                 bool across = turned ? module.mirror_rows : module.mirror_columns;
                 bool down = turned ? module.mirror_columns : module.mirror_rows;
@@ -145,14 +145,14 @@ TEST(mirrored_rows)
     for (int n = 0; n < 3 * 16; n++) {
         setup_init(&s, numbers[n / 16]);
         qtri_module module = {false, false, (n & 1) != 0, (n & 2) != 0, 0, 0};
-        assert_int_equal(start_module(&s, &module, (qtri_rotation)(n / 4 % 4), false), QTRI_OK);
+        assert_ok(start_module(&s, &module, (qtri_rotation)(n / 4 % 4), false));
         qtri_module none = {false, false, false, false, 0, 0};
         int32_t w = qtri_panel_width(&s.panel);
         int32_t h = qtri_panel_height(&s.panel);
         canvas whole = canvas_new(&qtri_rgb565, w, h);
         draw_picture(&whole.surface, 9);
         qtri_rect rect = {8, 16, 40, 32};
-        assert_int_equal(qtri_panel_write_rect(&s.panel, &whole.surface, rect), QTRI_OK);
+        assert_ok(qtri_panel_write_rect(&s.panel, &whole.surface, rect));
         assert_chip_content(&s.sim.chip);
         uint32_t *few = (uint32_t *)malloc((size_t)w * (size_t)h * sizeof *few);
         assert_non_null(few);
@@ -161,10 +161,9 @@ TEST(mirrored_rows)
         }
         setup_end(&s);
         setup_init(&s, numbers[n / 16]);
-        assert_int_equal(
-            start_module(&s, (n & 3) != 0 ? &module : &none, (qtri_rotation)(n / 4 % 4), true),
-            QTRI_OK);
-        assert_int_equal(qtri_panel_write_rect(&s.panel, &whole.surface, rect), QTRI_OK);
+        assert_ok(
+            start_module(&s, (n & 3) != 0 ? &module : &none, (qtri_rotation)(n / 4 % 4), true));
+        assert_ok(qtri_panel_write_rect(&s.panel, &whole.surface, rect));
         assert_seen(&s, few);
         free(few);
         canvas_free(&whole);
@@ -185,7 +184,7 @@ TEST(cannot)
     assert_int_equal(start_module(&s, &white, QTRI_ROTATE_0, true), QTRI_ERROR_SIZE);
     setup_end(&s);
     setup_init(&s, 0);
-    assert_int_equal(start_module(&s, &white, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_ok(start_module(&s, &white, QTRI_ROTATE_0, true));
     assert_true(s.sim.ssd1306.drive.inverse);
     setup_end(&s);
 }
@@ -205,7 +204,7 @@ TEST(too_many_parameters)
     assert_int_equal(counted[2].parameters[3], 239);
     assert_int_equal(counted[3].count, 15);
     setup_init(&s, 7);
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
     int calls = s.wire.calls;
     qtri_panel_step step = {0xE0, QTRI_STEP_PARAMETERS + 1, {0}, 0};
     assert_int_equal(qtri_panel_send(&s.panel, &step, 1), QTRI_ERROR_SIZE);
@@ -221,7 +220,7 @@ TEST(split_transfers)
         setup_init(&s, n);
         s.wire.bus.most_bytes = 62;
         s.wire.most_bytes = 62;
-        assert_int_equal(setup_start(&s, QTRI_ROTATE_90, true), QTRI_OK);
+        assert_ok(setup_start(&s, QTRI_ROTATE_90, true));
         assert_shows(&s, qtri_panel_height(&s.panel));
         setup_end(&s);
     }
@@ -286,10 +285,8 @@ TEST(hidden)
     qtri_panel panel;
     qtri_frame frame;
     qtri_surface band;
-    assert_int_equal(
-        qtri_panel_init(&panel, &qtri_ili9341, &bus, QTRI_ROTATE_90, line, sizeof line), QTRI_OK);
-    assert_int_equal(
-        qtri_frame_init(&frame, &qtri_rgb565_swapped, W, H, ROWS, memory, sizeof memory), QTRI_OK);
+    assert_ok(qtri_panel_init(&panel, &qtri_ili9341, &bus, QTRI_ROTATE_90, line, sizeof line));
+    assert_ok(qtri_frame_init(&frame, &qtri_rgb565_swapped, W, H, ROWS, memory, sizeof memory));
     clock.waited = clock.sent = 0;
     for (int i = 0; i < 3; i++) {
         while (qtri_frame_next_band(&frame, &band)) {
@@ -298,14 +295,14 @@ TEST(hidden)
                         clock.bytes + band.width * 2 * band.rows <= band.pixels ||
                         clock.bytes >= band.pixels + band.width * 2 * band.rows);
             clock.now += (uint64_t)band.width * 2 * (uint64_t)band.rows; /* drawing */
-            assert_int_equal(qtri_panel_write(&panel, &band), QTRI_OK);
+            assert_ok(qtri_panel_write(&panel, &band));
         }
     }
     assert_int_equal(clock.sent / 3, W * H * 2 + H / ROWS * 11);
     print_message("hidden: %.2f %% of %d bytes\n",
                   100.0 * (1.0 - (double)clock.waited / (double)clock.sent), (int)clock.sent);
     assert_true((double)clock.waited <= .05 * (double)clock.sent);
-    assert_int_equal(qtri_panel_finish(&panel), QTRI_OK);
+    assert_ok(qtri_panel_finish(&panel));
 }
 
 /*
@@ -320,21 +317,21 @@ TEST(changes_alone)
         setup_init(&s, 6);
         s.description = &qtri_ssd1680_partial;
         assert_int_equal(setup_start(&s, (qtri_rotation)rotation, false), QTRI_ERROR_MEMORY);
-        assert_int_equal(setup_start(&s, (qtri_rotation)rotation, true), QTRI_OK);
+        assert_ok(setup_start(&s, (qtri_rotation)rotation, true));
         int32_t w = qtri_panel_width(&s.panel), h = qtri_panel_height(&s.panel);
         canvas whole = canvas_new(&qtri_gray8, w, h);
         draw_picture(&whole.surface, 3);
-        assert_int_equal(qtri_panel_write(&s.panel, &whole.surface), QTRI_OK);
-        assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_OK);
+        assert_ok(qtri_panel_write(&s.panel, &whole.surface));
+        assert_ok(qtri_panel_refresh_changes(&s.panel));
         assert_int_equal(s.sim.ssd1680.refreshes, 1);
         for (int i = 0; i < 3; i++) {
             qtri_rect rect = {8 + 9 * i, 16, 40 + 9 * i, 33};
             whole.surface.scissor = rect;
             qtri_rgb gray = {(uint8_t)(70 * i), 0, 90};
             qtri_surface_clear(&whole.surface, gray);
-            assert_int_equal(qtri_panel_write_rect(&s.panel, &whole.surface, rect), QTRI_OK);
+            assert_ok(qtri_panel_write_rect(&s.panel, &whole.surface, rect));
             uint64_t before = s.sim.chip.now_ms;
-            assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_OK);
+            assert_ok(qtri_panel_refresh_changes(&s.panel));
             assert_true(s.sim.chip.now_ms - before <= 400);
             uint32_t *expected = picture_expected(&whole.surface, &s.panel);
             assert_seen(&s, expected);
@@ -342,9 +339,9 @@ TEST(changes_alone)
         }
         assert_int_equal(s.sim.ssd1680.refreshes, 1);
         assert_int_equal(s.sim.ssd1680.partial_refreshes, 3);
-        assert_int_equal(qtri_panel_refresh(&s.panel), QTRI_OK);
+        assert_ok(qtri_panel_refresh(&s.panel));
         assert_int_equal(s.sim.ssd1680.refreshes, 2);
-        assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_OK);
+        assert_ok(qtri_panel_refresh_changes(&s.panel));
         assert_int_equal(s.sim.ssd1680.partial_refreshes, 4);
         assert_chip_content(&s.sim.chip);
 
@@ -352,16 +349,16 @@ TEST(changes_alone)
         s.wire.fail_at = s.wire.calls + 3;
         assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_ERROR_BUS);
         s.wire.fail_at = 0;
-        assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_OK);
+        assert_ok(qtri_panel_refresh_changes(&s.panel));
         assert_int_equal(s.sim.ssd1680.refreshes, 3);
         canvas_free(&whole);
         setup_end(&s);
     }
     /* Displays without it: as a refresh, here of nothing. */
     setup_init(&s, 7);
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
     int calls = s.wire.calls;
-    assert_int_equal(qtri_panel_refresh_changes(&s.panel), QTRI_OK);
+    assert_ok(qtri_panel_refresh_changes(&s.panel));
     assert_int_equal(s.wire.calls, calls);
     setup_end(&s);
 }
@@ -457,23 +454,22 @@ TEST(completion)
         it.due = n / 2;
         const qtri_bus *watched = qtri_completion_init(&it.completion, &it.bus, count_done, &it);
         qtri_panel panel;
-        assert_int_equal(
-            qtri_panel_init(&panel, &qtri_ili9341, watched, QTRI_ROTATE_0, line, sizeof line),
-            QTRI_OK);
+        assert_ok(
+            qtri_panel_init(&panel, &qtri_ili9341, watched, QTRI_ROTATE_0, line, sizeof line));
         canvas band = canvas_new(&qtri_rgb565, 240, 320);
         int before = it.starts;
         assert_int_equal(it.done, 0);
         for (int i = 1; i <= 3; i++) {
             qtri_rect rect = {0, 0, W * i, ROWS};
-            assert_int_equal(qtri_panel_write_rect(&panel, &band.surface, rect), QTRI_OK);
+            assert_ok(qtri_panel_write_rect(&panel, &band.surface, rect));
             qtri_completion_notify(&it.completion);
-            assert_int_equal(qtri_panel_finish(&panel), QTRI_OK);
+            assert_ok(qtri_panel_finish(&panel));
             assert_int_equal(it.done, i);
         }
         assert_true(by_dma ? it.starts >= before + 3 * 4 : it.starts == 0);
         qtri_rect rect = {0, 0, W, ROWS};
-        assert_int_equal(qtri_panel_write_rect(&panel, &band.surface, rect), QTRI_OK);
-        assert_int_equal(qtri_panel_finish(&panel), QTRI_OK);
+        assert_ok(qtri_panel_write_rect(&panel, &band.surface, rect));
+        assert_ok(qtri_panel_finish(&panel));
         assert_int_equal(it.done, 3);
         if (by_dma) { /* what did not start is not waited for */
             it.bus.data_start = refuse;
@@ -510,11 +506,11 @@ TEST(tearing)
                  {"1", 0, 0, QTRI_ERROR_BUS},     {"01", 2, 2, QTRI_OK}};
     static setup s;
     setup_init(&s, 8); /* by DMA */
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
-    assert_int_equal(qtri_tearing_on(&s.panel), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
+    assert_ok(qtri_tearing_on(&s.panel));
     canvas whole = canvas_new(&qtri_rgb565, 240, 320);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        assert_int_equal(qtri_panel_write(&s.panel, &whole.surface), QTRI_OK);
+        assert_ok(qtri_panel_write(&s.panel, &whole.surface));
         te.levels = cases[i].levels;
         te.reads = 0;
         assert_int_equal(qtri_tearing_wait(&s.panel, te_is_high, cases[i].most), cases[i].error);
@@ -525,7 +521,7 @@ TEST(tearing)
     canvas_free(&whole);
     setup_end(&s);
     setup_init(&s, 0);
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
     int calls = s.wire.calls;
     assert_int_equal(qtri_tearing_on(&s.panel), QTRI_ERROR_SIZE);
     assert_int_equal(s.wire.calls, calls);

@@ -211,9 +211,9 @@ static bool shows(setup *s)
     canvas whole = canvas_new(&qtri_rgb565, w, h);
     draw_picture(&whole.surface, 1);
     uint32_t *expected = picture_expected(&whole.surface, &s->panel);
-    assert_int_equal(qtri_panel_write(&s->panel, &whole.surface), QTRI_OK);
-    assert_int_equal(qtri_panel_finish(&s->panel), QTRI_OK);
-    assert_int_equal(qtri_panel_refresh(&s->panel), QTRI_OK);
+    assert_ok(qtri_panel_write(&s->panel, &whole.surface));
+    assert_ok(qtri_panel_finish(&s->panel));
+    assert_ok(qtri_panel_refresh(&s->panel));
     bool same = true;
     for (int32_t i = 0; i < w * h && s->sim.chip.error[0] == '\0'; i++) {
         same = same && seen_at(s, s->panel.rotation, i % w, i / w) == expected[i];
@@ -296,7 +296,7 @@ TEST(broken_sequences)
         d.init = steps;
         d.init_count = count;
         s.description = &d;
-        assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+        assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
         bool same = shows(&s);
         const char *error = s.sim.chip.error;
         if (faults[i].error == NULL ? error[0] != '\0' || same
@@ -344,11 +344,11 @@ TEST(broken_fields)
             break;
         }
         s.description = &d;
-        assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+        assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
         bool same = n == 3 ? false : true;
         if (n == 3) { /* the glass of the simulation is narrower than that */
             canvas whole = canvas_new(&qtri_rgb565, 241, 320);
-            assert_int_equal(qtri_panel_write(&s.panel, &whole.surface), QTRI_OK);
+            assert_ok(qtri_panel_write(&s.panel, &whole.surface));
             canvas_free(&whole);
         } else {
             same = shows(&s);

@@ -50,17 +50,16 @@ TEST(every_display_shows_what_is_drawn)
                                  ? QTRI_SCREEN_BYTES(width, rows, format->pixels->bytes)
                                  : QTRI_FRAME_BYTES(width, rows, format->pixels->bytes) +
                                        QTRI_PANEL_LINE_BYTES(width);
-        assert_int_equal(qtri_screen_init(&screen, s.description, &s.wire.bus, rotation, format,
-                                          rows, memory, bytes),
-                         QTRI_OK);
+        assert_ok(qtri_screen_init(&screen, s.description, &s.wire.bus, rotation, format, rows,
+                                   memory, bytes));
         for (uint64_t frame = 0; frame < 2; frame++) {
             while (qtri_screen_next(&screen, &band)) {
                 draw_picture(&band, (uint64_t)n + frame);
             }
-            assert_int_equal(screen.error, QTRI_OK);
-            assert_int_equal(qtri_panel_finish(&screen.panel), QTRI_OK);
+            assert_ok(screen.error);
+            assert_ok(qtri_panel_finish(&screen.panel));
             if (s.description->refresh != NULL) {
-                assert_int_equal(qtri_panel_refresh(&screen.panel), QTRI_OK);
+                assert_ok(qtri_panel_refresh(&screen.panel));
             }
             assert_shows(&s, &screen, format, (uint64_t)n + frame);
         }
@@ -79,18 +78,16 @@ TEST(only_what_is_shown_is_sent)
         qtri_screen screen;
         qtri_surface band;
         setup_init(&s, ILI9341_DMA);
-        assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+        assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
         screen.panel = s.panel;
-        assert_int_equal(qtri_screen_begin(&screen, &qtri_rgb565, ROWS, memory, sizeof memory),
-                         QTRI_OK);
-        assert_int_equal(qtri_frame_set_overlap(&screen.frame, 2, keeps ? kept : NULL, sizeof kept),
-                         QTRI_OK);
+        assert_ok(qtri_screen_begin(&screen, &qtri_rgb565, ROWS, memory, sizeof memory));
+        assert_ok(qtri_frame_set_overlap(&screen.frame, 2, keeps ? kept : NULL, sizeof kept));
         s.wire.data_bytes = 0;
         while (qtri_screen_next(&screen, &band)) {
             draw_picture(&band, 5);
             qtri_frame_join(&screen.frame, &band);
         }
-        assert_int_equal(qtri_panel_finish(&screen.panel), QTRI_OK);
+        assert_ok(qtri_panel_finish(&screen.panel));
         assert_in_range(s.wire.data_bytes, 2 * 240 * 320, 2 * 240 * 320 + 20 * 16);
         assert_shows(&s, &screen, &qtri_rgb565, 5);
         if (!keeps) {
@@ -101,7 +98,7 @@ TEST(only_what_is_shown_is_sent)
             while (qtri_screen_next(&screen, &band)) {
                 draw_picture(&band, 5);
             }
-            assert_int_equal(qtri_panel_finish(&screen.panel), QTRI_OK);
+            assert_ok(qtri_panel_finish(&screen.panel));
             assert_in_range(s.wire.data_bytes, 2 * 14 * 34, 2 * 14 * 34 + 3 * 16);
             assert_shows(&s, &screen, &qtri_rgb565, 5);
         }
@@ -172,16 +169,15 @@ TEST(pixels_have_the_order_of_the_display)
         const size_t bytes = has_two ? QTRI_SCREEN_BYTES(W, rows + 2 * overlap, QTRI_RGB565_BYTES)
                                      : QTRI_FRAME_BYTES(W, rows + 2 * overlap, QTRI_RGB565_BYTES) +
                                            QTRI_PANEL_LINE_BYTES(W);
-        assert_int_equal(
-            qtri_screen_init(&screen, &d, &bus, QTRI_ROTATE_0, &qtri_rgb565, rows, words, bytes),
-            QTRI_OK);
-        assert_int_equal(qtri_frame_set_overlap(&screen.frame, overlap, NULL, 0), QTRI_OK);
+        assert_ok(
+            qtri_screen_init(&screen, &d, &bus, QTRI_ROTATE_0, &qtri_rgb565, rows, words, bytes));
+        assert_ok(qtri_frame_set_overlap(&screen.frame, overlap, NULL, 0));
         assert_int_equal(screen.frame.other_pixels != NULL, has_two);
         t.count = 0;
         while (qtri_screen_next(&screen, &band)) {
             draw_picture(&band, 6);
         }
-        assert_int_equal(screen.error, QTRI_OK);
+        assert_ok(screen.error);
         assert_int_equal(t.count, 2 * W * H);
         for (int32_t i = 0; i < W * H; i++) {
             const uint32_t pixel = stored_pixel(&whole.surface, i % W, i / W);
@@ -197,10 +193,9 @@ TEST(pixels_have_the_order_of_the_display)
         QTRI_FRAMEBUFFER(W, H, QTRI_PANEL_RGB565, QTRI_ORDER_NATIVE);
     qtri_screen screen;
     qtri_surface band;
-    assert_int_equal(qtri_panel_init(&screen.panel, &mapped, NULL, QTRI_ROTATE_0, shown_memory,
-                                     sizeof shown_memory),
-                     QTRI_OK);
-    assert_int_equal(qtri_screen_begin(&screen, &qtri_rgb565, 2, words, sizeof words), QTRI_OK);
+    assert_ok(qtri_panel_init(&screen.panel, &mapped, NULL, QTRI_ROTATE_0, shown_memory,
+                              sizeof shown_memory));
+    assert_ok(qtri_screen_begin(&screen, &qtri_rgb565, 2, words, sizeof words));
     while (qtri_screen_next(&screen, &band)) {
         draw_picture(&band, 6);
     }
@@ -215,9 +210,8 @@ TEST(bands_are_cleared)
     qtri_screen screen;
     qtri_surface band;
     setup_init(&s, 7);
-    assert_int_equal(qtri_screen_init(&screen, s.description, &s.wire.bus, QTRI_ROTATE_0,
-                                      &qtri_xrgb8888, 16, memory, sizeof memory),
-                     QTRI_OK);
+    assert_ok(qtri_screen_init(&screen, s.description, &s.wire.bus, QTRI_ROTATE_0, &qtri_xrgb8888,
+                               16, memory, sizeof memory));
     for (int i = 0; i < 2; i++) {
         while (qtri_screen_next(&screen, &band)) {
             const qtri_rgb is = qtri_surface_pixel(&band, 3, band.first_row);
@@ -259,9 +253,8 @@ TEST(errors_end_the_frame)
     setup_end(&s);
     /* While it shows: the frame ends, and the next one is whole again. */
     setup_init(&s, 7);
-    assert_int_equal(qtri_screen_init(&screen, s.description, &s.wire.bus, QTRI_ROTATE_0,
-                                      &qtri_rgb565, 16, memory, sizeof memory),
-                     QTRI_OK);
+    assert_ok(qtri_screen_init(&screen, s.description, &s.wire.bus, QTRI_ROTATE_0, &qtri_rgb565, 16,
+                               memory, sizeof memory));
     s.wire.fail_at = s.wire.calls + 9;
     int bands = 0;
     while (qtri_screen_next(&screen, &band)) {
@@ -272,7 +265,7 @@ TEST(errors_end_the_frame)
     while (qtri_screen_next(&screen, &band)) {
         draw_picture(&band, 7);
     }
-    assert_int_equal(screen.error, QTRI_OK);
+    assert_ok(screen.error);
     assert_shows(&s, &screen, &qtri_rgb565, 7);
     setup_end(&s);
 }

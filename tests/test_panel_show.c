@@ -13,15 +13,15 @@ static void send_bands(setup *s, const qtri_format *format, int32_t rows, uint64
     for (int32_t first = 0; first < h; first += rows) {
         canvas band = canvas_band(format, w, h, first, rows);
         draw_picture(&band.surface, seed);
-        assert_int_equal(qtri_panel_write(&s->panel, &band.surface), QTRI_OK);
+        assert_ok(qtri_panel_write(&s->panel, &band.surface));
         if (format == &qtri_rgb565_swapped) { /* may go out without a copy */
-            assert_int_equal(qtri_panel_finish(&s->panel), QTRI_OK);
+            assert_ok(qtri_panel_finish(&s->panel));
         }
         canvas_clear(&band); /* nothing of it is on its way */
         canvas_free(&band);
     }
-    assert_int_equal(qtri_panel_finish(&s->panel), QTRI_OK);
-    assert_int_equal(qtri_panel_refresh(&s->panel), QTRI_OK);
+    assert_ok(qtri_panel_finish(&s->panel));
+    assert_ok(qtri_panel_refresh(&s->panel));
 }
 
 /* On and dark after init, turned any way, with any memory; e-paper keeps what it showed. */
@@ -30,7 +30,7 @@ TEST(dark)
     static setup s;
     for (int n = 0; n < SETUPS * 8; n++) {
         setup_init(&s, n / 8);
-        assert_int_equal(setup_start(&s, (qtri_rotation)(n % 4), n % 8 < 4), QTRI_OK);
+        assert_ok(setup_start(&s, (qtri_rotation)(n % 4), n % 8 < 4));
         size_t count = (size_t)s.description->width * s.description->height;
         uint32_t *black = (uint32_t *)calloc(count, sizeof *black);
         assert_non_null(black);
@@ -58,7 +58,7 @@ TEST(bands)
     for (int n = 0; n < SETUPS; n++) {
         for (int rotation = 0; rotation < 4; rotation++) {
             setup_init(&s, n);
-            assert_int_equal(setup_start(&s, (qtri_rotation)rotation, true), QTRI_OK);
+            assert_ok(setup_start(&s, (qtri_rotation)rotation, true));
             int32_t w = qtri_panel_width(&s.panel);
             int32_t h = qtri_panel_height(&s.panel);
             const int32_t heights[] = {h, 16, 7, 1};
@@ -87,7 +87,7 @@ TEST(least_memory)
     for (int n = 0; n < SETUPS; n++) {
         for (int rotation = 0; rotation < 4; rotation++) {
             setup_init(&s, n);
-            assert_int_equal(setup_start(&s, (qtri_rotation)rotation, false), QTRI_OK);
+            assert_ok(setup_start(&s, (qtri_rotation)rotation, false));
             int32_t w = qtri_panel_width(&s.panel);
             int32_t h = qtri_panel_height(&s.panel);
             bool pages = s.description->format == QTRI_PANEL_GRAY1_PAGE;
@@ -128,7 +128,7 @@ TEST(rectangles)
     for (int n = 0; n < SETUPS; n++) {
         for (int rotation = 0; rotation < 4; rotation++) {
             setup_init(&s, n);
-            assert_int_equal(setup_start(&s, (qtri_rotation)rotation, true), QTRI_OK);
+            assert_ok(setup_start(&s, (qtri_rotation)rotation, true));
             int32_t w = qtri_panel_width(&s.panel);
             int32_t h = qtri_panel_height(&s.panel);
             canvas before = canvas_new(&qtri_rgb565, w, h);
@@ -137,7 +137,7 @@ TEST(rectangles)
             draw_picture(&after.surface, 2);
             uint32_t *expected = picture_expected(&before.surface, &s.panel);
             uint32_t *changed = picture_expected(&after.surface, &s.panel);
-            assert_int_equal(qtri_panel_write(&s.panel, &before.surface), QTRI_OK);
+            assert_ok(qtri_panel_write(&s.panel, &before.surface));
             for (int i = 0; i < 6; i++) {
                 int32_t x = random_in(&random, -9, w - 1);
                 int32_t y = random_in(&random, -9, h - 1);
@@ -146,13 +146,13 @@ TEST(rectangles)
                 int32_t rows = i % 2 == 0 ? h : random_in(&random, 1, 40);
                 canvas band = canvas_band(&qtri_rgb565, w, h, first, rows);
                 draw_picture(&band.surface, 2);
-                assert_int_equal(qtri_panel_write_rect(&s.panel, &band.surface, rect), QTRI_OK);
+                assert_ok(qtri_panel_write_rect(&s.panel, &band.surface, rect));
                 for (int32_t j = 0; j < w * h; j++) {
                     bool inside = j % w >= rect.x0 && j % w < rect.x1 && j / w >= rect.y0 &&
                                   j / w < rect.y1 && j / w >= first && j / w < first + rows;
                     expected[j] = inside ? changed[j] : expected[j];
                 }
-                assert_int_equal(qtri_panel_refresh(&s.panel), QTRI_OK);
+                assert_ok(qtri_panel_refresh(&s.panel));
                 canvas_free(&band);
             }
             assert_seen(&s, expected);
@@ -173,7 +173,7 @@ TEST(diffusion)
     for (size_t n = 0; n < LENGTH_OF(setups); n++) {
         for (int rotation = 0; rotation < 4; rotation++) {
             setup_init(&s, setups[n]);
-            assert_int_equal(setup_start(&s, (qtri_rotation)rotation, true), QTRI_OK);
+            assert_ok(setup_start(&s, (qtri_rotation)rotation, true));
             int32_t w = qtri_panel_width(&s.panel);
             int32_t h = qtri_panel_height(&s.panel);
             int16_t errors[256];
@@ -184,7 +184,7 @@ TEST(diffusion)
             uint8_t *levels = (uint8_t *)malloc((size_t)w);
             assert_non_null(levels);
             qtri_diffusion d;
-            assert_int_equal(qtri_diffusion_init(&d, w, errors, 256), QTRI_OK);
+            assert_ok(qtri_diffusion_init(&d, w, errors, 256));
             for (int32_t y = 0; y < h; y++) {
                 qtri_surface_gray(&whole.surface, 0, y, w, levels);
                 qtri_diffuse_row(&d, max_level, 0, y, levels, w, levels);
@@ -231,7 +231,7 @@ TEST(framebuffers)
         qtri_panel panel;
         assert_int_equal(qtri_panel_init(&panel, &d, NULL, rotation, memory, size - 1),
                          QTRI_ERROR_MEMORY);
-        assert_int_equal(qtri_panel_init(&panel, &d, NULL, rotation, memory, size), QTRI_OK);
+        assert_ok(qtri_panel_init(&panel, &d, NULL, rotation, memory, size));
         int32_t w = qtri_panel_width(&panel);
         int32_t h = qtri_panel_height(&panel);
         canvas whole = canvas_new(format, w, h);
@@ -239,7 +239,7 @@ TEST(framebuffers)
         for (int32_t first = 0; first < h; first += 5) {
             canvas band = canvas_band(format, w, h, first, 5);
             draw_picture(&band.surface, 11);
-            assert_int_equal(qtri_panel_write(&panel, &band.surface), QTRI_OK);
+            assert_ok(qtri_panel_write(&panel, &band.surface));
             canvas_free(&band);
         }
         uint32_t *expected = picture_expected(&whole.surface, &panel);
@@ -292,7 +292,7 @@ TEST(dithered_colors)
     static const qtri_format *const wide[2] = {&qtri_xrgb8888, &qtri_rgb888};
     for (int rotation = 0; rotation < 4; rotation++) {
         setup_init(&s, 15);
-        assert_int_equal(setup_start(&s, (qtri_rotation)rotation, true), QTRI_OK);
+        assert_ok(setup_start(&s, (qtri_rotation)rotation, true));
         s.panel.dither_565 = qtri_dither_row_565;
         const int32_t w = qtri_panel_width(&s.panel), h = qtri_panel_height(&s.panel);
         canvas whole = canvas_new(wide[rotation % 2], w, h);
@@ -316,7 +316,7 @@ TEST(dithered_colors)
             assert_seen(&s, expected);
         }
         const qtri_rect rect = {3, 5, 50, 60};
-        assert_int_equal(qtri_panel_write_rect(&s.panel, &whole.surface, rect), QTRI_OK);
+        assert_ok(qtri_panel_write_rect(&s.panel, &whole.surface, rect));
         assert_seen(&s, expected);
         free(expected);
         canvas_free(&whole);
@@ -334,21 +334,21 @@ TEST(native_order)
     qtri_panel_description d = qtri_ili9341;
     d.order = little ? QTRI_ORDER_NATIVE : QTRI_ORDER_LITTLE;
     s.description = &d;
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
     canvas whole = canvas_new(&qtri_rgb565, 240, 320);
     draw_picture(&whole.surface, 5);
     uint8_t *copy = (uint8_t *)malloc(240 * 320 * 2);
     assert_non_null(copy);
     memcpy(copy, whole.surface.pixels, 240 * 320 * 2);
-    assert_int_equal(qtri_panel_write(&s.panel, &whole.surface), QTRI_OK);
+    assert_ok(qtri_panel_write(&s.panel, &whole.surface));
     if (little) {
         assert_ptr_equal(s.wire.sending, whole.surface.pixels);
         assert_int_equal(s.wire.sending_bytes, 240 * 320 * 2);
     }
     qtri_rect rect = {10, 20, 30, 40};
-    assert_int_equal(qtri_panel_write_rect(&s.panel, &whole.surface, rect), QTRI_OK);
-    assert_int_equal(qtri_panel_finish(&s.panel), QTRI_OK);
-    assert_int_equal(qtri_panel_finish(&s.panel), QTRI_OK); /* once more: nothing to do */
+    assert_ok(qtri_panel_write_rect(&s.panel, &whole.surface, rect));
+    assert_ok(qtri_panel_finish(&s.panel));
+    assert_ok(qtri_panel_finish(&s.panel)); /* once more: nothing to do */
     assert_chip_content(&s.sim.chip);
     for (int32_t y = 0; y < 320; y++) { /* the memory holds the bytes as they came */
         for (int32_t x = 0; x < 240; x++) {
@@ -372,17 +372,17 @@ TEST(swapped)
     qtri_panel_description d = qtri_ili9341;
     d.order = little ? QTRI_ORDER_BIG : QTRI_ORDER_LITTLE;
     s.description = &d;
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_0, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_0, true));
     canvas whole = canvas_new(&qtri_rgb565_swapped, 240, 320);
     uint16_t *pixels = (uint16_t *)(void *)whole.surface.pixels;
     uint64_t seed = 9;
     for (size_t i = 0; i < 240 * 320; i++) {
         pixels[i] = (uint16_t)random64(&seed);
     }
-    assert_int_equal(qtri_panel_write(&s.panel, &whole.surface), QTRI_OK);
+    assert_ok(qtri_panel_write(&s.panel, &whole.surface));
     assert_ptr_equal(s.wire.sending, whole.surface.pixels);
     assert_int_equal(s.wire.sending_bytes, 240 * 320 * 2);
-    assert_int_equal(qtri_panel_finish(&s.panel), QTRI_OK);
+    assert_ok(qtri_panel_finish(&s.panel));
     for (int32_t y = 0; y < 320; y++) {
         for (int32_t x = 0; x < 240; x++) {
             uint16_t stored = pixels[y * 240 + x];

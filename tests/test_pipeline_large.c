@@ -137,9 +137,8 @@ static void make_triangle(triangle *t, int shape)
 static void set_surface(qtri_surface *s, const qtri_format *format, int which)
 {
     const qtri_rgb black = {0, 0, 0};
-    assert_int_equal(
-        qtri_surface_init(s, format, WIDTH, HEIGHT, 0, HEIGHT, memory[which], sizeof memory[which]),
-        QTRI_OK);
+    assert_ok(qtri_surface_init(s, format, WIDTH, HEIGHT, 0, HEIGHT, memory[which],
+                                sizeof memory[which]));
     qtri_surface_clear(s, black);
 }
 

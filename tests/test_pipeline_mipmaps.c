@@ -634,8 +634,7 @@ TEST(draws_batches)
         qtri_corner corners[3 * TRIANGLES];
         qtri_view view;
         qtri_transform pose;
-        qtri_view_init(&view, WIDTH, HEIGHT);
-        qtri_transform_identity(&pose);
+        start_view(&view, &pose, WIDTH, HEIGHT);
         m.cull = QTRI_CULL_NONE;
         m.texture = &t;
         m.texture_mode = n % 2 == 0 ? QTRI_REPLACE : QTRI_MODULATE;
@@ -701,13 +700,8 @@ TEST(does_without)
         draw_by_pipeline(&with.surface, &m, v);
         m.texture = &plain;
         draw_by_pipeline(&without.surface, &m, v);
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            others += stored_pixel(&with.surface, i % WIDTH, i / WIDTH) !=
-                      stored_pixel(&without.surface, i % WIDTH, i / WIDTH);
-        }
-        for (int32_t i = 0; i < WIDTH * HEIGHT; i++) {
-            drawn += stored_pixel(&with.surface, i % WIDTH, i / WIDTH) != 0;
-        }
+        others += count_different(&with.surface, &without.surface);
+        drawn += count_painted(&with.surface);
     }
     print_message("%d of %d pixels differ\n", others, drawn);
     assert_true(drawn > 20000 && others < drawn / 500); /* borders of texels */
@@ -736,9 +730,8 @@ TEST(drawn_with_copies)
         qtri_view view;
         qtri_transform pose;
         qtri_material m = qtri_material_default();
-        assert_int_equal(qtri_light_init(&lights, &off, 0, full), QTRI_OK);
-        qtri_view_init(&view, COLUMNS, ROWS);
-        qtri_transform_identity(&pose);
+        assert_ok(qtri_light_init(&lights, &off, 0, full));
+        start_view(&view, &pose, COLUMNS, ROWS);
         for (int i = 0; i < CORNERS; i++) { /* around the middle, so that all are large */
             const double angle = turn * (i + random_in(&seed, 0, 500) / 1000.0) / 3;
             const double w = random_in(&seed, 0, n % 4 == 0 ? 0 : 2) == 0

@@ -290,8 +290,7 @@ static void make_lights(const qtri_options *o)
     w.reflection.shininess = random_flag(&seed) ? &w.shininess : NULL;
     w.reflection.two_sided = random_flag(&seed);
     w.material.reflection = &w.reflection;
-    assert_int_equal(qtri_light_init(&w.lights, w.sources, (uint32_t)random_in(&seed, 1, 3), dim),
-                     QTRI_OK);
+    assert_ok(qtri_light_init(&w.lights, w.sources, (uint32_t)random_in(&seed, 1, 3), dim));
     w.view.light = &w.lights;
     w.mesh.normals = random_flag(&seed) ? w.normals : NULL;
     w.mesh.colors = random_flag(&seed) ? w.colors : NULL;
@@ -330,9 +329,8 @@ static picture new_picture(const qtri_options *o)
     p.bytes = QTRI_BAND_BYTES_DEPTH(WIDTH, HEIGHT, format->pixels->bytes, depth->bytes) + 2;
     p.memory = (uint8_t *)calloc(1, p.bytes);
     assert_non_null(p.memory);
-    assert_int_equal(
-        surface_with_depth(&p.surface, format, depth, WIDTH, HEIGHT, 0, HEIGHT, p.memory, p.bytes),
-        QTRI_OK);
+    assert_ok(
+        surface_with_depth(&p.surface, format, depth, WIDTH, HEIGHT, 0, HEIGHT, p.memory, p.bytes));
     p.surface.depth += depths_are_apart && depth->bytes == 2 ? 1 : 0;
     qtri_samples_clear(&p.surface, sky);
     if (o->compare == QTRI_GREATER || o->compare == QTRI_GREATER_EQUAL) {
@@ -345,8 +343,7 @@ static void draw(const qtri_surface *surface, const qtri_pipeline *pipeline)
 {
     const qtri_pipeline *const list[] = {pipeline, NULL};
     w.view.pipelines = list;
-    w.view.vertices = w.vertices;
-    w.view.vertex_count = w.vertex_count;
+    give_vertices(&w.view, w.vertices, w.vertex_count);
     qtri_draw_mesh(surface, &w.view, &w.pose, &w.mesh, &w.material);
     w.view.pipelines = NULL;
 }

@@ -237,9 +237,8 @@ static void new_surface(qtri_surface *s, const qtri_options *o, uint8_t *memory,
                         int32_t first_row, int32_t rows)
 {
     memset(memory, 0x5A, bytes);
-    assert_int_equal(surface_with_depth(s, format_of(o->format), depth_format_of(o->depth), WIDTH,
-                                        HEIGHT, first_row, rows, memory, bytes),
-                     QTRI_OK);
+    assert_ok(surface_with_depth(s, format_of(o->format), depth_format_of(o->depth), WIDTH, HEIGHT,
+                                 first_row, rows, memory, bytes));
 }
 
 enum { BYTES = WIDTH * HEIGHT * 8 + 8 };

@@ -68,7 +68,7 @@ TEST(the_sample_shows_the_gear)
     setup_init(&s, ILI9341);
     s.wire.bus.command = watch_command;
     s.wire.bus.data = watch_data;
-    assert_int_equal(setup_start(&s, QTRI_ROTATE_90, true), QTRI_OK);
+    assert_ok(setup_start(&s, QTRI_ROTATE_90, true));
     whole = canvas_new(&qtri_rgb565, 320, 240);
     draw_gear(&whole.surface, (FRAMES - 1) * Q16(2));
     uint32_t *expected = picture_expected(&whole.surface, &s.panel);
@@ -144,9 +144,8 @@ static void how_begin(void)
     how.view.vertex_count = 500;
     qtri_transform_identity(&how.pose);
     how.material = qtri_material_default();
-    assert_int_equal(
-        qtri_frame_init(&how.frame, &qtri_rgb565, 320, 240, 16, how.memory, sizeof how.memory),
-        QTRI_OK);
+    assert_ok(
+        qtri_frame_init(&how.frame, &qtri_rgb565, 320, 240, 16, how.memory, sizeof how.memory));
     qtri_prepared_init(&how.prepared, how.lists, sizeof how.lists);
 }
 
@@ -186,12 +185,10 @@ TEST(outlines_in_bands_are_those_of_the_frame)
     assert_int_equal(how.rows, 240);
     canvas whole = canvas_new(&qtri_rgb565, 320, 240);
     qtri_surface_clear(&whole.surface, sky);
-    assert_int_equal(qtri_outline_init(&outline, readme_gear(), words, LENGTH_OF(words)), QTRI_OK);
-    assert_int_equal(
-        qtri_draw_mesh_outlined(&whole.surface, &how.view, &how.pose, &how.material, &outline),
-        QTRI_OK);
-    assert_int_equal(qtri_edges_begin(&edges, &whole.surface, edge_words, LENGTH_OF(edge_words)),
-                     QTRI_OK);
+    assert_ok(qtri_outline_init(&outline, readme_gear(), words, LENGTH_OF(words)));
+    assert_ok(
+        qtri_draw_mesh_outlined(&whole.surface, &how.view, &how.pose, &how.material, &outline));
+    assert_ok(qtri_edges_begin(&edges, &whole.surface, edge_words, LENGTH_OF(edge_words)));
     qtri_edges_note(&edges, &outline);
     qtri_edges_blend(&edges);
     uint32_t between = 0;
@@ -228,7 +225,7 @@ TEST(the_other_samples_draw)
     canvas_clear(&c);
     draw_wide_by_face(&c.surface, &how.view, &how.pose, readme_gear(), &how.material);
     assert_true(drawn_pixels(&c.surface) > 5000);
-    assert_int_equal(begin_far(&far_frame), QTRI_OK);
+    assert_ok(begin_far(&far_frame));
     canvas_free(&c);
     canvas_free(&other);
 }

@@ -146,9 +146,7 @@ static inline canvas canvas_band(const qtri_format *format, int32_t width, int32
     c.bytes = QTRI_BAND_BYTES(width, rows, format->pixels->bytes);
     c.memory = calloc(1, c.bytes);
     assert_non_null(c.memory);
-    assert_int_equal(
-        qtri_surface_init(&c.surface, format, width, height, first, rows, c.memory, c.bytes),
-        QTRI_OK);
+    assert_ok(qtri_surface_init(&c.surface, format, width, height, first, rows, c.memory, c.bytes));
     qtri_surface_clear(&c.surface, black);
     return c;
 }
@@ -196,6 +194,109 @@ static inline void assert_same_picture(const qtri_surface *whole, const qtri_sur
                 fail_msg("depth %d,%d: %u and %u", (int)x, (int)y, stored_depth(whole, x, y),
                          stored_depth(part, x, y));
             }
+        }
+    }
+}
+
+/* The bands of a frame, cleared to a colour, with what is prepared: the whole's rows. */
+static inline void assert_same_bands(const qtri_surface *whole, qtri_frame *frame,
+                                     const qtri_prepared *prepared, qtri_rgb sky)
+{
+    qtri_surface band;
+    while (qtri_frame_next_band(frame, &band)) {
+        qtri_surface_clear(&band, sky);
+        qtri_draw_prepared(&band, prepared);
+        assert_same_picture(whole, &band);
+    }
+}
+
+/* Band by band, below each other in the memory of the whole frame. */
+static inline void draw_in_bands_of(const canvas *whole, qtri_frame *frame,
+                                    const qtri_prepared *prepared)
+{
+    const qtri_surface *s = &whole->surface;
+    qtri_surface band;
+    while (qtri_frame_next_band(frame, &band)) {
+        band.pixels = s->pixels + band.first_row * s->pitch;
+        band.depth = s->depth + band.first_row * s->depth_pitch;
+        band.pitch = s->pitch;
+        band.depth_pitch = s->depth_pitch;
+        qtri_draw_prepared(&band, prepared);
+    }
+}
+
+/* A view as it is initialised, and a pose that changes nothing. */
+static inline void start_view(qtri_view *view, qtri_transform *pose, int32_t width, int32_t height)
+{
+    qtri_view_init(view, width, height);
+    qtri_transform_identity(pose);
+}
+
+/* Memory of the view's for a mesh's vertices. */
+static inline void give_vertices(qtri_view *view, qtri_vertex *vertices, uint32_t count)
+{
+    view->vertices = vertices;
+    view->vertex_count = count;
+}
+
+/* How many pixels are any colour but black. */
+static inline int count_painted(const qtri_surface *s)
+{
+    int count = 0;
+    for (int32_t i = 0; i < s->width * s->rows; i++) {
+        count += stored_pixel(s, i % s->width, s->first_row + i / s->width) != 0;
+    }
+    return count;
+}
+
+/* How many are not the same on two surfaces of the same rows. */
+static inline int count_different(const qtri_surface *a, const qtri_surface *b)
+{
+    int count = 0;
+    for (int32_t i = 0; i < a->width * a->rows; i++) {
+        const int32_t x = i % a->width, y = a->first_row + i / a->width;
+        count += stored_pixel(a, x, y) != stored_pixel(b, x, y);
+    }
+    return count;
+}
+
+/* The channel that two colours differ in most. */
+static inline int channels_apart(qtri_rgb a, qtri_rgb b)
+{
+    const int red = abs(a.r - b.r), green = abs(a.g - b.g), blue = abs(a.b - b.b);
+    const int most = red > green ? red : green;
+    return most > blue ? most : blue;
+}
+
+/* How many pixels differ by more than so much in a channel, and in depth. */
+static inline int count_apart(const qtri_surface *a, const qtri_surface *b, int most)
+{
+    int count = 0;
+    for (int32_t i = 0; i < a->width * a->rows; i++) {
+        const int32_t x = i % a->width, y = a->first_row + i / a->width;
+        count += channels_apart(qtri_surface_pixel(a, x, y), qtri_surface_pixel(b, x, y)) > most;
+    }
+    return count;
+}
+
+static inline int count_depths_apart(const qtri_surface *a, const qtri_surface *b, int most)
+{
+    int count = 0;
+    for (int32_t i = 0; i < a->width * a->rows; i++) {
+        const int32_t x = i % a->width, y = a->first_row + i / a->width;
+        count += abs(stored_depth(a, x, y) - stored_depth(b, x, y)) > most;
+    }
+    return count;
+}
+
+static inline void assert_close(const qtri_surface *a, const qtri_surface *b, int most)
+{
+    for (int32_t i = 0; i < a->width * a->rows; i++) {
+        const int32_t x = i % a->width, y = a->first_row + i / a->width;
+        const qtri_rgb p = qtri_surface_pixel(a, x, y), q = qtri_surface_pixel(b, x, y);
+        if (channels_apart(p, q) > most) {
+            fail_msg("pixel %d,%d: %d %d %d and %d %d %d", (int)x, (int)y, p.r, p.g, p.b, q.r, q.g,
+                     q.b);
         }
     }
 }

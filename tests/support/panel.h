@@ -182,7 +182,7 @@ static inline void wire_init(wire *w, chip *to, wiring how)
     } else if (how == WIRE_I2C) {
         qtri_i2c i2c = {w, wire_i2c, wire_wait, wire_reset, w->i2c_buffer, sizeof w->i2c_buffer};
         w->i2c = i2c;
-        assert_int_equal(qtri_i2c_bus(&w->bus, &w->i2c), QTRI_OK);
+        assert_ok(qtri_i2c_bus(&w->bus, &w->i2c));
     }
 }
 

@@ -27,6 +27,9 @@ static size_t listed_count __attribute__((unused));
 
 #define TEST(name) TEST_WITH(name, NULL, NULL)
 
+/* Of what returns an enum qtri_error. */
+#define assert_ok(error) assert_int_equal(error, QTRI_OK)
+
 /* Runs all tests; what is called before the first and after the last, or NULL. Returns how many
    failed. */
 static inline int run_all_tests(CMFixtureFunction before, CMFixtureFunction after)

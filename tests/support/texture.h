@@ -9,6 +9,7 @@
 #include <math.h>
 
 #include "core.h"
+#include "shares.h"
 
 enum { WIDTH = 40, HEIGHT = 36 };
 
@@ -29,18 +30,12 @@ static inline void random_triangle(qtri_screen_vertex v[3], uint64_t *seed, int3
 static inline double perspective_sum(const qtri_screen_vertex v[3], int32_t x, int32_t y,
                                      bool perspective, bool second)
 {
-    double sum = 0;
-    double total = 0;
+    double b[3], sum = 0;
+    shares_at(b, v, x, y, perspective);
     for (int i = 0; i < 3; i++) {
-        const qtri_screen_vertex *p = &v[(i + 1) % 3];
-        const qtri_screen_vertex *q = &v[(i + 2) % 3];
-        double b = (double)(q->x_24p8 - p->x_24p8) * (y * 256 + 128 - p->y_24p8) -
-                   (double)(q->y_24p8 - p->y_24p8) * (x * 256 + 128 - p->x_24p8);
-        b *= perspective ? v[i].inv_w_q31 : 1;
-        sum += b * ldexp((double)(second ? v[i].v_q32 : v[i].u_q32), -32);
-        total += b;
+        sum += b[i] * ldexp((double)(second ? v[i].v_q32 : v[i].u_q32), -32);
     }
-    return sum / total;
+    return sum;
 }
 
 /*
