@@ -740,9 +740,9 @@ TEST(sources_of_a_kind_are_one_run)
     qtri_illumination_init(&by, &view, &pose, &reflection, NULL);
     assert_int_equal(by.count, 2);
     assert_ptr_equal(by.run[0].kind, &qtri_directional_light);
-    assert_int_equal(by.run[0].end - by.shine, 3);
+    assert_int_equal(by.run[0].end - by.source, 3);
     assert_ptr_equal(by.run[1].kind, &qtri_point_light);
-    assert_int_equal(by.run[1].end - by.shine, 5);
+    assert_int_equal(by.run[1].end - by.source, 5);
 }
 
 int main(void)

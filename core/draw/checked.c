@@ -5,14 +5,14 @@
 
 #ifdef QTRI_CHECKED
 
-/* What no builder makes: a last row of zeros, for w = 0 everywhere. */
-static bool is_zero(const qtri_transform *t)
+/* Whether the last row is 0, so that w is 0 everywhere: no builder makes that. */
+static bool has_zero_w(const qtri_transform *t)
 {
     const qtri_row *w = &t->row[3];
     return (w->m[0] | w->m[1] | w->m[2]) == 0 && w->t == 0;
 }
 
-/* 0..1 in Q16.16, and not the plain 1. */
+/* 0..1 in Q16.16, and not an integer 1 in place of Q16_ONE. */
 static bool is_window_depth(q16 z)
 {
     return z >= 0 && z != 1 && z <= Q16_ONE;
@@ -22,9 +22,9 @@ void qtri_check_view(const qtri_view *view, const qtri_transform *pose)
 {
     QTRI_ASSERT(view != NULL);
     QTRI_ASSERT(pose != NULL);
-    QTRI_ASSERT(!is_zero(pose));
-    QTRI_ASSERT(!is_zero(&view->camera));
-    QTRI_ASSERT(!is_zero(&view->projection));
+    QTRI_ASSERT(!has_zero_w(pose));
+    QTRI_ASSERT(!has_zero_w(&view->camera));
+    QTRI_ASSERT(!has_zero_w(&view->projection));
     const qtri_viewport *viewport = &view->viewport;
     QTRI_ASSERT(viewport->width >= 1 && viewport->width <= QTRI_VIEWPORT_MAX);
     QTRI_ASSERT(viewport->height >= 1 && viewport->height <= QTRI_VIEWPORT_MAX);
@@ -87,7 +87,7 @@ static bool is_within(int32_t x, int32_t last)
     return x >= 0 && x <= last;
 }
 
-/* The fields of type bool are not looked at, which may have values that no bool has. */
+/* Fields of type bool are not read: where nothing set them, they may have values of no bool. */
 void qtri_check_prepared(const qtri_prepared *prepared)
 {
     QTRI_ASSERT(prepared != NULL);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Checks of what draw calls are given, for checked builds. Internal.
+ * Assertions on the arguments of draw calls, for checked builds. Internal.
  */
 #ifndef QTRI_DRAW_CHECKED_H
 #define QTRI_DRAW_CHECKED_H
@@ -13,20 +13,20 @@
 #include "../raster/checked_material.h"
 
 #ifdef QTRI_CHECKED
-/* Its transforms and its viewport are initialised, its vertices have memory; so is the pose. */
+/* The view's transforms and viewport and the pose are initialised; its vertices have memory. */
 void qtri_check_view(const qtri_view *view, const qtri_transform *pose);
 
-/* It has what its counts say, and every index is below the count of vertices. */
+/* The mesh has the arrays that its counts say; every index is below the count of vertices. */
 void qtri_check_mesh(const qtri_mesh *mesh);
 
-/* There are as many as `count` says, and none has a plain 1 or plain degrees. */
+/* No colour has an integer 1, and no angle integer degrees, in place of a Q16.16. */
 void qtri_check_lights(const qtri_light_source *sources, uint32_t count,
                        const qtri_light_color *ambient);
 
-/* It was initialised: no field has what none is ever given. */
+/* qtri_prepared_init() was called: no field has a value that none ever gets. */
 void qtri_check_prepared(const qtri_prepared *prepared);
 
-/* Corners of primitives of `each`. */
+/* `count` is a multiple of `each`, the corners of a primitive. */
 void qtri_check_corners(const void *corners, uint32_t count, uint32_t each);
 #endif
 

@@ -175,7 +175,8 @@ typedef struct part {
     int32_t slack;              /* 16.6 */
 } part;
 
-/* Notes `code` at index i if it is the greatest there, or the first and not hidden. */
+/* Notes `code` at index i if it is the greatest there, or the first and its depth, 16.6, not below
+   `limit`. */
 QTRI_INLINE void note(const qtri_edge_axis *axis, uint32_t i, uint32_t code, int32_t limit)
 {
     uint16_t *at = &axis->notes[i];
@@ -191,16 +192,16 @@ QTRI_INLINE void note(const qtri_edge_axis *axis, uint32_t i, uint32_t code, int
 }
 
 /*
- * Notes pixels k..end - 1 of the major axis. `at`: the edge's position on the minor axis at pixel
+ * Notes pixels k..end_k - 1 of the major axis. `at`: the edge's position on the minor axis at pixel
  * k, counted from axis->first, so that its upper half counts pairs p, q and its lower half is
- * t - 2^-16: what lies on a pixel's centre belongs to the side after the edge. `weights`: the
- * slope's row of the table.
+ * t - 2^-16: an edge on a pixel's centre leaves the pixel to the side after it. `limit`: the least
+ * depth at k that does not hide it, 16.6. `weights`: the slope's row of the table.
  */
-QTRI_INLINE void walk(const qtri_edge_axis *axis, int32_t k, int32_t last, uint32_t at,
+QTRI_INLINE void walk(const qtri_edge_axis *axis, int32_t k, int32_t end_k, uint32_t at,
                       int32_t step, int32_t limit, int32_t limit_step, const uint16_t *weights)
 {
     int32_t place = axis->origin + k * axis->along;
-    const int32_t end = axis->origin + last * axis->along;
+    const int32_t end = axis->origin + end_k * axis->along;
     do {
         const int32_t pair = (int32_t)at >> 16;
         if ((uint32_t)pair < axis->pairs) {
@@ -290,7 +291,7 @@ static inline uint32_t fraction_of(int32_t x, int32_t i, int32_t log2, int32_t u
     return (high << up) + (uint32_t)(((low * i) << up) >> log2);
 }
 
-/* Part i of 2^log2 of an edge whose minor coordinates are these, 24.8. */
+/* Part i of 2^log2 of edge e, which moves from `minor` by `delta` on the minor axis, 24.8. */
 QTRI_NOINLINE static part part_of(const part *e, int32_t minor, int32_t delta, int32_t i,
                                   int32_t log2)
 {
@@ -307,7 +308,7 @@ QTRI_NOINLINE static part part_of(const part *e, int32_t minor, int32_t delta, i
     return p;
 }
 
-/* In parts of half of PART_24P8 or more. */
+/* Notes edge e, PART_24P8 or longer, in parts of at least half of that; see part_of(). */
 QTRI_NOINLINE static void note_long(const qtri_edge_axis *axis, const part *e, int32_t minor,
                                     int32_t delta)
 {
@@ -385,7 +386,7 @@ typedef struct steps {
     ptrdiff_t pixel[4]; /* bytes */
 } steps;
 
-/* Gives a pixel of column x its share. */
+/* Blends a pixel of column x, whose note is the i-th, with its neighbour. */
 QTRI_INLINE void blend_pixel(const qtri_edges *edges, const steps *s, uint8_t *pixel, uint32_t i,
                              uint32_t x, bool is_565)
 {
@@ -427,7 +428,7 @@ QTRI_INLINE void blend_pixel(const qtri_edges *edges, const steps *s, uint8_t *p
     format->pixels->store(pixel, &stored, 1, 1);
 }
 
-/* In the order that notes have in memory. */
+/* Blends all pixels that have notes, in the order of their notes in memory. */
 QTRI_INLINE void blend(const qtri_edges *edges, bool is_565)
 {
     const qtri_surface *surface = &edges->surface;

@@ -3,7 +3,7 @@
 
 #include "checked.h"
 
-#define LIT 0x1000000u /* a colour in memory, 8 bits a channel, is one; 0: not lit yet */
+#define LIT 0x1000000u /* added to every stored 0x00RRGGBB: a word of 0 is not lit yet */
 
 static bool is_two_sided(const qtri_mesh_job *draw)
 {
@@ -11,15 +11,15 @@ static bool is_two_sided(const qtri_mesh_job *draw)
            draw->primitive.material->reflection->two_sided;
 }
 
-/* Whether light counts on the back of a triangle, which shows. */
+/* Whether a triangle shows its back, and its material is lit there by a turned normal. */
 static bool is_back_seen(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
                          const qtri_vertex *c)
 {
     return is_two_sided(draw) && qtri_triangle_area(&a->at, &b->at, &c->at) > 0;
 }
 
-/* Memory behind the vertices, if there is a slot for each and room for a word for each. */
-static void begin(qtri_mesh_job *draw)
+/* lit_colors lie behind the vertices, where memory has room for all of both. */
+static void begin_job(qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
     const uint32_t all = mesh->vertex_count;
@@ -31,7 +31,7 @@ static void begin(qtri_mesh_job *draw)
     }
 }
 
-static bool has_place(const qtri_mesh_job *draw, bool both_sides)
+static bool keeps_colors(const qtri_mesh_job *draw, bool both_sides)
 {
     return draw->lit_colors != NULL && draw->shaded_per_vertex &&
            (!both_sides ||
@@ -57,7 +57,7 @@ static void illuminate_mesh(qtri_mesh_job *draw, const qtri_view *view, const qt
     draw->illumination = NULL;
 }
 
-/* A vertex in the light of its own normal. */
+/* A vertex's colour in the light of its own normal, plus LIT. */
 QTRI_NOINLINE static uint32_t light_vertex(const qtri_mesh_job *draw, uint32_t index, bool is_back)
 {
     int32_t n[3];
@@ -84,7 +84,7 @@ static void light_list(const qtri_mesh_job *draw, uint32_t count)
     }
 }
 
-/* Front sides of vertices that have room are lit once. */
+/* A vertex's colour, plus LIT. That of its front side is computed once, where there is room. */
 static inline uint32_t vertex_word(const qtri_mesh_job *draw, uint32_t index, bool is_back)
 {
     if (is_back || draw->lit_colors == NULL) {
@@ -106,12 +106,12 @@ static qtri_rgb vertex_color(const qtri_mesh_job *draw, uint32_t index, bool is_
 static void light_triangle(const qtri_mesh_job *draw, const void *indices)
 {
     const bool has_words = draw->lit_colors != NULL && draw->illumination != NULL;
-    for (int i = 0; i < 3 && has_words; i++) { /* of vertices: has_place() has said so */
+    for (int i = 0; i < 3 && has_words; i++) { /* by vertex: keeps_colors() has said so */
         (void)vertex_word(draw, qtri_mesh_index(draw->mesh, indices, i), false);
     }
 }
 
-/* qtri_illuminate() out of line, for calls that are fewer. */
+/* qtri_illuminate() out of line, for faces: they are fewer than vertices. */
 QTRI_NOINLINE static qtri_rgb illuminate(const qtri_illumination *by, qtri_lit_point *point,
                                          const qtri_rgb *color)
 {
@@ -212,7 +212,7 @@ static uint32_t find_large(const void *from, const void *indices, qtri_vertex *a
     if (by_pixel == NULL || !draw->primitive.to.solid.small.state->options.per_pixel) {
         return find(from, indices, a, b, c);
     }
-    by_pixel->note(draw, indices, is_back_seen(draw, a, b, c));
+    by_pixel->set_corners(draw, indices, is_back_seen(draw, a, b, c));
     return QTRI_INTENSITY_ONE;
 }
 
@@ -241,15 +241,15 @@ static void shade_clipped(const qtri_mesh_job *draw, const void *indices,
     uint32_t index[3];
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
     if (by_pixel != NULL) {
-        by_pixel->note(draw, indices, turned);
+        by_pixel->set_corners(draw, indices, turned);
     }
     shade_side(draw, index, turned, color);
 }
 
 static const qtri_light_model model = {
-    .begin = begin,
+    .begin = begin_job,
     .mesh = illuminate_mesh,
-    .has_place = has_place,
+    .keeps_colors = keeps_colors,
     .list = light_list,
     .light_triangle = light_triangle,
     .find = find,

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What draw calls of meshes do with the lights of a view: lights->model. Internal.
+ * Light sources of a view in draw calls of meshes: the functions of light->model. Internal.
  *
- * Nothing else names these functions: where no lights are set, nothing of them is linked.
+ * Nothing else refers to them, so that the linker drops them where no sources are set.
  */
 #ifndef QTRI_DRAW_LIGHTS_H
 #define QTRI_DRAW_LIGHTS_H
@@ -12,30 +12,30 @@
 #include "mesh_job.h"
 
 struct qtri_light_model {
-    /* For a job that has memory: its colours come from the lights, and have a place in it. */
+    /* Sets shaded_per_vertex of a job that has its memory, and lit_colors if there is room. */
     void (*begin)(qtri_mesh_job *draw);
     /*
-     * Calls `body` while draw->illumination is there: on the stack. `fresh`: nothing of what was
-     * lit before counts.
+     * Sets draw->illumination up, on the stack, and calls `body`. `fresh`: colours that were lit
+     * before are discarded.
      */
     void (*mesh)(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose, bool fresh,
                  qtri_lit_body body, void *with);
-    /* Whether the colours of fronts have a place, to be found there later; of all that is drawn. */
-    bool (*has_place)(const qtri_mesh_job *draw, bool both_sides);
-    /* Lights the vertices whose numbers are vertices[0..count-1].index, where they have a place. */
+    /* Whether lit_colors has all that front sides need; with `both_sides`, all that is drawn. */
+    bool (*keeps_colors)(const qtri_mesh_job *draw, bool both_sides);
+    /* Lights the vertices with indices vertices[0..count-1].index, if there are lit_colors. */
     void (*list)(const qtri_mesh_job *draw, uint32_t count);
-    /* Lights the vertices of a triangle, where they have a place. */
+    /* Lights the vertices of a triangle, if there are lit_colors. */
     void (*light_triangle)(const qtri_mesh_job *draw, const void *indices);
-    /* For pipelines, as qtri_small.light: colours of the vertices into the draw state. */
+    /* As qtri_small.light: sets the vertices' colours in the draw state. */
     uint32_t (*find)(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
                      qtri_vertex *c);
-    /* That of a large triangle: by pixel its corners, which light falls on. */
+    /* For a large triangle: as `find`, or by pixel sets the light up at its corners. */
     uint32_t (*find_large)(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
                            qtri_vertex *c);
-    /* A triangle's colours; it is inside all planes. */
+    /* Colours of a triangle's vertices, all inside all planes. */
     void (*shade)(const qtri_mesh_job *draw, const uint32_t index[3], const qtri_vertex *a,
                   const qtri_vertex *b, const qtri_vertex *c, qtri_rgb color[3]);
-    /* Those of a triangle that may cross planes; by pixel its corners as well. */
+    /* Colours of a triangle that may cross planes; by pixel the light at its corners, too. */
     void (*shade_clipped)(const qtri_mesh_job *draw, const void *indices,
                           const qtri_clip_vertex v[3], qtri_rgb color[3]);
 };
@@ -43,13 +43,13 @@ struct qtri_light_model {
 /* Whether a triangle that may cross planes shows its back. */
 bool qtri_clipped_is_back(const qtri_clip_vertex v[3]);
 
-/* A third, rounded down; three of them fit. */
+/* A third, rounded down: three of them sum up to an int32_t. */
 static inline int32_t qtri_third(int32_t x)
 {
     return (int32_t)(qtri_mul_s32(x, 0x55555554) >> 32);
 }
 
-/* The mean of three places. */
+/* The mean of three positions. */
 static inline qtri_vec3 qtri_mean(const qtri_vec3 p[3])
 {
     const qtri_vec3 mean = {qtri_third(p[0].x) + qtri_third(p[1].x) + qtri_third(p[2].x),

@@ -15,7 +15,7 @@ static bool is_missed(const qtri_mesh_job *draw, const qtri_surface *surface)
 {
     const qtri_box *box = &draw->mesh->bounds;
     if ((box->half.x | box->half.y | box->half.z) == 0 || box->half.x == INT32_MAX) {
-        return false; /* unknown, or of wide lines, whose reach does not count in any space */
+        return false; /* unknown, or of wide lines, which reach beyond any box of vertices */
     }
     const qtri_rect bounds = qtri_surface_bounds(surface);
     const int32_t more = draw->primitive.material->fill != NULL; /* lines reach out of their mesh */
@@ -59,7 +59,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
     draw->lights = qtri_colored_light(view);
     draw->illumination = NULL;
     draw->lit_colors = NULL;
-    draw->late = NULL;
+    draw->deferred = NULL;
     draw->front = NULL;
     draw->noted = false;
     draw->lit = false;
@@ -84,14 +84,15 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
     }
 }
 
-bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose)
+bool qtri_mesh_job_set_transforms(qtri_mesh_job *draw, const qtri_view *view,
+                                  const qtri_transform *pose)
 {
     const qtri_mesh *mesh = draw->mesh;
     qtri_transform object_to_eye;
     if (is_empty(mesh) || draw->positions == NULL) {
         return false;
     }
-    qtri_primitive_place(&draw->primitive, view, pose, &object_to_eye);
+    qtri_primitive_set_projector(&draw->primitive, view, pose, &object_to_eye);
     if (is_missed(draw, draw->primitive.surface)) {
         return false;
     }
@@ -109,7 +110,7 @@ bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_
 
 /* ---- All triangles ---- */
 
-/* The triangles of a mesh whose vertices are all there. */
+/* Draws the triangles of a mesh whose vertices are all transformed, each in its slot. */
 static void draw_triangles(const qtri_mesh_job *draw)
 {
     const bool narrow = qtri_mesh_has_bytes(draw->mesh);
@@ -121,13 +122,13 @@ static void draw_triangles(const qtri_mesh_job *draw)
         qtri_vertex *vertex[3];
         if (qtri_mesh_find(index, vertex, draw->vertices, draw->mesh->vertex_count, triangle,
                            narrow) &&
-            !qtri_mesh_turned_away(draw, vertex[0], vertex[1], vertex[2])) {
-            qtri_mesh_draw_seen(draw, triangle, vertex);
+            !qtri_mesh_is_culled(draw, vertex[0], vertex[1], vertex[2])) {
+            qtri_mesh_draw_visible(draw, triangle, vertex);
         }
     }
 }
 
-/* Those of a mesh whose back faces are culled, no vertex outside, by a pipeline. */
+/* Fills the front faces of a mesh, back faces being culled and all vertices inside. */
 QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw)
 {
     qtri_small t = draw->primitive.to.solid.small;
@@ -145,7 +146,7 @@ QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw)
     }
 }
 
-/* A slot for every vertex: each is transformed once. */
+/* Draws a mesh with a slot for every vertex: each is transformed once. */
 QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
 {
     const bool inside = qtri_mesh_transform(draw, 0, draw->mesh->vertex_count, draw->vertices);
@@ -205,7 +206,7 @@ void qtri_mesh_clear_slots(const qtri_mesh_job *draw)
     }
 }
 
-/* Fewer slots than vertices: some are transformed again. */
+/* Draws a mesh with fewer slots than vertices: some are transformed again. */
 QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
@@ -215,24 +216,24 @@ QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
         qtri_vertex spare[3];
         qtri_vertex *vertex[3];
         if (qtri_mesh_fetch_triangle(draw, triangle, spare, vertex) &&
-            !qtri_mesh_turned_away(draw, vertex[0], vertex[1], vertex[2])) {
-            qtri_mesh_draw_seen(draw, triangle, vertex);
+            !qtri_mesh_is_culled(draw, vertex[0], vertex[1], vertex[2])) {
+            qtri_mesh_draw_visible(draw, triangle, vertex);
         }
     }
 }
 
-/* A function of its own, so that its stack is free again. */
-QTRI_NOINLINE static bool begin(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
-                                const qtri_surface *surface, const qtri_view *view,
-                                const qtri_transform *pose, const qtri_mesh *mesh,
-                                const qtri_material *material)
+/* Sets up a job; false: nothing can be seen. Not inlined, so that its stack is free again. */
+QTRI_NOINLINE static bool begin_job(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
+                                    const qtri_surface *surface, const qtri_view *view,
+                                    const qtri_transform *pose, const qtri_mesh *mesh,
+                                    const qtri_material *material)
 {
     qtri_mesh_job_init(draw, stage, surface, view, mesh, material, view->vertices,
                        view->vertex_count);
-    return qtri_mesh_job_place(draw, view, pose);
+    return qtri_mesh_job_set_transforms(draw, view, pose);
 }
 
-/* Once it is placed, and lit by a view's lights. */
+/* Draws a job whose transforms and illumination are set up. */
 static void draw_placed(void *with)
 {
     qtri_mesh_job *draw = with;
@@ -243,7 +244,7 @@ static void draw_placed(void *with)
     } else if (!has_slots) {
         draw_by_slots(draw);
     } else {
-        const qtri_face_culling *culling = qtri_mesh_face_culling(mesh);
+        const qtri_face_culling *culling = mesh->faces.culling;
         if (culling == NULL || !culling->draw(draw)) {
             draw_whole(draw);
         }
@@ -260,7 +261,7 @@ bool qtri_mesh_draw(const qtri_vertex_stage *stage, const qtri_surface *surface,
     QTRI_CHECK(qtri_check_view(view, pose));
     QTRI_CHECK(qtri_check_mesh(mesh));
     qtri_mesh_job draw;
-    if (is_empty(mesh) || !begin(&draw, stage, surface, view, pose, mesh, material)) {
+    if (is_empty(mesh) || !begin_job(&draw, stage, surface, view, pose, mesh, material)) {
         return false;
     }
     draw.front = front;

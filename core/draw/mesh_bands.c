@@ -22,12 +22,7 @@ enum { LIST_BLOCK = 8, LIST_FULL = LIST_BLOCK - 1 };
 
 static const qtri_rect nowhere = {0, 0, 0, 0};
 
-static inline bool is_empty_rect(const qtri_rect *rect)
-{
-    return rect->x0 >= rect->x1 || rect->y0 >= rect->y1;
-}
-
-/* A vertex for every vertex of the mesh. */
+/* Whether there is a slot for every vertex of the mesh. */
 static inline bool is_complete(const qtri_prepared *prepared)
 {
     return prepared->vertex_count >= prepared->mesh->vertex_count;
@@ -55,7 +50,7 @@ static inline void widen(qtri_rect *extent_24p8, const qtri_vertex *vertex)
     extent_24p8->y1 = qtri_greatest32(extent_24p8->y1, vertex->at.y_24p8);
 }
 
-/* The group at a place of a list, which moves on. */
+/* The group at a place of a list; *place moves on to the next. */
 static inline uint32_t next_group(const uint16_t *lists, uint32_t *place)
 {
     if (*place % LIST_BLOCK == LIST_FULL) {
@@ -74,7 +69,7 @@ void qtri_prepared_init(qtri_prepared *prepared, void *memory, size_t bytes)
     *prepared = empty;
 }
 
-/* Vertices for the mesh, with their colours in several lights, then lists. */
+/* Memory holds slots of vertices, colours lit by sources where there is room, then lists. */
 static void divide_memory(qtri_prepared *prepared, bool in_lights)
 {
     const size_t before = (0 - (uintptr_t)prepared->memory) % sizeof(uint32_t);
@@ -110,7 +105,7 @@ typedef struct binner {
     uint16_t *lists;
     uint32_t group_log2;
     uint32_t group;      /* one that is not listed yet; UINT32_MAX: none */
-    int32_t top, bottom; /* its rows */
+    int32_t top, bottom; /* its rows top..bottom - 1 */
     bool is_anywhere;    /* some triangle crosses a plane */
 } binner;
 
@@ -251,7 +246,7 @@ QTRI_NOINLINE static void bin_all_triangles(binner *s)
             continue;
         }
         if (!back_only) {
-            if (!qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
+            if (!qtri_mesh_is_culled(s->job, vertex[0], vertex[1], vertex[2])) {
                 bin_visible(s, number, triangle, vertex);
             }
         } else if (!qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)) {
@@ -272,7 +267,7 @@ static inline void bin_face_list(binner *s, const qtri_mesh_faces *faces, uint32
         qtri_vertex *vertex[3];
         qtri_mesh_get(index, vertex, vertices, triangle, narrow);
         if (simple ? qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
-                   : qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
+                   : qtri_mesh_is_culled(s->job, vertex[0], vertex[1], vertex[2])) {
             continue;
         }
         if (simple) {
@@ -286,7 +281,7 @@ static inline void bin_face_list(binner *s, const qtri_mesh_faces *faces, uint32
 /* Transforms and bins a mesh by its planes of faces; false: these tell nothing. */
 QTRI_NOINLINE static bool bin_by_faces(binner *s)
 {
-    const qtri_face_culling *culling = qtri_mesh_face_culling(s->job->mesh);
+    const qtri_face_culling *culling = s->job->mesh->faces.culling;
     const bool back = s->job->primitive.material->cull == QTRI_CULL_BACK;
     const bool narrow = qtri_mesh_has_bytes(s->job->mesh);
     qtri_mesh_faces faces;
@@ -327,7 +322,7 @@ QTRI_NOINLINE static void bin_by_slots(binner *s)
         qtri_vertex spare[3];
         qtri_vertex *vertex[3];
         if (qtri_mesh_fetch_triangle(s->job, triangle, spare, vertex) &&
-            !qtri_mesh_turned_away(s->job, vertex[0], vertex[1], vertex[2])) {
+            !qtri_mesh_is_culled(s->job, vertex[0], vertex[1], vertex[2])) {
             bin_visible(s, number, triangle, vertex);
         }
     }
@@ -366,7 +361,7 @@ QTRI_NOINLINE static bool prepared_begin(qtri_mesh_job *job, const qtri_prepared
 {
     qtri_mesh_job_init(job, prepared->stage, surface, prepared->view, prepared->mesh,
                        prepared->material, prepared->vertices, prepared->vertex_count);
-    return !place || qtri_mesh_job_place(job, prepared->view, prepared->pose);
+    return !place || qtri_mesh_job_set_transforms(job, prepared->view, prepared->pose);
 }
 
 static void bin(void *with)
@@ -391,11 +386,11 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
                                 .scissor = frame};
     qtri_mesh_job job;
     prepared->is_seen = false;
-    if (mesh->triangle_count == 0 || is_empty_rect(&frame) ||
+    if (mesh->triangle_count == 0 || qtri_rect_is_empty(&frame) ||
         !prepared_begin(&job, prepared, &whole, true)) {
         return;
     }
-    /* Of samples rows are as for lines: they lie beside the centres of pixels. */
+    /* With samples, which lie beside pixels' centres, rows are bounded as for lines. */
     const bool is_solid = job.primitive.material->fill == NULL && qtri_sampling_of(format) == NULL;
     binner s = {.job = &job,
                 .prepared = prepared,
@@ -412,7 +407,7 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
         qtri_front_set_all(job.front, mesh->triangle_count);
     }
     begin_lists(&s, prepared);
-    if (job.lights != NULL && job.lights->model->has_place(&job, false)) {
+    if (job.lights != NULL && job.lights->model->keeps_colors(&job, false)) {
         job.lights->model->mesh(&job, prepared->view, prepared->pose, true, bin, &s);
     } else {
         bin(&s);
@@ -423,7 +418,7 @@ static void prepare(qtri_prepared *prepared, const qtri_format *format)
     prepared->is_anywhere = s.is_anywhere;
     prepared->group_log2 = (uint8_t)s.group_log2;
     prepared->is_placed = !s.is_complete || s.is_anywhere || job.lit_per_face ||
-                          (job.lights != NULL && !job.lights->model->has_place(&job, true));
+                          (job.lights != NULL && !job.lights->model->keeps_colors(&job, true));
 }
 
 void qtri_prepare_mesh_by(const qtri_vertex_stage *stage, qtri_prepared *prepared,
@@ -471,19 +466,17 @@ bool qtri_prepared_fits(const qtri_prepared *prepared)
 
 /* ---- One band ---- */
 
-/*
- * Its vertices, if all are there; false when an index is past the end, or a vertex was not met:
- * then the triangle's plane turned away.
- */
+/* A triangle's vertices; false: an index is past the end, or the triangle was culled by its plane
+   before its vertices were transformed. */
 static bool find_triangle(const qtri_mesh_job *job, const void *triangle, qtri_vertex *vertex[3])
 {
     uint32_t index[3];
     return qtri_mesh_find(index, vertex, job->vertices, job->mesh->vertex_count, triangle,
                           qtri_mesh_has_bytes(job->mesh)) &&
-           qtri_mesh_are_met(vertex);
+           qtri_mesh_are_transformed(vertex);
 }
 
-/* Triangles first..end - 1, whatever they are. */
+/* Draws what is visible of triangles first..end - 1. */
 static void draw_range(const qtri_mesh_job *job, const qtri_prepared *prepared, uint32_t first,
                        uint32_t end)
 {
@@ -499,14 +492,15 @@ static void draw_range(const qtri_mesh_job *job, const qtri_prepared *prepared, 
         }
         if (complete && prepared->back_only
                 ? !qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
-                : !qtri_mesh_turned_away(job, vertex[0], vertex[1], vertex[2])) {
-            qtri_mesh_draw_seen(job, triangle, vertex);
+                : !qtri_mesh_is_culled(job, vertex[0], vertex[1], vertex[2])) {
+            qtri_mesh_draw_visible(job, triangle, vertex);
         }
     }
 }
 
-/* Triangles of a complete mesh that are listed one by one: all of them are seen. */
-static void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, uint32_t place, uint32_t end)
+/* Draws a list of single triangles of a complete mesh: all of them are visible. */
+static void draw_visible(const qtri_mesh_job *job, const uint16_t *lists, uint32_t place,
+                         uint32_t end)
 {
     const bool narrow = qtri_mesh_has_bytes(job->mesh);
     while (place != end) {
@@ -514,7 +508,7 @@ static void draw_seen(const qtri_mesh_job *job, const uint16_t *lists, uint32_t 
         uint32_t index[3];
         qtri_vertex *vertex[3];
         qtri_mesh_get(index, vertex, job->vertices, triangle, narrow);
-        qtri_mesh_draw_seen(job, triangle, vertex);
+        qtri_mesh_draw_visible(job, triangle, vertex);
     }
 }
 
@@ -551,7 +545,7 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
         if (prepared->back_only && job->primitive.material->fill == NULL) {
             draw_fronts(job, lists, place, end);
         } else {
-            draw_seen(job, lists, place, end);
+            draw_visible(job, lists, place, end);
         }
         return;
     }
@@ -563,7 +557,7 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
     }
 }
 
-/* The band that a surface is: its list, and triangles that are in none. */
+/* One band: its list, and triangles first..count - 1, which are in no list. */
 typedef struct band_work {
     const qtri_mesh_job *job;
     const qtri_prepared *prepared;
@@ -585,7 +579,7 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
     QTRI_CHECK(qtri_check_surface(surface));
     QTRI_CHECK(qtri_check_prepared(prepared));
     const qtri_rect bounds = qtri_surface_bounds(surface);
-    if (prepared->mesh == NULL || !prepared->is_seen || is_empty_rect(&bounds) ||
+    if (prepared->mesh == NULL || !prepared->is_seen || qtri_rect_is_empty(&bounds) ||
         surface->width != prepared->width || surface->height != prepared->height) {
         return;
     }
@@ -601,8 +595,8 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
         !prepared_begin(&job, prepared, surface, prepared->is_placed)) {
         return;
     }
-    qtri_late_place late = {&job.primitive, prepared->view, prepared->pose, false};
-    job.late = prepared->is_placed ? NULL : &late;
+    qtri_deferred_transform deferred = {&job.primitive, prepared->view, prepared->pose, false};
+    job.deferred = prepared->is_placed ? NULL : &deferred;
     job.lit = is_complete(prepared);
     if (!job.lit) {
         qtri_mesh_clear_slots(&job);
@@ -630,7 +624,7 @@ static qtri_rect find_bounds(const qtri_prepared *prepared)
         const qtri_rect frame = {0, 0, prepared->width, prepared->height};
         return frame;
     }
-    qtri_rect extent = prepared->extent_24p8; /* of those that have no slot */
+    qtri_rect extent = prepared->extent_24p8; /* of vertices without a slot */
     if (is_complete(prepared)) {
         for (uint32_t i = 0; i < prepared->mesh->vertex_count; i++) {
             if (prepared->vertices[i].depth_16p8 != QTRI_VERTEX_EMPTY &&

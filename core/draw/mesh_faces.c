@@ -30,9 +30,9 @@ QTRI_NOINLINE static bool begin(qtri_mesh_faces *faces, const qtri_mesh_job *dra
     return true;
 }
 
-/* The triangles of planes that may be seen, as qtri_mesh_faces.list has them; returns its end. */
-QTRI_NOINLINE static uint16_t *find_seen(const qtri_eye *from, const qtri_face8 *plane,
-                                         const qtri_face8 *end, uint16_t *out)
+/* Lists the triangles whose planes may face the eye; returns the end of qtri_mesh_faces.list. */
+QTRI_NOINLINE static uint16_t *find_visible(const qtri_eye *from, const qtri_face8 *plane,
+                                            const qtri_face8 *end, uint16_t *out)
 {
     const qtri_eye eye = *from;
     for (uint32_t entry = 0; plane != end; plane++, entry += QTRI_FACES_STEP) {
@@ -43,25 +43,26 @@ QTRI_NOINLINE static uint16_t *find_seen(const qtri_eye *from, const qtri_face8 
     return out;
 }
 
-/* Notes the vertex if it has not been met: the place for the next note. */
-static inline qtri_vertex *meet(qtri_vertex *vertex, uint32_t index, qtri_vertex *note)
+/* Lists a vertex that is visited first; returns the place of the next entry. */
+static inline qtri_vertex *visit(qtri_vertex *vertex, uint32_t index, qtri_vertex *entry)
 {
     if (vertex->depth_16p8 == QTRI_VERTEX_EMPTY) {
         vertex->depth_16p8 = 0;
-        note->index = (uint16_t)index;
-        note++;
+        entry->index = (uint16_t)index;
+        entry++;
     }
-    return note;
+    return entry;
 }
 
-/* Notes the vertices of the list that have not been met. Triangles of none that is there go. */
-static inline uint32_t meet_each(qtri_mesh_faces *faces, const qtri_mesh_job *draw, bool narrow)
+/* Lists vertices that are visited first, and returns their number. Drops triangles with an index
+   past the end. */
+static inline uint32_t visit_each(qtri_mesh_faces *faces, const qtri_mesh_job *draw, bool narrow)
 {
     const uint32_t count = draw->mesh->vertex_count;
     const uint8_t *triangles = faces->triangles;
     const uint16_t *end = faces->end;
     qtri_vertex *vertices = draw->vertices;
-    qtri_vertex *note = vertices;
+    qtri_vertex *entry = vertices;
     uint16_t *kept = faces->list;
     for (const uint16_t *at = faces->list; at != end; at++) {
         uint32_t index[3];
@@ -71,20 +72,21 @@ static inline uint32_t meet_each(qtri_mesh_faces *faces, const qtri_mesh_job *dr
             continue;
         }
         *kept++ = *at;
-        note = meet(vertex[0], index[0], note);
-        note = meet(vertex[1], index[1], note);
-        note = meet(vertex[2], index[2], note);
+        entry = visit(vertex[0], index[0], entry);
+        entry = visit(vertex[1], index[1], entry);
+        entry = visit(vertex[2], index[2], entry);
     }
     faces->end = kept;
-    return (uint32_t)(note - vertices);
+    return (uint32_t)(entry - vertices);
 }
 
-QTRI_NOINLINE static uint32_t meet_all(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
+QTRI_NOINLINE static uint32_t visit_all(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
 {
-    return qtri_mesh_has_bytes(draw->mesh) ? meet_each(faces, draw, true)
-                                           : meet_each(faces, draw, false);
+    return qtri_mesh_has_bytes(draw->mesh) ? visit_each(faces, draw, true)
+                                           : visit_each(faces, draw, false);
 }
 
+/* Lights the `count` vertices just listed and transformed. */
 static void light(const qtri_mesh_job *draw, uint32_t count)
 {
     if (draw->lights != NULL) {
@@ -107,16 +109,16 @@ static void clear_notes(const qtri_mesh_job *draw, uint32_t count)
     }
 }
 
-/* Whether a triangle of the list is turned away; few planes leave that to be asked. */
-QTRI_NOINLINE static bool is_back(const qtri_mesh_job *draw, const uint8_t *triangle)
+/* Whether a listed triangle is culled; only planes seen almost edge-on leave that open. */
+QTRI_NOINLINE static bool is_culled(const qtri_mesh_job *draw, const uint8_t *triangle)
 {
     uint32_t index[3];
     qtri_vertex *v[3];
     qtri_mesh_get(index, v, draw->vertices, triangle, qtri_mesh_has_bytes(draw->mesh));
-    return qtri_mesh_turned_away(draw, v[0], v[1], v[2]);
+    return qtri_mesh_is_culled(draw, v[0], v[1], v[2]);
 }
 
-/* Bits of `count` triangles for an outline: of those in the list that are front. */
+/* Sets the bits, for an outline, of triangles first..first + count - 1: of listed front ones. */
 QTRI_NOINLINE static void find_front(const qtri_mesh_faces *faces, const qtri_mesh_job *draw,
                                      uint32_t first, uint32_t count)
 {
@@ -130,7 +132,7 @@ QTRI_NOINLINE static void find_front(const qtri_mesh_faces *faces, const qtri_me
     for (const uint16_t *at = faces->list; at != faces->end; at++) {
         const uint32_t number = qtri_mesh_faces_number(*at);
         if (qtri_eye_is_before(&eye, &planes[number]) ||
-            !is_back(draw, qtri_mesh_faces_triangle(faces->triangles, *at, narrow))) {
+            !is_culled(draw, qtri_mesh_faces_triangle(faces->triangles, *at, narrow))) {
             front[number / 32] |= (uint32_t)1 << (number & 31);
         }
     }
@@ -146,16 +148,16 @@ static bool next(qtri_mesh_faces *faces, const qtri_mesh_job *draw)
         return false;
     }
     faces->triangles = qtri_mesh_triangle(mesh, faces->next, qtri_mesh_has_bytes(mesh));
-    faces->end = find_seen(&faces->eye, plane, plane + count, faces->list);
-    const uint32_t met = meet_all(faces, draw);
+    faces->end = find_visible(&faces->eye, plane, plane + count, faces->list);
+    const uint32_t count_new = visit_all(faces, draw);
     const uint32_t first = faces->next;
     faces->next += count;
-    if (met != 0) {
-        faces->inside &= draw->positions->project(&draw->primitive.projector, mesh, 0, met,
+    if (count_new != 0) {
+        faces->inside &= draw->positions->project(&draw->primitive.projector, mesh, 0, count_new,
                                                   draw->vertices, true);
-        light(draw, met);
+        light(draw, count_new);
         if (draw->primitive.material->fill != NULL) {
-            clear_notes(draw, met);
+            clear_notes(draw, count_new);
         }
     }
     if (draw->front != NULL) {
@@ -172,13 +174,13 @@ QTRI_NOINLINE static void draw_listed(const qtri_mesh_faces *faces, const qtri_m
         uint32_t index[3];
         qtri_vertex *vertex[3];
         qtri_mesh_get(index, vertex, draw->vertices, triangle, narrow);
-        if (!qtri_mesh_turned_away(draw, vertex[0], vertex[1], vertex[2])) {
-            qtri_mesh_draw_seen(draw, triangle, vertex);
+        if (!qtri_mesh_is_culled(draw, vertex[0], vertex[1], vertex[2])) {
+            qtri_mesh_draw_visible(draw, triangle, vertex);
         }
     }
 }
 
-/* Triangles of a list of faces, no vertex outside, back faces being culled. */
+/* Fills the front faces of a list, back faces being culled and all vertices inside. */
 QTRI_NOINLINE static void draw_listed_fronts(const qtri_mesh_faces *faces,
                                              const qtri_mesh_job *draw)
 {

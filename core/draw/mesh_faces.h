@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A mesh whose faces have planes, see mesh.h: some triangles at a time, those that may be seen,
- * with their vertices. Internal.
+ * Back-face culling of a mesh by the planes of its faces, see mesh.h. Internal.
  *
- * Whether a face turns away is told by its plane, four products, before any of its vertices is
- * transformed. What is left of QTRI_FACES_AT_ONCE triangles is listed; then the vertices that no
- * list before has had are transformed and lit, one after another. A vertex notes that it has not
- * been met in its depth, as an empty slot does; the numbers of those to be transformed stand in the
+ * A plane tells by four products that its face turns away, before any of the face's vertices is
+ * transformed. The triangles that are left of QTRI_FACES_AT_ONCE are listed; then their vertices
+ * that no list before had are transformed and lit, one after another. The depth of a vertex that is
+ * not visited yet is that of an empty slot. The indices of vertices to be transformed stand in the
  * vertices' field `index`, which nothing else uses where each has a slot.
  */
 #ifndef QTRI_DRAW_MESH_FACES_H
@@ -17,13 +16,13 @@
 
 enum {
     QTRI_FACES_AT_ONCE = 128,
-    QTRI_FACES_STEP = 6 /* from a triangle to the next, in a list */
+    QTRI_FACES_STEP = 6 /* what list entries count a triangle: bytes of 16-bit indices */
 };
 
 typedef struct qtri_mesh_faces {
     qtri_eye eye;
-    uint32_t next;            /* the first triangle that is not looked at yet */
-    bool inside;              /* no vertex met so far is outside */
+    uint32_t next;            /* the first triangle that is not tested yet */
+    bool inside;              /* no vertex visited so far is outside */
     const uint8_t *triangles; /* of the list: its first one's indices */
     const uint16_t *end;
     uint16_t list[QTRI_FACES_AT_ONCE + 2]; /* steps from `triangles`; room for an end of it */
@@ -70,11 +69,5 @@ struct qtri_face_culling {
     /* Draws all triangles, filled; or none, and returns false. */
     bool (*draw)(qtri_mesh_job *draw);
 };
-
-/* NULL where a mesh has none. */
-static inline const qtri_face_culling *qtri_mesh_face_culling(const qtri_mesh *mesh)
-{
-    return mesh->faces.culling;
-}
 
 #endif

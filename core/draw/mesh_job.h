@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What draw calls of meshes share: drawn whole (mesh.c), in bands (mesh_bands.c), as loose
- * triangles (triangles.c), as lines, with outlines. Internal.
+ * The state of a draw call of a mesh, and its triangles: drawn whole (mesh.c), in bands
+ * (mesh_bands.c), as loose triangles (triangles.c), as lines, with outlines. Internal.
  */
 #ifndef QTRI_DRAW_MESH_JOB_H
 #define QTRI_DRAW_MESH_JOB_H
@@ -13,13 +13,13 @@
 #include "../bits/bits.h"
 #include "primitive.h"
 
-/* A job's transforms, which are not set before something asks for them. */
-typedef struct qtri_late_place {
+/* A job's transforms, which are set when the first triangle needs them. */
+typedef struct qtri_deferred_transform {
     qtri_primitive *primitive; /* the job's */
     const qtri_view *view;
     const qtri_transform *pose;
     bool is_set;
-} qtri_late_place;
+} qtri_deferred_transform;
 
 /* Loose triangles, each of which is drawn as a mesh of one triangle. */
 typedef union qtri_loose_triangle {
@@ -31,7 +31,7 @@ typedef union qtri_loose_triangle {
            order in which two that follow each other share vertices. */
         qtri_vertex vertex[2][3];
     } inside;
-    qtri_shape shape; /* one that may need clipping: the next finds no vertices */
+    qtri_shape shape; /* of one that may be clipped: it overwrites the vertices */
 } qtri_loose_triangle;
 
 /* See qtri_small.light. */
@@ -42,22 +42,22 @@ typedef uint32_t qtri_light_finder(const void *from, const void *indices, qtri_v
 typedef struct qtri_mesh_job {
     const qtri_mesh *mesh;
     const qtri_vertex_stage *stage;
-    const qtri_position_ops *positions; /* of those that the mesh has; NULL: none serves it */
+    const qtri_position_ops *positions; /* for its kind of them; NULL: the stage has none */
     qtri_vertex *vertices;              /* slot_count of them */
     uint32_t slot_count;
     bool lit_per_vertex, lit_per_face;
-    bool noted;             /* a wireframe: what triangles draw is noted, see mesh_lines.c */
-    bool lit;               /* per vertex: all that are seen already are */
-    bool shaded_per_vertex; /* with lights */
-    qtri_light_finder *find_large_light; /* NULL: triangles have all light */
+    bool noted;             /* a wireframe: slots note the edges to draw, see mesh_lines.c */
+    bool lit;               /* all visible vertices have their intensity already */
+    bool shaded_per_vertex; /* with lights: colours are of vertices, not of faces */
+    qtri_light_finder *find_large_light; /* NULL: intensity 1 */
     /* view->light, if it has sources, and with them: */
     const qtri_light *lights;
-    const struct qtri_illumination *illumination; /* NULL: all that is needed is lit */
+    const struct qtri_illumination *illumination; /* NULL: lit_colors has all that is needed */
     uint32_t *lit_colors;                         /* of every vertex; NULL: there is no room */
-    qtri_late_place *late;                        /* NULL: transforms are set */
+    qtri_deferred_transform *deferred;            /* NULL: transforms are set */
     /* For an outline: a bit a triangle, which mesh_faces.c clears if it faces away; NULL: none. */
     uint32_t *front;
-    qtri_primitive primitive; /* behind what Armv6-M reaches */
+    qtri_primitive primitive; /* behind fields that Armv6-M's short offsets should reach */
     union {
         struct {
             qtri_lighting lighting;
@@ -68,9 +68,9 @@ typedef struct qtri_mesh_job {
 } qtri_mesh_job;
 
 /*
- * What draw calls make of triangles: material->fill. NULL fills them: mesh_triangle.c those of
- * meshes, primitive.c what is clipped. Everything else is a description, whose functions nothing
- * else names: what no material names is not linked.
+ * material->fill: how triangles are drawn. NULL fills them: mesh_triangle.c those of meshes,
+ * primitive.c clipped ones. Other ways are tables of functions that nothing else refers to: the
+ * linker drops those that no material names.
  */
 struct qtri_fill {
     /* Sets primitive->to for its surface and its material. */
@@ -78,44 +78,42 @@ struct qtri_fill {
     /* A triangle that may need clipping by `planes`, and culling; see qtri_primitive_triangle. */
     void (*clipped)(const qtri_primitive *primitive, const qtri_clip_vertex v[3], unsigned planes,
                     qtri_attribute_source source, const void *from);
-    /* A triangle of a mesh that is seen, all of it inside. */
+    /* A visible triangle of a mesh, inside all planes. */
     void (*triangle)(const qtri_mesh_job *draw, const void *indices, qtri_vertex *const vertex[3]);
-    /* A mesh with a slot for every vertex, to be transformed yet. */
+    /* Transforms and draws a mesh with a slot for every vertex. */
     void (*mesh)(qtri_mesh_job *draw);
-    /* Before bands draw a mesh whose vertices all are in their slots, or were left out with all
-       their faces; and before one band does. */
+    /* Called once the vertices of a prepared mesh are in their slots; those of culled faces may be
+       left out. */
     void (*prepare)(const qtri_mesh_job *draw, bool back_only);
+    /* Called before each band of a prepared mesh. */
     void (*band)(qtri_mesh_job *draw);
 };
 
-/* What the fills of wireframes share, in mesh_lines.c: edges that neighbours have are drawn once.
- */
+/* Functions that the fills of wireframes share, in mesh_lines.c: shared edges are drawn once. */
 void qtri_wireframe_triangle(const qtri_mesh_job *draw, const void *triangle,
                              qtri_vertex *const vertex[3]);
 void qtri_wireframe_mesh(qtri_mesh_job *draw);
 void qtri_wireframe_prepare(const qtri_mesh_job *draw, bool back_only);
 void qtri_wireframe_band(qtri_mesh_job *draw);
 
-/* Such a fill, whose `begin` this is. */
+/* The fill of a wireframe with this `begin`. */
 #define QTRI_WIREFRAME_FILL(begin)                                                                 \
     {                                                                                              \
         begin, qtri_primitive_outline, qtri_wireframe_triangle, qtri_wireframe_mesh,               \
             qtri_wireframe_prepare, qtri_wireframe_band                                            \
     }
 
-/*
- * How it looks and where to: all that triangles inside all planes need, once they are lit; and
- * memory for its vertices.
- */
+/* Sets a job's surface, material and memory for vertices; then come its transforms. */
 void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
                         const qtri_surface *surface, const qtri_view *view, const qtri_mesh *mesh,
                         const qtri_material *material, qtri_vertex *vertices,
                         uint32_t vertex_count);
 
-/* The rest: geometry and light. False when nothing of the mesh can be seen on the surface. */
-bool qtri_mesh_job_place(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose);
+/* Sets transforms and light. False: nothing of the mesh can be seen on the surface. */
+bool qtri_mesh_job_set_transforms(qtri_mesh_job *draw, const qtri_view *view,
+                                  const qtri_transform *pose);
 
-/* Transforms the mesh's vertices from `first` on. False when one of them is outside. */
+/* Transforms `count` vertices from `first` on. False: one of them is outside a plane. */
 static inline bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
                                        qtri_vertex *out)
 {
@@ -131,10 +129,10 @@ static inline bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first
 bool qtri_mesh_fetch_triangle(const qtri_mesh_job *draw, const void *triangle, qtri_vertex spare[3],
                               qtri_vertex *vertex[3]);
 
-/* No slot holds a vertex. */
+/* Marks all slots as empty. */
 void qtri_mesh_clear_slots(const qtri_mesh_job *draw);
 
-/* A job whose vertices are lit, if they are to be. */
+/* For a job whose vertices are all lit: small triangles need not ask for their light. */
 static inline void qtri_mesh_set_lit(qtri_small *t, const qtri_mesh_job *draw)
 {
     if (draw->lit_per_vertex) {
@@ -149,23 +147,23 @@ void qtri_mesh_light_vertices(const qtri_mesh_job *draw, const void *indices, qt
 /* The intensity, Q15, of the triangle with these indices, for a mesh lit per face. */
 uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices);
 
-/* Any culling, and triangles that may cross planes; those are never turned away. */
-bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
-                           const qtri_vertex *c);
+/* Whether a triangle is culled; one with a vertex outside a plane is not, before clipping. */
+bool qtri_mesh_is_culled(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
+                         const qtri_vertex *c);
 
 /* Draws a triangle that crosses a plane or was not culled. */
-void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
-                         qtri_vertex *const vertex[3]);
+void qtri_mesh_draw_visible(const qtri_mesh_job *draw, const void *indices,
+                            qtri_vertex *const vertex[3]);
 
-/* For triangles that are filled. `light`: &qtri_mesh_find_light, or NULL: they have all of it. */
+/* Sets what filled triangles share. `light`: &qtri_mesh_find_light, or NULL for intensity 1. */
 void qtri_mesh_solid_init(qtri_mesh_job *draw, qtri_light_finder *light);
 qtri_light_finder qtri_mesh_find_light;
 
-/* One whose vertices are all inside, which the pipeline says is large. */
+/* Draws a triangle inside all planes that is too large for qtri_mesh_draw_small(). */
 void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                           qtri_vertex *b, qtri_vertex *c);
 
-/* The triangle with these indices, its vertices inside all planes. False: it is large. */
+/* Draws the triangle with these indices, inside all planes; false: it is too large for this. */
 QTRI_INLINE bool qtri_mesh_draw_small(qtri_small *t, const void *indices, const uint32_t index[3],
                                       qtri_vertex *const vertex[3])
 {
@@ -184,7 +182,7 @@ static inline bool qtri_mesh_has_bytes(const qtri_mesh *mesh)
     return mesh->triangles8 != NULL;
 }
 
-/* qtri_draw_mesh_by, with job.front. False: nothing of the mesh can be seen on the surface. */
+/* qtri_draw_mesh_by() with job.front set. False: nothing of the mesh can be seen. */
 bool qtri_mesh_draw(const qtri_vertex_stage *stage, const qtri_surface *surface,
                     const qtri_view *view, const qtri_transform *pose, const qtri_mesh *mesh,
                     const qtri_material *material, uint32_t *front);
@@ -204,7 +202,7 @@ static inline const void *qtri_mesh_triangle(const qtri_mesh *mesh, uint32_t num
     return narrow ? (const void *)mesh->triangles8[number] : (const void *)mesh->triangles[number];
 }
 
-/* Of corner 0..2 of the triangle whose indices these are. */
+/* The vertex index of corner 0..2 of the triangle with these indices. */
 static inline uint32_t qtri_mesh_index(const qtri_mesh *mesh, const void *indices, int corner)
 {
     const uint16_t *wide = indices;
@@ -212,7 +210,7 @@ static inline uint32_t qtri_mesh_index(const qtri_mesh *mesh, const void *indice
     return qtri_mesh_has_bytes(mesh) ? narrow[corner] : wide[corner];
 }
 
-/* The indices at a triangle's place in the mesh. */
+/* The indices of a triangle as numbers. `narrow`: they are stored as bytes. */
 QTRI_INLINE void qtri_mesh_indices(uint32_t index[3], const void *triangle, bool narrow)
 {
     const uint16_t *wide = triangle;
@@ -240,7 +238,7 @@ QTRI_INLINE void qtri_mesh_get_vertices(qtri_vertex *vertex[3], qtri_vertex *ver
     vertex[2] = c;
 }
 
-/* The indices and the vertices of the triangle at a place in the mesh. */
+/* The indices and vertices of a triangle, as both functions above. */
 QTRI_INLINE void qtri_mesh_get(uint32_t index[3], qtri_vertex *vertex[3], qtri_vertex *vertices,
                                const void *triangle, bool narrow)
 {
@@ -248,7 +246,7 @@ QTRI_INLINE void qtri_mesh_get(uint32_t index[3], qtri_vertex *vertex[3], qtri_v
     qtri_mesh_get_vertices(vertex, vertices, index);
 }
 
-/* False when one of its indices is not below `count`. */
+/* As qtri_mesh_get(); false if an index is not below `count`. */
 QTRI_INLINE bool qtri_mesh_find(uint32_t index[3], qtri_vertex *vertex[3], qtri_vertex *vertices,
                                 uint32_t count, const void *triangle, bool narrow)
 {
@@ -277,8 +275,8 @@ static inline bool qtri_mesh_is_outside(qtri_vertex *const vertex[3])
     return common != 0;
 }
 
-/* Not where a vertex was left out: all its faces turn away. */
-static inline bool qtri_mesh_are_met(qtri_vertex *const vertex[3])
+/* False: a vertex was left out, as all its faces are culled. */
+static inline bool qtri_mesh_are_transformed(qtri_vertex *const vertex[3])
 {
     return vertex[0]->depth_16p8 != QTRI_VERTEX_EMPTY &&
            vertex[1]->depth_16p8 != QTRI_VERTEX_EMPTY && vertex[2]->depth_16p8 != QTRI_VERTEX_EMPTY;
@@ -307,7 +305,7 @@ static inline uint32_t qtri_band_of(const qtri_band_divider *divider, uint32_t r
     return (row * divider->inverse) >> divider->shift; /* < 2^13 (2^14 + 1) */
 }
 
-/* The place of a vertex, where the job's illumination counts from. */
+/* Sets point->place: a vertex's position in the coordinates of the job's illumination. */
 QTRI_IN_PLACE void qtri_lit_vertex_place(qtri_lit_point *point, const qtri_mesh_job *draw,
                                          uint32_t index)
 {

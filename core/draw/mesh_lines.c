@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Wireframes: &qtri_wireframe.
+ * Wireframes, &qtri_wireframe: edges as lines, and which of two triangles draws a shared edge.
  *
  * Two triangles share most edges. One of them owns the edge: it draws it for both, whatever colours
  * the other has there and whatever is drawn in between. The depth test decides which:
@@ -31,14 +31,14 @@
 #include "mesh_faces.h"
 
 /*
- * Notes of triangles: which edges one draws, and whether it is seen. Where every vertex has a slot,
- * each has the notes of NOTES triangles, in place of its index.
+ * Notes of triangles: the edges that one draws, and whether it is visible. Where every vertex has a
+ * slot, each holds the notes of NOTES triangles, in place of its index.
  */
 enum {
     EDGE_AB = 1,
     EDGE_BC = 2,
     EDGE_CA = 4,
-    EDGES_SEEN = 8,
+    EDGES_VISIBLE = 8,
     EDGES_ALL = 15,
     NOTE_BITS = 4,
     NOTES = 16 / NOTE_BITS
@@ -125,7 +125,7 @@ static void clear_notes(const qtri_mesh_job *draw)
     }
 }
 
-/* Whether the light of a mesh's vertices tells what colours lines have. */
+/* Whether lines have the material's colour times the intensities of vertices. */
 static inline bool is_tinted(const qtri_mesh_job *draw)
 {
     return draw->mesh->colors == NULL && !draw->lit_per_face && draw->lights == NULL;
@@ -217,18 +217,18 @@ QTRI_NOINLINE static void draw_inside(const qtri_mesh_job *draw, const void *tri
 }
 
 /* Draws edges of a triangle; where it crosses a plane, all that clipping leaves of them. */
-QTRI_NOINLINE static void draw_seen(const qtri_mesh_job *draw, const void *triangle,
-                                    qtri_vertex *const vertex[3], uint32_t edges)
+QTRI_NOINLINE static void draw_visible(const qtri_mesh_job *draw, const void *triangle,
+                                       qtri_vertex *const vertex[3], uint32_t edges)
 {
     if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
-        qtri_mesh_draw_seen(draw, triangle, vertex);
+        qtri_mesh_draw_visible(draw, triangle, vertex);
     } else {
         draw_inside(draw, triangle, vertex, edges);
     }
 }
 
 /*
- * The edges that a triangle takes, or all where it crosses a plane; 0: it is not seen. `simple`:
+ * The edges that a triangle owns, or all where it crosses a plane; 0: it is culled. `simple`:
  * back faces are culled, and no vertex is outside.
  */
 QTRI_INLINE uint32_t edges_of(const qtri_mesh_job *draw, const uint32_t index[3],
@@ -236,22 +236,22 @@ QTRI_INLINE uint32_t edges_of(const qtri_mesh_job *draw, const uint32_t index[3]
 {
     qtri_vertex *a = vertex[0], *b = vertex[1], *c = vertex[2];
     if (simple ? qtri_triangle_is_back(&a->at, &b->at, &c->at)
-               : qtri_mesh_turned_away(draw, a, b, c)) {
+               : qtri_mesh_is_culled(draw, a, b, c)) {
         return 0;
     }
     if (who == EVERY || !(simple || qtri_mesh_is_inside(a, b, c))) {
         return EDGES_ALL;
     }
-    return EDGES_SEEN | claim_edges(a, b, c, index);
+    return EDGES_VISIBLE | claim_edges(a, b, c, index);
 }
 
 /*
- * Looks at triangles, from `number` on or, for LAST, from the last one back to the first, and draws
- * them or notes what they are to draw. `narrow`: indices are bytes. `quick`: `simple`, all vertices
- * are there, and what is drawn is drawn here.
+ * Visits triangles, from `number` on or, for LAST, from the last one back to the first, and draws
+ * them or, without `draws`, notes their edges. `narrow`: indices are bytes. `quick`: `simple`, all
+ * vertices are transformed, and lines are drawn inline.
  */
-QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, edge_owner who, bool narrow,
-                         bool simple, bool draws, bool quick)
+QTRI_INLINE void visit_triangles(const qtri_mesh_job *draw, uint32_t number, edge_owner who,
+                                 bool narrow, bool simple, bool draws, bool quick)
 {
     const qtri_mesh *mesh = draw->mesh;
     const uint32_t count = mesh->vertex_count;
@@ -270,7 +270,7 @@ QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, edge_owner 
         if (!qtri_mesh_find(index, vertex, vertices, count, triangle, narrow)) {
             continue;
         }
-        if (!quick && !draws && !qtri_mesh_are_met(vertex)) {
+        if (!quick && !draws && !qtri_mesh_are_transformed(vertex)) {
             continue;
         }
         const uint32_t edges = edges_of(draw, index, vertex, who, simple);
@@ -283,12 +283,12 @@ QTRI_INLINE void look_at(const qtri_mesh_job *draw, uint32_t number, edge_owner 
         } else if (quick) {
             draw_edges(draw, triangle, vertex, edges, tinted);
         } else {
-            draw_seen(draw, triangle, vertex, edges);
+            draw_visible(draw, triangle, vertex, edges);
         }
     }
 }
 
-/* Draws the triangles of a list by the first of them; see look_at. */
+/* Draws the triangles of a list, edges by FIRST; see visit_triangles(). */
 QTRI_INLINE void draw_list(const qtri_mesh_job *draw, const qtri_mesh_faces *faces, bool narrow,
                            bool simple, bool quick)
 {
@@ -308,12 +308,12 @@ QTRI_INLINE void draw_list(const qtri_mesh_job *draw, const qtri_mesh_faces *fac
         if (quick) {
             draw_edges(draw, triangle, vertex, edges, tinted);
         } else {
-            draw_seen(draw, triangle, vertex, edges);
+            draw_visible(draw, triangle, vertex, edges);
         }
     }
 }
 
-/* Draws those that have notes, by them. */
+/* Draws the edges that triangles have noted. */
 QTRI_INLINE void draw_noted(const qtri_mesh_job *draw, bool narrow, bool simple)
 {
     const int size = narrow ? 3 : 6;
@@ -334,26 +334,26 @@ QTRI_INLINE void draw_noted(const qtri_mesh_job *draw, bool narrow, bool simple)
             if (simple && !QTRI_SHARE) {
                 draw_edges(draw, triangle, vertex, edges, tinted);
             } else {
-                draw_seen(draw, triangle, vertex, edges);
+                draw_visible(draw, triangle, vertex, edges);
             }
         }
     }
 }
 
-/* For any mesh. */
-QTRI_NOINLINE static void look_at_any(const qtri_mesh_job *draw, uint32_t number, edge_owner who,
-                                      bool simple, bool draws)
+/* visit_triangles() of any mesh, out of line. */
+QTRI_NOINLINE static void visit_any(const qtri_mesh_job *draw, uint32_t number, edge_owner who,
+                                    bool simple, bool draws)
 {
-    look_at(draw, number, who, qtri_mesh_has_bytes(draw->mesh), simple, draws, false);
+    visit_triangles(draw, number, who, qtri_mesh_has_bytes(draw->mesh), simple, draws, false);
 }
 
 /*
- * The faces that may be seen of a mesh that has planes of them, by the first triangles: false, and
- * nothing is drawn, where planes tell nothing.
+ * Draws a mesh whose faces have planes, edges by FIRST. False, and nothing is drawn: it has none,
+ * or they tell nothing.
  */
 QTRI_NOINLINE static bool draw_faces(qtri_mesh_job *draw)
 {
-    const qtri_face_culling *culling = qtri_mesh_face_culling(draw->mesh);
+    const qtri_face_culling *culling = draw->mesh->faces.culling;
     const bool narrow = qtri_mesh_has_bytes(draw->mesh);
     const bool back = draw->primitive.material->cull == QTRI_CULL_BACK;
     qtri_mesh_faces faces;
@@ -384,21 +384,21 @@ void qtri_wireframe_mesh(qtri_mesh_job *draw)
     const bool quick = !QTRI_SHARE && simple && !qtri_mesh_has_bytes(mesh);
     clear_notes(draw);
     if (quick && who == FIRST) {
-        look_at(draw, 0, FIRST, false, true, true, true);
+        visit_triangles(draw, 0, FIRST, false, true, true, true);
         return;
     }
     if (who == LAST) {
         if (quick) {
-            look_at(draw, 0, LAST, false, true, false, true);
+            visit_triangles(draw, 0, LAST, false, true, false, true);
             draw_noted(draw, false, true);
         } else {
-            look_at_any(draw, 0, LAST, simple, false);
+            visit_any(draw, 0, LAST, simple, false);
             draw_noted(draw, qtri_mesh_has_bytes(mesh), false);
         }
         number = noted_count(mesh); /* and those that have no notes */
         who = EVERY;
     }
-    look_at_any(draw, number, who, simple, true);
+    visit_any(draw, number, who, simple, true);
 }
 
 void qtri_wireframe_triangle(const qtri_mesh_job *draw, const void *triangle,
@@ -421,7 +421,7 @@ void qtri_wireframe_prepare(const qtri_mesh_job *draw, bool back_only)
     clear_notes(draw);
     const edge_owner who =
         edge_owner_of(draw->primitive.material, true); /* bands mostly have depth */
-    look_at_any(draw, 0, who, back_only, false);
+    visit_any(draw, 0, who, back_only, false);
 }
 
 void qtri_wireframe_band(qtri_mesh_job *draw)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A triangle of a mesh whose vertices are transformed: lit, then handed to the pipeline, to the
- * clipper, or to the material's fill.
+ * One triangle of a mesh, its vertices transformed: lights it, and passes it to the pipeline, the
+ * clipper or the material's fill.
  */
 #include "lights.h"
 
@@ -106,21 +106,21 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
  * mesh, need none: they are computed again from the mesh's positions. A band of a prepared mesh
  * sets its transforms for that alone.
  */
-QTRI_NOINLINE static void place_late(const qtri_mesh_job *draw)
+QTRI_NOINLINE static void set_deferred_transform(const qtri_mesh_job *draw)
 {
-    qtri_late_place *late = draw->late;
-    qtri_primitive_place(late->primitive, late->view, late->pose, NULL);
+    qtri_deferred_transform *deferred = draw->deferred;
+    qtri_primitive_set_projector(deferred->primitive, deferred->view, deferred->pose, NULL);
     if (draw->positions->begin != NULL) {
-        draw->positions->begin(&late->primitive->projector, draw->mesh);
+        draw->positions->begin(&deferred->primitive->projector, draw->mesh);
     }
-    late->is_set = true;
+    deferred->is_set = true;
 }
 
 QTRI_NOINLINE static void set_rests(qtri_fan_vertex v[3], const qtri_mesh_job *draw,
                                     const uint32_t index[3])
 {
-    if (draw->late != NULL && !draw->late->is_set) {
-        place_late(draw);
+    if (draw->deferred != NULL && !draw->deferred->is_set) {
+        set_deferred_transform(draw);
     }
     for (int i = 0; i < 3; i++) {
         qtri_clip_vertex clip;
@@ -210,7 +210,8 @@ static void light_clipped(lit_triangle *triangle, const void *indices, qtri_vert
     }
 }
 
-/* Rare: homogeneous coordinates are not kept but computed again. */
+/* Draws a triangle that crosses a plane; these are rare, so homogeneous coordinates are not kept
+   but computed again. */
 QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *indices,
                                        qtri_vertex *const vertex[3])
 {
@@ -224,7 +225,7 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
     for (int i = 0; i < 3; i++) {
         draw->positions->transform(&draw->primitive.projector, draw->mesh, triangle.index[i],
                                    &shape.clip[i]);
-        if (draw->primitive.material->fill == NULL) { /* whose alphas the vertices have */
+        if (draw->primitive.material->fill == NULL) { /* vertices may have alphas */
             draw->primitive.to.solid.small.state->alpha_index[i] = triangle.index[i];
         }
     }
@@ -232,7 +233,7 @@ QTRI_NOINLINE static void draw_clipped(const qtri_mesh_job *draw, const void *in
     qtri_primitive_triangle(&draw->primitive, &shape, set_attributes, &triangle);
 }
 
-/* One whose vertices are all inside. */
+/* Fills a triangle whose vertices are all inside. */
 QTRI_NOINLINE static void draw_solid(const qtri_mesh_job *draw, const void *indices, qtri_vertex *a,
                                      qtri_vertex *b, qtri_vertex *c)
 {
@@ -245,8 +246,8 @@ QTRI_NOINLINE static void draw_solid(const qtri_mesh_job *draw, const void *indi
     }
 }
 
-QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *indices,
-                                       qtri_vertex *const vertex[3])
+QTRI_NOINLINE void qtri_mesh_draw_visible(const qtri_mesh_job *draw, const void *indices,
+                                          qtri_vertex *const vertex[3])
 {
     if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         draw_clipped(draw, indices, vertex);
@@ -257,8 +258,8 @@ QTRI_NOINLINE void qtri_mesh_draw_seen(const qtri_mesh_job *draw, const void *in
     }
 }
 
-QTRI_NOINLINE bool qtri_mesh_turned_away(const qtri_mesh_job *draw, const qtri_vertex *a,
-                                         const qtri_vertex *b, const qtri_vertex *c)
+QTRI_NOINLINE bool qtri_mesh_is_culled(const qtri_mesh_job *draw, const qtri_vertex *a,
+                                       const qtri_vertex *b, const qtri_vertex *c)
 {
     return qtri_mesh_is_inside(a, b, c) &&
            qtri_is_culled(draw->primitive.material->cull,

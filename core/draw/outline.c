@@ -119,6 +119,7 @@ static void find_front(const qtri_outline *outline)
     }
 }
 
+/* Adds an edge of a front face to the sums, see above. */
 static void add_edge(uint32_t *sums, uint32_t a, uint32_t b)
 {
     sums[a] += b + (b * b << 16); /* fits() undoes carries from the low half */
@@ -144,7 +145,7 @@ static void add_sums(const qtri_outline *outline)
     }
 }
 
-/* After the mesh's vertices were transformed into this memory: all that finding its edges needs. */
+/* Sets what finding edges needs, once `vertices` holds the mesh's transformed vertices. */
 static void set_outline(qtri_outline *outline, qtri_vertex *vertices, const qtri_view *view,
                         const qtri_transform *pose, const qtri_material *material, int32_t width,
                         int32_t height)
@@ -166,7 +167,7 @@ static void set_outline(qtri_outline *outline, qtri_vertex *vertices, const qtri
 
 /* ---- Drawing ---- */
 
-/* All triangles have bits; the bit behind theirs, of no neighbour, is 0. */
+/* Sets the bits of all triangles; the one behind them, of "no neighbour", is 0. */
 static enum qtri_error begin_outline(qtri_outline *outline, const qtri_view *view)
 {
     QTRI_ASSERT(outline != NULL);
@@ -198,12 +199,12 @@ QTRI_NOINLINE static bool transform(const qtri_surface *surface, const qtri_view
                                     const qtri_outline *outline)
 {
     const qtri_mesh *mesh = outline->mesh;
-    const qtri_face_culling *culling = qtri_mesh_face_culling(mesh);
+    const qtri_face_culling *culling = mesh->faces.culling;
     qtri_mesh_faces faces;
     qtri_mesh_job job;
     qtri_mesh_job_init(&job, &qtri_vertex_stage_any, surface, view, mesh, material, view->vertices,
                        view->vertex_count);
-    if (!qtri_mesh_job_place(&job, view, pose)) {
+    if (!qtri_mesh_job_set_transforms(&job, view, pose)) {
         return false;
     }
     job.front = outline->front;
@@ -229,7 +230,7 @@ enum qtri_error qtri_find_outline(const qtri_surface *surface, const qtri_view *
 
 /* ---- Edges: listed by band, or noted ---- */
 
-/* A triangle's vertices, the first two once more behind the third. False: one is outside. */
+/* A triangle's vertices, the first two again behind the third. False: one is outside a plane. */
 QTRI_INLINE bool find_corners(const qtri_outline *outline, uint32_t triangle, qtri_vertex *v[5])
 {
     uint32_t index[3];
@@ -243,10 +244,10 @@ QTRI_INLINE bool find_corners(const qtri_outline *outline, uint32_t triangle, qt
 
 typedef struct finder {
     const qtri_outline *outline;
-    const qtri_mesh_job *job; /* for light: NULL where no creases are asked for */
-    qtri_edge_axis axis[2];   /* of the pass */
-    uint32_t bands;           /* for lists; 0: edges are noted */
-    uint32_t next, end;       /* entries */
+    const qtri_mesh_job *job; /* for light; NULL: creases are not asked for */
+    qtri_edge_axis axis[2];   /* where edges are noted */
+    uint32_t bands;           /* that have lists; 0: edges are noted */
+    uint32_t next, end;       /* entries that are taken, and that there is room for */
     qtri_band_divider divider;
 } finder;
 
@@ -284,9 +285,8 @@ static bool list_edge(finder *f, const qtri_vertex *a, const qtri_vertex *b, uin
     return true;
 }
 
-/* Notes or lists those of a triangle's edges that have a bit. False, here and below: there is no
-   room in lists. */
-static bool take_edges(finder *f, uint32_t triangle, uint32_t edges, bool weak)
+/* Notes or lists the edges of a triangle that have a bit. False, here and below: lists are full. */
+static bool record_edges(finder *f, uint32_t triangle, uint32_t edges, bool weak)
 {
     const uint32_t entry = (uint32_t)weak << WEAK_SHIFT | triangle;
     qtri_vertex *v[5];
@@ -308,7 +308,8 @@ static bool take_edges(finder *f, uint32_t triangle, uint32_t edges, bool weak)
 
 /* ---- Finding edges ---- */
 
-/* Whether a sum at one end is what the edge alone leaves: `twice` the other end, with its sign. */
+/* Whether the sum at one end of an edge is what the edge alone leaves. `twice`: 2 times the index
+   of the other end; `leaves`: this end is a. */
 static bool fits(uint32_t sum, uint32_t twice, bool leaves)
 {
     const uint32_t s1 = (uint32_t)(int32_t)(int16_t)(sum & 0xFFFF);
@@ -317,14 +318,14 @@ static bool fits(uint32_t sum, uint32_t twice, bool leaves)
     return ((product - s2) & 0xFFFF) == 0;
 }
 
+/* 1 or 0: whether edge a b of a front face has no front neighbour, by the sums. */
 static uint32_t is_alone(const uint32_t *sums, uint32_t a, uint32_t b)
 {
     return sums[a] != 0 && sums[b] != 0 && fits(sums[a], 2 * b, true) &&
            fits(sums[b], 2 * a, false);
 }
 
-/* Edges of a front triangle to neighbours that are not front; of a mesh without neighbours those
-   that are alone. */
+/* The edges of a front triangle, as bits, whose neighbours are not front. */
 static uint32_t silhouettes_of(const qtri_outline *outline, uint32_t triangle)
 {
     const uint32_t *front = outline->front;
@@ -343,7 +344,7 @@ static uint32_t silhouettes_of(const qtri_outline *outline, uint32_t triangle)
            is_alone(outline->sums, i[2], i[0]) << 2;
 }
 
-/* Edges to front faces of other light, each from the face that comes first. */
+/* The edges, as bits, to front faces of other light; of two faces the first one has them. */
 static uint32_t creases_of(const finder *f, uint32_t triangle)
 {
     const qtri_mesh *mesh = f->outline->mesh;
@@ -362,7 +363,7 @@ static uint32_t creases_of(const finder *f, uint32_t triangle)
     return edges;
 }
 
-/* Of front triangles silhouettes, or creases, which are weaker. */
+/* Records the silhouettes of front triangles, or their creases, which are weak. */
 static bool find_front_edges(finder *f, bool creases)
 {
     const qtri_outline *outline = f->outline;
@@ -371,7 +372,7 @@ static bool find_front_edges(finder *f, bool creases)
     for (uint32_t i = 0; i < count; i++) {
         if ((front_bits_at(front, i) & 1) != 0) {
             const uint32_t edges = creases ? creases_of(f, i) : silhouettes_of(outline, i);
-            if (edges != 0 && !take_edges(f, i, edges, creases)) {
+            if (edges != 0 && !record_edges(f, i, edges, creases)) {
                 return false;
             }
         }
@@ -379,7 +380,7 @@ static bool find_front_edges(finder *f, bool creases)
     return true;
 }
 
-/* Edges without a neighbour of back faces, where these are not culled. */
+/* Records edges of back faces that have no neighbour, where back faces are not culled. */
 static bool find_borders(finder *f)
 {
     const qtri_mesh *mesh = f->outline->mesh;
@@ -392,7 +393,7 @@ static bool find_borders(finder *f)
         const uint32_t edges = (uint32_t)(n[0] == none) | (uint32_t)(n[1] == none) << 1 |
                                (uint32_t)(n[2] == none) << 2;
         if (edges != 0 && (front_bits_at(f->outline->front, i) & 1) == 0 &&
-            !take_edges(f, i, edges, false)) {
+            !record_edges(f, i, edges, false)) {
             return false;
         }
     }
@@ -415,7 +416,7 @@ QTRI_NOINLINE static bool find_creases(finder *f)
     f->axis[0].weak = UINT32_MAX;
     f->axis[1].weak = UINT32_MAX;
     // NOLINTNEXTLINE(clang-analyzer-core.*): what reads the job has returned by then
-    return !qtri_mesh_job_place(&job, outline->view, outline->pose) || !job.lit_per_face ||
+    return !qtri_mesh_job_set_transforms(&job, outline->view, outline->pose) || !job.lit_per_face ||
            find_front_edges(f, true);
 }
 
@@ -478,6 +479,7 @@ enum qtri_error qtri_prepared_find_edges(const qtri_prepared *prepared, qtri_out
 
 /* ---- Noting ---- */
 
+/* Notes the edges in a band's list. */
 static void note_list(finder *f, uint32_t band)
 {
     const qtri_outline *outline = f->outline;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Light computed by pixel, &qtri_per_pixel: see qtri_by_pixel in primitive.h. */
 #include "qtri/pipeline_make.h"
 
 #include "mesh_job.h"
@@ -11,14 +12,14 @@ static void get_face_normal(int32_t n[3], const qtri_mesh *mesh, const uint32_t 
     qtri_face_normal(n, &p[0], &p[1], &p[2]);
 }
 
-static void set(const qtri_primitive *primitive, int i, const qtri_lit_point *point,
-                const qtri_rgb *color)
+static void set_corner(const qtri_primitive *primitive, int i, const qtri_lit_point *point,
+                       const qtri_rgb *color)
 {
     qtri_lit_set_corner(qtri_large_light_triangle(primitive->to.solid.small.state), i, point,
                         color);
 }
 
-static void note(const qtri_mesh_job *draw, const void *indices, bool is_back)
+static void set_corners(const qtri_mesh_job *draw, const void *indices, bool is_back)
 {
     const qtri_mesh *mesh = draw->mesh;
     const int32_t turn = is_back ? -1 : 1;
@@ -40,20 +41,20 @@ static void note(const qtri_mesh_job *draw, const void *indices, bool is_back)
         }
         qtri_illuminated_normal(&point, draw->illumination, turn * n[0], turn * n[1], turn * n[2]);
         qtri_lit_vertex_place(&point, draw, index[i]);
-        set(&draw->primitive, i, &point, qtri_mesh_color(draw, index[i]));
+        set_corner(&draw->primitive, i, &point, qtri_mesh_color(draw, index[i]));
     }
 }
 
-/* A back face has exchanged its vertices 1 and 2. */
+/* See qtri_draw_state.has_linear_light. A back face has exchanged its vertices 1 and 2. */
 static bool has_linear_light(const qtri_small *t)
 {
     const qtri_mesh_job *draw = t->from;
-    if (draw->illumination == NULL) { /* of qtri_draw_lit_triangles() */
+    if (draw->illumination == NULL) { /* called by qtri_draw_lit_triangles() */
         return false;
     }
-    note(draw, t->indices,
-         draw->illumination->two_sided &&
-             t->index[1] != qtri_mesh_index(draw->mesh, t->indices, 1));
+    set_corners(draw, t->indices,
+                draw->illumination->two_sided &&
+                    t->index[1] != qtri_mesh_index(draw->mesh, t->indices, 1));
     return qtri_large_light_is_linear(t->state);
 }
 
@@ -64,8 +65,7 @@ static void run(qtri_primitive *primitive, const qtri_illumination *by, qtri_lit
     qtri_large_light_run(&primitive->to.solid.state, by, body, with);
 }
 
-/* What most programs draw with in light by pixel on RGB565, taken before a view's generic pipeline.
- */
+/* The pipelines that most programs need: RGB565; preferred to a view's generic one. */
 #define BY_PIXEL                                                                                   \
     .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS, .shade = QTRI_COLORS,     \
     .per_pixel = 1
@@ -76,6 +76,6 @@ QTRI_PIPELINE(qtri_pipeline_texture_by_pixel, BY_PIXEL, .texel = QTRI_TEXEL_RGB5
 const qtri_pipeline *const qtri_pipelines_by_pixel[] = {&qtri_pipeline_by_pixel,
                                                         &qtri_pipeline_texture_by_pixel, NULL};
 
-static const qtri_by_pixel by_pixel = {qtri_pipelines_by_pixel, run, note, set};
+static const qtri_by_pixel by_pixel = {qtri_pipelines_by_pixel, run, set_corners, set_corner};
 
 const qtri_shading qtri_per_pixel = {2, true, &by_pixel};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The generic pipeline of surfaces with four samples a pixel, which formats name. */
+/* The generic pipeline for four samples a pixel; the formats with samples name it. */
 #define QTRI_PIPELINE_IS_ANY
 #define QTRI_PIPELINE_IS_ANY_BY_ASKS
 #define QTRI_PIPELINE_IS_ANY_X4

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What most programs draw with on RGB565, and what a view that names no pipelines draws with. */
+/* Pipelines for RGB565 that most programs need, and a view's default list of pipelines. */
 #include "qtri/pipeline_make.h"
 
 #define LESS    .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS
@@ -25,6 +25,6 @@ void qtri_view_init(qtri_view *view, int32_t frame_width, int32_t frame_height)
     qtri_view_init_pipelines(view, frame_width, frame_height, qtri_pipelines_default);
 }
 
-/* In the byte order of displays on SPI. */
+/* Pipelines for the byte order of displays on SPI. */
 QTRI_PIPELINES(qtri_pipelines_swapped, qtri_pipeline_swapped, .format = QTRI_RGB565_SWAPPED,
                .depth = QTRI_LINEAR16, .compare = QTRI_LESS)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Formats with four samples a pixel, and what most programs draw with on that of RGB565. */
+/* Formats with four samples a pixel, and the pipelines for RGB565 that most programs need. */
 #include "qtri/pipeline_make.h"
 
 #include "../frame/pixel.h"

@@ -25,8 +25,8 @@ void qtri_primitive_begin_lines(qtri_primitive *primitive)
                        &primitive->to.lines.target);
 }
 
-void qtri_primitive_place(qtri_primitive *primitive, const qtri_view *view,
-                          const qtri_transform *pose, qtri_transform *object_to_eye)
+void qtri_primitive_set_projector(qtri_primitive *primitive, const qtri_view *view,
+                                  const qtri_transform *pose, qtri_transform *object_to_eye)
 {
     qtri_transform own, object_to_clip;
     qtri_transform *to_eye = object_to_eye != NULL ? object_to_eye : &own;
@@ -213,7 +213,6 @@ void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_ver
 
 /* ---- Large triangles ---- */
 
-/* What is left of half a step of 1/256 pixel: texels show it, depths where they are steep. */
 bool qtri_rests_matter(const qtri_draw_state *state, const qtri_point *const p[3],
                        const uint32_t depth_16p16[3], int64_t area)
 {
@@ -254,8 +253,8 @@ uint32_t qtri_color_word(const int32_t color_8p16[3])
 
 /* ---- Pieces of a triangle ---- */
 
-/* Which of the triangle's own vertices this is, that no plane made; otherwise -1. Two weights of 1
-   would be a sum of 2: they are parts of 1. */
+/* Which of the triangle's vertices this is, 0..2; -1: clipping made it. Not both weights can be 1:
+   their sum is 1 at most. */
 static int own_vertex(const qtri_fan_vertex *v)
 {
     const int32_t one_q30 = (int32_t)1 << 30;
@@ -268,8 +267,8 @@ static int own_vertex(const qtri_fan_vertex *v)
     return v->b1_q30 != 0 ? 1 : 2;
 }
 
-/* Alpha of a point of the triangle whose vertices have these numbers. Clipping leaves weights of 0
-   or more, whose sum is 1 at most: a mean of the three. */
+/* Alpha, Q16, interpolated at a vertex. Clipping leaves weights of 0 or more, whose sum is 1 at
+   most: a mean of the three. */
 static uint32_t alpha_at(const qtri_draw_state *state, const qtri_fan_vertex *v)
 {
     const int32_t b_q30[2] = {v->b1_q30, v->b2_q30};

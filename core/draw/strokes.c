@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Strokes from object space: polylines, lines, points, wireframes.
+ * Draw calls of strokes: polylines, wide lines, points and splats, wide wireframes, hidden lines.
  */
 #include "qtri/pipeline_make.h"
 #include "qtri/stroke.h"
@@ -10,18 +10,18 @@
 #include "checked.h"
 #include "mesh_job.h"
 
-enum { VERTICES = 4 }; /* on their way together */
+enum { VERTICES = 4 }; /* transformed at a time */
 
-/* Corners of one draw call on their way to the screen. */
+/* The corners of one draw call, and their transform. */
 typedef struct stroke_job {
     qtri_projector projector;
     const qtri_corner *corners;
     uint32_t count;
-    const qtri_vertex *vertices; /* of the first `kept` corners */
+    const qtri_vertex *vertices; /* of the first `kept` corners, on the screen */
     uint32_t kept;
 } stroke_job;
 
-/* projection camera pose, and the material's depth bias; no vertices are kept. */
+/* Sets projection camera pose, and the material's depth bias; no vertices are kept. */
 static void job_init(stroke_job *job, const qtri_view *view, const qtri_transform *pose,
                      const qtri_corner *corners, uint32_t count, const qtri_material *material)
 {
@@ -41,6 +41,7 @@ static bool is_inside(const qtri_vertex *v)
     return (v->depth_16p8 & QTRI_VERTEX_OUTSIDE) == 0;
 }
 
+/* Position and depth of *out; the rest is left alone. */
 static void project(const stroke_job *job, const qtri_clip_vertex *clip, qtri_vertex *out)
 {
     qtri_screen_vertex screen;
@@ -50,7 +51,7 @@ static void project(const stroke_job *job, const qtri_clip_vertex *clip, qtri_ve
     out->depth_16p8 = screen.depth_16p16 & ~0xFFu;
 }
 
-/* A corner on the screen, as below, of any w. */
+/* Corner `corner` on the screen, of any w; marked as vertices of meshes are where it is outside. */
 static void any_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out)
 {
     const qtri_vec4 *const position[1] = {&job->corners[corner].position};
@@ -66,8 +67,8 @@ static void any_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out)
 }
 
 /*
- * Corners `first` .. first+count-1 on the screen, at most VERTICES. One that is outside of a plane
- * is marked as vertices of meshes are. Where w is 1 they take the way of these, to the same bits.
+ * Corners `first` .. first + count - 1, at most VERTICES, as any_vertex(). Where w is 1 they are
+ * transformed as vertices of meshes are, to the same bits.
  */
 static void job_vertices(const stroke_job *job, uint32_t first, uint32_t count, qtri_vertex *out)
 {
@@ -92,7 +93,7 @@ static void job_vertices(const stroke_job *job, uint32_t first, uint32_t count, 
     }
 }
 
-/* A part's corners are that of its number and the next one; behind the last is the first. */
+/* Part i goes from corner i to corner i + 1; behind the last corner comes the first. */
 static inline uint32_t corner_at(const stroke_job *job, uint32_t i)
 {
     return i < job->count ? i : 0;
@@ -108,10 +109,10 @@ static void find_vertex(const stroke_job *job, uint32_t corner, qtri_vertex *out
     }
 }
 
-/* The ends of what clipping leaves of a part, and how far along it they lie. False: nothing. A
-   function of its own: few parts need its stack. */
+/* Clips a part: its new ends, and t of each along the part. False: nothing is left. A function of
+   its own: few parts need its stack. */
 QTRI_NOINLINE static bool clip_part(const stroke_job *job, uint32_t part, qtri_vertex end[2],
-                                    int32_t share_q30[2])
+                                    int32_t t_q30[2])
 {
     const qtri_vec4 *const position[2] = {&job->corners[part].position,
                                           &job->corners[corner_at(job, part + 1)].position};
@@ -126,33 +127,33 @@ QTRI_NOINLINE static bool clip_part(const stroke_job *job, uint32_t part, qtri_v
     }
     for (int i = 0; i < 2; i++) {
         project(job, &v[i], &end[i]);
-        share_q30[i] = v[i].b1_q30;
+        t_q30[i] = v[i].b1_q30;
     }
     return true;
 }
 
-/* An end's colour moves towards the other one's by what was cut off. */
-static void mix_colors(qtri_stroke_end end[2], const int32_t share_q30[2])
+/* Interpolates the colours of a clipped part's ends. */
+static void mix_colors(qtri_stroke_end end[2], const int32_t t_q30[2])
 {
     for (int i = 0; i < 3; i++) {
         const int32_t from = end[0].color_8p16[i];
         const int32_t difference = end[1].color_8p16[i] - from;
         for (int k = 0; k < 2; k++) {
-            end[k].color_8p16[i] = from + (int32_t)(qtri_mul_s32(difference, share_q30[k]) >> 30);
+            end[k].color_8p16[i] = from + (int32_t)(qtri_mul_s32(difference, t_q30[k]) >> 30);
         }
     }
 }
 
-/* The corners' parts, one after the other. */
+/* The finder of parts for qtri_stroker_draw(): the ends of a part; false: it is outside. */
 static bool find_part(const void *from, uint32_t part, qtri_point at[2], qtri_stroke_end end[2])
 {
     const stroke_job *job = from;
     qtri_vertex v[2];
-    int32_t share_q30[2];
+    int32_t t_q30[2];
     find_vertex(job, part, &v[0]);
     find_vertex(job, part + 1, &v[1]);
     const bool is_cut = !is_inside(&v[0]) || !is_inside(&v[1]);
-    if (is_cut && !clip_part(job, part, v, share_q30)) {
+    if (is_cut && !clip_part(job, part, v, t_q30)) {
         return false;
     }
     at[0] = v[0].at;
@@ -166,7 +167,7 @@ static bool find_part(const void *from, uint32_t part, qtri_point at[2], qtri_st
                             QTRI_INTENSITY_ONE);
     }
     if (is_cut) {
-        mix_colors(end, share_q30);
+        mix_colors(end, t_q30);
     }
     return true;
 }
@@ -247,7 +248,7 @@ static qtri_vec3 half_width_up(const qtri_view *view, const qtri_transform *pose
     return qtri_vec3_scale(qtri_vec3_normalize(row), width / 2);
 }
 
-/* What a splat's half is on the screen: at least a 256th, at most QTRI_STROKE_WIDTH_MAX / 2. */
+/* A splat's radius on the screen, 24.8: at least 1/256, at most QTRI_STROKE_WIDTH_MAX / 2. */
 static int32_t radius_in_space(const stroke_job *job, const qtri_vec4 *center,
                                const qtri_vec3 *half, const qtri_point *at)
 {
@@ -314,8 +315,8 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
 /* ---- Wireframes ---- */
 
 /*
- * Edges are found, lit and shared out as those of &qtri_wireframe are; only what draws an edge is
- * another: the fills of smooth lines one pixel wide, and of one call's wide ones.
+ * Edges are found, lit and owned as those of &qtri_wireframe are. Only the function that draws an
+ * edge differs: for smooth lines one pixel wide, and for the wide ones of one call.
  */
 
 static const qtri_stroke_line one_pixel = {128, false, 255};
@@ -329,7 +330,7 @@ static void begin_smooth(qtri_primitive *primitive)
 
 const qtri_fill qtri_smooth_wireframe = QTRI_WIREFRAME_FILL(begin_smooth);
 
-/* What the edges of one call share. */
+/* What all edges of one call are drawn with. */
 typedef struct wide_edges {
     qtri_stroker stroker;
     qtri_stroke_place place;
@@ -354,8 +355,8 @@ static void draw_edge(const qtri_line_job *job, const qtri_vertex *a, const qtri
 }
 
 /*
- * The rows in which a line job looks for triangles reach as far beyond the surface's as an edge
- * does beyond its vertices: a radius, and the corner of a square end a radius times sqrt(2).
+ * Adds to the rows of the line job as many as an edge reaches beyond its vertices: a radius, and
+ * the corner of a square end a radius times sqrt(2).
  */
 static void begin_wide(qtri_primitive *primitive)
 {
@@ -404,12 +405,12 @@ void qtri_draw_wide_wireframe(const qtri_surface *surface, const qtri_view *view
     qtri_draw_mesh(surface, view, pose, &unbounded, &wired);
 }
 
-/* Faces leave depth alone, most often where it is less. */
+/* Hidden lines draw faces into depth alone, most often compared by less. */
 QTRI_PIPELINE(qtri_pipeline_depth_less, .format = QTRI_DEPTH_ONLY, .depth = QTRI_LINEAR16,
               .compare = QTRI_LESS)
 static const qtri_pipeline *const faces[] = {&qtri_pipeline_depth_less, &qtri_pipeline_any, NULL};
 
-/* A bias towards the eye, which is where the comparison says. */
+/* The material's depth bias plus `bias` towards the eye, on the side that passes the comparison. */
 static q16 nearer_by(const qtri_material *material, q16 bias)
 {
     const bool is_greater =

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Triangles that are no mesh's, lit and unlit, each drawn as a mesh of one triangle; and lines.
+ * Draw calls of loose triangles, lit and unlit, each drawn as a mesh of one triangle; of lines; and
+ * of a triangle in screen coordinates.
  */
 #include <string.h>
 
@@ -66,10 +67,10 @@ static void begin(triangle_call *call, const qtri_surface *surface, const qtri_v
     job->slot_count = 3;
     job->lit = true;
     qtri_primitive_set_target(&job->primitive, surface, view, material, material->texture, shade);
-    qtri_primitive_place(&job->primitive, view, pose, NULL);
+    qtri_primitive_set_projector(&job->primitive, view, pose, NULL);
     if (material->fill == NULL) {
         qtri_mesh_solid_init(job, NULL);
-        for (uint32_t i = 0; i < 3; i++) { /* whose alphas a clipped triangle's vertices have */
+        for (uint32_t i = 0; i < 3; i++) { /* for alphas of a clipped triangle */
             job->primitive.to.solid.state.alpha_index[i] = i;
         }
     }
@@ -179,7 +180,7 @@ void qtri_draw_triangles(const qtri_surface *surface, const qtri_view *view,
 
 /* ---- In a view's lights ---- */
 
-/* All triangles of a call. */
+/* A draw call in a view's lights. */
 typedef struct lit_call {
     triangle_call call;
     const qtri_illumination *by;
@@ -199,7 +200,7 @@ static qtri_vec3 divide_by_w(const qtri_vec4 *position)
     return place;
 }
 
-/* Triangle `first` / 3 with its colours in the light. */
+/* The corners `first` .. first + 2 with their colours lit. */
 static void light(qtri_corner lit[3], const lit_call *call, uint32_t first, bool is_back)
 {
     const qtri_corner *corners = &call->corners[first];
@@ -225,7 +226,7 @@ static void light(qtri_corner lit[3], const lit_call *call, uint32_t first, bool
         qtri_illuminated_normal(&point, call->by, turn * n[0], turn * n[1], turn * n[2]);
         qtri_illuminated_place(&point, call->by, smooth ? &p[i] : &mean);
         if (by_pixel != NULL) {
-            by_pixel->set(primitive, i, &point, &corners[i].color);
+            by_pixel->set_corner(primitive, i, &point, &corners[i].color);
         }
         lit[i].color = qtri_lit_rgb(qtri_illuminate(call->by, &point, &corners[i].color));
     }
@@ -311,7 +312,7 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
     qtri_primitive primitive;
     primitive.surface = surface;
     primitive.material = material;
-    qtri_primitive_place(&primitive, view, pose, NULL);
+    qtri_primitive_set_projector(&primitive, view, pose, NULL);
     qtri_primitive_begin_lines(&primitive);
     for (uint32_t i = 0; corner_count - i >= 2; i += 2) {
         qtri_clip_vertex v[3];
@@ -325,7 +326,7 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
 
 /* ---- The rasterizer alone ---- */
 
-/* Coordinates are as they are; all else is held to what large.h says. */
+/* Depth, 1/w and colours are clamped to the ranges in large.h; coordinates are already. */
 static void set_large_vertex(qtri_large_vertex *out, const qtri_screen_vertex *v, uint32_t alpha)
 {
     const uint32_t farthest = (uint32_t)65535 << 16;

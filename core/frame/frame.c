@@ -253,20 +253,15 @@ void qtri_frame_join(const qtri_frame *frame, qtri_surface *band)
 
 /* ---- Changes ---- */
 
-static bool is_empty(const qtri_rect *r)
-{
-    return r->x0 >= r->x1 || r->y0 >= r->y1;
-}
-
 void qtri_frame_mark(qtri_frame *frame, const qtri_rect *rect)
 {
     QTRI_ASSERT(frame != NULL && rect != NULL);
     qtri_rect r = widened(frame, rect, 0);
-    if (is_empty(&r)) {
+    if (qtri_rect_is_empty(&r)) {
         return;
     }
     const qtri_rect *old = &frame->changes;
-    if (!is_empty(old)) {
+    if (!qtri_rect_is_empty(old)) {
         r.x0 = r.x0 < old->x0 ? r.x0 : old->x0;
         r.y0 = r.y0 < old->y0 ? r.y0 : old->y0;
         r.x1 = r.x1 > old->x1 ? r.x1 : old->x1;
@@ -291,7 +286,7 @@ qtri_rect qtri_frame_changes(const qtri_frame *frame)
 void qtri_frame_only_changes(qtri_frame *frame)
 {
     QTRI_ASSERT(frame != NULL);
-    if (!is_empty(&frame->changes)) {
+    if (!qtri_rect_is_empty(&frame->changes)) {
         frame->changes = widened(frame, &frame->changes, frame->overlap);
     }
     frame->only_changes = true;

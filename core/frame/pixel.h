@@ -47,6 +47,11 @@ typedef uint32_t __attribute__((__may_alias__)) qtri_word;
 typedef uint32_t qtri_word;
 #endif
 
+static inline bool qtri_rect_is_empty(const qtri_rect *rect)
+{
+    return rect->x0 >= rect->x1 || rect->y0 >= rect->y1;
+}
+
 /* Where a pixel of a row that the surface holds is stored. */
 static inline uint8_t *qtri_surface_at(const qtri_surface *surface, int32_t x, int32_t row)
 {

@@ -140,6 +140,5 @@ qtri_rect qtri_surface_bounds(const qtri_surface *surface)
     bounds.y0 = bounds.y0 > surface->first_row ? bounds.y0 : surface->first_row;
     bounds.y0 = bounds.y0 > 0 ? bounds.y0 : 0;
     bounds.y1 = bounds.y1 < end ? bounds.y1 : end;
-    const bool is_empty = bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1;
-    return is_empty || surface->format == NULL ? nothing : bounds;
+    return qtri_rect_is_empty(&bounds) || surface->format == NULL ? nothing : bounds;
 }

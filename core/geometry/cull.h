@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The point from which a mesh is seen, and the faces that turn away from it. Internal.
+ * Culling by planes of faces: the eye in a mesh's coordinates, and its side of a plane. Internal.
  */
 #ifndef QTRI_GEOMETRY_CULL_H
 #define QTRI_GEOMETRY_CULL_H
@@ -8,25 +8,27 @@
 #include "projector.h"
 
 /*
- * Homogeneous, in extents of the mesh about its origin, w negated; or, for the faces that turn
- * towards it, all of it negated. |x|, |y|, |z| <= 2^21, |w| < 2^22, behind < 2^29: sums stay below
+ * The eye, homogeneous, in extents of the mesh about its origin, w negated; or all of it negated,
+ * to cull front faces. |x|, |y|, |z| <= 2^21, |w| < 2^22, behind < 2^29: sums stay below
  * 2^31.
  */
 typedef struct qtri_eye {
     int32_t x, y, z, w;
-    int32_t behind; /* a face whose qtri_eye_side() is at least this turns away */
+    int32_t behind; /* qtri_eye_side() of at least this: a face turns away; -this or less: not */
 } qtri_eye;
 
 /*
- * For a projector after qtri_projector_compact() by the mesh's origin and extent. False where faces
- * tell nothing: the mesh, within faces->radius_q14, is not all between the near and the far plane
- * and well inside the guard band, or so small on the screen that snapping may turn any face.
+ * Finds the eye for a projector after qtri_projector_compact() by the mesh's origin and extent.
+ * False where planes tell nothing: the mesh, within faces->radius_q14, is not all between the near
+ * and the far plane and well inside the guard band, or so small on the screen that snapping may
+ * turn any face.
  */
 bool qtri_eye_find(qtri_eye *eye, const qtri_projector *projector, const qtri_faces *faces);
 
-/* The faces that turn towards it take the place of those that turn away. */
+/* From then on faces that turn towards the eye are culled, not those that turn away. */
 void qtri_eye_mirror(qtri_eye *eye);
 
+/* How far behind a face's plane the eye is, in units of `behind`. */
 static inline int32_t qtri_eye_side(const qtri_eye *eye, const qtri_face8 *face)
 {
     int32_t sum = face->x * eye->x;
@@ -49,7 +51,7 @@ static inline bool qtri_eye_is_behind(const qtri_eye *eye, const qtri_face8 *fac
     return qtri_eye_side(eye, face) >= eye->behind;
 }
 
-/* Whether it is sure not to: the bound is the same for both signs. */
+/* Whether it is sure not to turn away: the bound is the same for both signs. */
 static inline bool qtri_eye_is_before(const qtri_eye *eye, const qtri_face8 *face)
 {
     return qtri_eye_side(eye, face) <= -eye->behind;

@@ -189,11 +189,11 @@ static void set_sources(qtri_illumination *by, const qtri_light *lights,
 {
     const uint32_t count = lights->count < QTRI_LIGHTS_MAX ? lights->count : QTRI_LIGHTS_MAX;
     bool done[QTRI_LIGHTS_MAX] = {false};
-    qtri_shine *out = by->shine;
+    qtri_source *out = by->source;
     by->count = 0;
     for (uint32_t i = 0; i < count; i++) {
         const qtri_light_kind *kind = lights->sources[i].kind;
-        const qtri_shine *first = out;
+        const qtri_source *first = out;
         for (uint32_t j = i; j < count && kind != NULL; j++) {
             if (!done[j] && lights->sources[j].kind == kind) {
                 done[j] = true;

@@ -22,7 +22,7 @@
 #include "row.h"
 
 /* A source as a draw call sees it: of its kind. |color| <= 2^16; of point lights <= 2^12. */
-typedef struct qtri_shine {
+typedef struct qtri_source {
     uint32_t color_q12[3];
     int32_t at[3]; /* the direction to it, Q14; or its place, |.| < 2^29, times 2^exponent */
     union {
@@ -41,7 +41,7 @@ typedef struct qtri_shine {
     uint32_t penumbra_inverse;
     int32_t penumbra_shift;
     const qtri_shininess *falloff;
-} qtri_shine;
+} qtri_source;
 
 /* A vertex, and the light that reaches it. */
 typedef struct qtri_lit_point {
@@ -66,17 +66,17 @@ typedef struct qtri_light_space {
 
 struct qtri_light_kind {
     /* False: it is off. */
-    bool (*prepare)(qtri_shine *out, const qtri_light_source *source,
+    bool (*prepare)(qtri_source *out, const qtri_light_source *source,
                     const qtri_light_space *space);
     /* Adds the light of sources first..end - 1. */
-    void (*add)(const qtri_shine *first, const qtri_shine *end, qtri_lit_point *point);
+    void (*add)(const qtri_source *first, const qtri_source *end, qtri_lit_point *point);
     bool has_edges; /* what it lights ends where it is bright */
 };
 
 /* Sources of one kind, from where the run before ended. */
 typedef struct qtri_light_run {
     const qtri_light_kind *kind;
-    const qtri_shine *end;
+    const qtri_source *end;
 } qtri_light_run;
 
 typedef struct qtri_illumination {
@@ -94,7 +94,7 @@ typedef struct qtri_illumination {
         qtri_row16 compact[3]; /* not even: from a position to a place */
         qtri_row wide[3];
     } row;
-    qtri_shine shine[QTRI_LIGHTS_MAX];
+    qtri_source source[QTRI_LIGHTS_MAX];
 } qtri_illumination;
 
 /* For view->light, which has sources. compact: NULL, or a mesh whose positions16 are lit. */
@@ -234,7 +234,7 @@ QTRI_IN_PLACE void qtri_gather_light(const qtri_illumination *by, qtri_lit_point
     point->diffuse_q24[1] = by->ambient_q24[1];
     point->diffuse_q24[2] = by->ambient_q24[2];
     point->specular_q24[0] = point->specular_q24[1] = point->specular_q24[2] = 0;
-    const qtri_shine *first = by->shine;
+    const qtri_source *first = by->source;
     const qtri_light_run *end = by->run + by->count;
     for (const qtri_light_run *run = by->run; run != end; run++) {
         run->kind->add(first, run->end, point);

@@ -42,7 +42,7 @@ static inline void add_light(uint32_t sum_q24[3], const uint32_t color_q12[3], u
  * A half of 0, where light comes from behind what is looked at, is far from all unit vectors: its
  * distance is more than 1.8, which is beyond the table, and its square below 2^32.
  */
-static bool prepare_directional(qtri_shine *out, const qtri_light_source *source,
+static bool prepare_directional(qtri_source *out, const qtri_light_source *source,
                                 const qtri_light_space *space)
 {
     qtri_light_color_q12(out->color_q12, &source->color);
@@ -60,19 +60,19 @@ static bool prepare_directional(qtri_shine *out, const qtri_light_source *source
 }
 
 /* Most vertices are outside of most highlights: what is needed for one is not kept at hand. */
-QTRI_NOINLINE static void add_highlight(const qtri_shine *at, qtri_lit_point *point,
+QTRI_NOINLINE static void add_highlight(const qtri_source *at, qtri_lit_point *point,
                                         uint32_t apart_q29)
 {
     const uint32_t power_q15 = qtri_shininess_at(point->by->shininess, apart_q29);
     add_light(point->specular_q24, at->color_q12, power_q15 >> 3);
 }
 
-static void add_directional(const qtri_shine *first, const qtri_shine *end, qtri_lit_point *point)
+static void add_directional(const qtri_source *first, const qtri_source *end, qtri_lit_point *point)
 {
     const int32_t n[3] = {point->normal_q14[0], point->normal_q14[1], point->normal_q14[2]};
     uint32_t sum_q24[3] = {point->diffuse_q24[0], point->diffuse_q24[1], point->diffuse_q24[2]};
     const uint32_t end_q29 = highlight_end_q29(point->by->shininess);
-    for (const qtri_shine *at = first; at != end; at++) {
+    for (const qtri_source *at = first; at != end; at++) {
         const int32_t cosine_q28 = dot_q28(n, at->at);
         if (cosine_q28 <= 0) {
             continue;
@@ -109,7 +109,7 @@ typedef struct light_fade {
 
 /* point->place from source->at in one scale, where they have two: the finer one gives way. The
    exponent of the difference is returned. */
-static int32_t subtract_scaled(int32_t d[3], const qtri_shine *source, const qtri_lit_point *point)
+static int32_t subtract_scaled(int32_t d[3], const qtri_source *source, const qtri_lit_point *point)
 {
     const int32_t exponent = qtri_greatest32(source->of.far.exponent, point->exponent);
     const int32_t source_shift = qtri_least32(exponent - source->of.far.exponent, 31);
@@ -127,7 +127,7 @@ static int32_t subtract_scaled(int32_t d[3], const qtri_shine *source, const qtr
  * / 2^32 in [1/4, 1) and y = v^-1/2 in Q15, within 2^-13: |d| = 2^16 v y 2^-even / 2^15, and
  * d / |d| = d y 2^even / 2^31.
  */
-QTRI_IN_PLACE bool find_way(light_way *way, const qtri_shine *source, const qtri_lit_point *point)
+QTRI_IN_PLACE bool find_way(light_way *way, const qtri_source *source, const qtri_lit_point *point)
 {
     int32_t d[3];
     int32_t exponent = point->exponent;
@@ -180,7 +180,7 @@ static inline uint32_t scaled(uint32_t x, int32_t shift)
  * The sum is color / fade in Q19: 2^15, for 16, to 2^29, for 2^-10. Factors have 16 bits, so a
  * product that is not 0 is 2^30 at least: without two bits to be cut off it is 2^29 or more.
  */
-QTRI_IN_PLACE bool find_fade(light_fade *fade, const qtri_shine *source, const light_way *way)
+QTRI_IN_PLACE bool find_fade(light_fade *fade, const qtri_source *source, const light_way *way)
 {
     const uint32_t m = way->distance16;
     const int32_t linear_shift = source->of.far.linear_up + way->exponent;
@@ -236,7 +236,7 @@ QTRI_IN_PLACE uint32_t highlight_q15(const qtri_lit_point *point, const int32_t 
 }
 
 /* Adds what is reflected of it. */
-QTRI_IN_PLACE void add_faded(qtri_lit_point *point, const qtri_shine *source, const light_way *way,
+QTRI_IN_PLACE void add_faded(qtri_lit_point *point, const qtri_source *source, const light_way *way,
                              const light_fade *fade)
 {
     const uint32_t cosine_q15 = (uint32_t)way->cosine_q28 >> 13; /* <= 2^15 (1 + 2^-12) */
@@ -271,7 +271,7 @@ static qtri_wide fraction_of(q16 x)
 }
 
 /* Fades are divided by the largest channel, and the color, too, so that it is 1 at most. */
-static bool prepare_point(qtri_shine *out, const qtri_light_source *source,
+static bool prepare_point(qtri_source *out, const qtri_light_source *source,
                           const qtri_light_space *space)
 {
     qtri_light_color color = source->color;
@@ -305,9 +305,9 @@ static bool prepare_point(qtri_shine *out, const qtri_light_source *source,
     return true;
 }
 
-static void add_point(const qtri_shine *first, const qtri_shine *end, qtri_lit_point *point)
+static void add_point(const qtri_source *first, const qtri_source *end, qtri_lit_point *point)
 {
-    for (const qtri_shine *at = first; at != end; at++) {
+    for (const qtri_source *at = first; at != end; at++) {
         light_way way;
         light_fade fade;
         if (find_way(&way, at, point) && find_fade(&fade, at, &way)) {
@@ -329,7 +329,7 @@ static uint32_t apart_q29(q16 degrees)
     return ((uint32_t)((int32_t)1 << 30) - (uint32_t)cosine_q30 + 1u) >> 1; /* 0..2^30 */
 }
 
-static bool prepare_spot(qtri_shine *out, const qtri_light_source *source,
+static bool prepare_spot(qtri_source *out, const qtri_light_source *source,
                          const qtri_light_space *space)
 {
     if (!qtri_light_direction(out->axis_q14, space, &source->direction) ||
@@ -348,7 +348,7 @@ static bool prepare_spot(qtri_shine *out, const qtri_light_source *source,
 }
 
 /* The share in Q15 of a source's light that goes along a way. */
-static uint32_t cone_q15(const qtri_shine *source, const light_way *way)
+static uint32_t cone_q15(const qtri_source *source, const light_way *way)
 {
     const int32_t from[3] = {-way->direction_q14[0], -way->direction_q14[1],
                              -way->direction_q14[2]};
@@ -364,9 +364,9 @@ static uint32_t cone_q15(const qtri_shine *source, const light_way *way)
                                    : (share_q15 * qtri_shininess_at(source->falloff, apart)) >> 15;
 }
 
-static void add_spot(const qtri_shine *first, const qtri_shine *end, qtri_lit_point *point)
+static void add_spot(const qtri_source *first, const qtri_source *end, qtri_lit_point *point)
 {
-    for (const qtri_shine *at = first; at != end; at++) {
+    for (const qtri_source *at = first; at != end; at++) {
         light_way way;
         light_fade fade;
         if (!find_way(&way, at, point)) {

@@ -13,7 +13,7 @@
 
 #include "row.h"
 
-/* The view's light, if it is one white light, and if it has sources of colour; NULL: it is not. */
+/* The view's light if it is one white directional light, and if it has sources; otherwise NULL. */
 static inline const qtri_light *qtri_white_light(const qtri_view *view)
 {
     return view->light != NULL && view->light->model == NULL ? view->light : NULL;
