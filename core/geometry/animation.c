@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Keys of poses, hierarchies of them, and meshes between others.
+ * Animation: keyframes of poses, hierarchies of transforms, and morphs of meshes.
  */
 #include "qtri/animation.h"
 #include "qtri/error.h"
@@ -14,20 +14,20 @@
 /* ---- Keys ---- */
 
 /* a + (b - a) t, rounded, for 0 <= t <= 1: |b - a| < 2^32, and with the half below 2^63. */
-static q16 between(q16 a, q16 b, uint32_t t_q31)
+static q16 lerp_q31(q16 a, q16 b, uint32_t t_q31)
 {
     return (q16)(a + ((((int64_t)b - a) * t_q31 + 0x40000000) >> 31));
 }
 
-static qtri_vec3 between3(const qtri_vec3 *a, const qtri_vec3 *b, uint32_t t_q31)
+static qtri_vec3 lerp3(const qtri_vec3 *a, const qtri_vec3 *b, uint32_t t_q31)
 {
-    const qtri_vec3 v = {between(a->x, b->x, t_q31), between(a->y, b->y, t_q31),
-                         between(a->z, b->z, t_q31)};
+    const qtri_vec3 v = {lerp_q31(a->x, b->x, t_q31), lerp_q31(a->y, b->y, t_q31),
+                         lerp_q31(a->z, b->z, t_q31)};
     return v;
 }
 
-/* The part of the way that is done, 0..1; differences are below 2^32. */
-static uint32_t part_done_q31(q16 from, q16 to, q16 time)
+/* (time - from) / (to - from) for from <= time < to, rounded; differences are below 2^32. */
+static uint32_t key_fraction_q31(q16 from, q16 to, q16 time)
 {
     bool half;
     const uint64_t whole = (uint64_t)((int64_t)to - from);
@@ -65,11 +65,11 @@ qtri_key qtri_keys_at(const qtri_key *keys, int32_t count, q16 time)
     }
     const qtri_key *a = &keys[next - 1];
     const qtri_key *b = &keys[next];
-    const uint32_t t_q31 = part_done_q31(a->time, b->time, time);
+    const uint32_t t_q31 = key_fraction_q31(a->time, b->time, time);
     const qtri_key key = {
-        time, between3(&a->position, &b->position, t_q31),
+        time, lerp3(&a->position, &b->position, t_q31),
         qtri_quat_slerp(a->orientation, b->orientation, (q16)((t_q31 + 0x4000) >> 15)),
-        between3(&a->scale, &b->scale, t_q31)};
+        lerp3(&a->scale, &b->scale, t_q31)};
     return key;
 }
 
@@ -100,7 +100,7 @@ void qtri_poses_compose(qtri_transform *world, const qtri_transform *local, cons
 /* ---- Morphs ---- */
 
 /* a + (b - a) t, rounded: (2^16 - 1) 2^16 + 2^15 < 2^32, as an unsigned sum that does not wrap. */
-static int16_t between_16(int16_t a, int16_t b, uint32_t t)
+static int16_t lerp_position(int16_t a, int16_t b, uint32_t t)
 {
     const int32_t d = b - a;
     const uint32_t way = (qtri_magnitude32(d) * t + 0x8000u) >> 16;
@@ -113,9 +113,9 @@ void qtri_morph_positions(qtri_position16 *out, const qtri_position16 *from,
     QTRI_ASSERT((out != NULL && from != NULL && to != NULL) || count == 0);
     const uint32_t part = (uint32_t)q16_clamp(t, 0, Q16_ONE);
     for (uint32_t i = 0; i < count; i++) {
-        const qtri_position16 p = {between_16(from[i].x, to[i].x, part),
-                                   between_16(from[i].y, to[i].y, part),
-                                   between_16(from[i].z, to[i].z, part)};
+        const qtri_position16 p = {lerp_position(from[i].x, to[i].x, part),
+                                   lerp_position(from[i].y, to[i].y, part),
+                                   lerp_position(from[i].z, to[i].z, part)};
         out[i] = p;
     }
 }
@@ -175,14 +175,14 @@ void qtri_frames_positions(qtri_position16 *out, const qtri_position16 *position
                          count, place & 0xFFFF);
 }
 
-/* 127 v, rounded, of a part of a unit vector in Q2.30. */
-static int8_t part_q7(int32_t v_q30)
+/* 127 v, rounded, for a component of a unit vector in Q2.30. */
+static int8_t to_q7(int32_t v_q30)
 {
     return (int8_t)(((v_q30 >> 8) * 127 + ((int32_t)1 << 21)) >> 22); /* |.| <= 2^22 127 < 2^29 */
 }
 
 /* a (1 - t) + b t in Q16: |.| <= 127 2^16. */
-static int32_t normal_between(int8_t a, int8_t b, int32_t t)
+static int32_t lerp_normal(int8_t a, int8_t b, int32_t t)
 {
     return a * (Q16_ONE - t) + b * t;
 }
@@ -193,14 +193,14 @@ void qtri_morph_normals(qtri_normal8 *out, const qtri_normal8 *from, const qtri_
     QTRI_ASSERT((out != NULL && from != NULL && to != NULL) || count == 0);
     const q16 part = q16_clamp(t, 0, Q16_ONE);
     for (uint32_t i = 0; i < count; i++) {
-        int32_t v[3] = {normal_between(from[i].x, to[i].x, part),
-                        normal_between(from[i].y, to[i].y, part),
-                        normal_between(from[i].z, to[i].z, part)};
+        int32_t v[3] = {lerp_normal(from[i].x, to[i].x, part),
+                        lerp_normal(from[i].y, to[i].y, part),
+                        lerp_normal(from[i].z, to[i].z, part)};
         qtri_normal8 normal = from[i];
         if (qtri_unit(v, v, 3, 30)) {
-            normal.x = part_q7(v[0]);
-            normal.y = part_q7(v[1]);
-            normal.z = part_q7(v[2]);
+            normal.x = to_q7(v[0]);
+            normal.y = to_q7(v[1]);
+            normal.z = to_q7(v[2]);
         }
         out[i] = normal;
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Cameras, projections, and what turns to a camera.
+ * Transforms of cameras, projections, and billboards, which turn to a camera.
  */
 #include "qtri/error.h"
 #include "qtri/transform.h"
@@ -71,7 +71,7 @@ void qtri_transform_look_at(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, 
 
 #define DEGREES(n) ((uint32_t)(n)*65536u)
 
-/* above / below */
+/* *out = above / below */
 static void quotient(qtri_wide *out, int64_t above, int64_t below)
 {
     const qtri_wide divisor = qtri_wide_make(below, 0);
@@ -119,7 +119,7 @@ static void half_cotangent(qtri_wide *out, q16 degrees)
     quotient(out, above, below);
 }
 
-/* 0 0 (f + n) / (n - f), or its negative, and 2 f n / (n - f) */
+/* The row of z: 0 0 (f + n) / (n - f), or the negative of that, and 2 f n / (n - f) */
 static void depth_row(qtri_row *row, q16 near_z, q16 far_z, bool negative)
 {
     const qtri_wide divisor = qtri_wide_make((int64_t)near_z - far_z, 16);
@@ -135,7 +135,7 @@ static void depth_row(qtri_row *row, q16 near_z, q16 far_z, bool negative)
     qtri_row_from_two(row, 2, &slope, 3, &offset);
 }
 
-/* w = toward z */
+/* The row of w: w = toward z */
 static void set_w_row(qtri_row *row, int64_t toward)
 {
     const qtri_wide one = qtri_wide_make(toward, 0);
@@ -279,14 +279,14 @@ void qtri_transform_ortho_d3d(qtri_transform *t, q16 left, q16 right, q16 bottom
 
 /* ---- Billboards ---- */
 
-/* The direction in which a row of the camera looks at the world, of length 1. */
+/* An axis of the camera in the world: a row's linear part, of length 1. False: that is 0. */
 static bool axis_of(qtri_wide axis[3], const qtri_row *row)
 {
     qtri_row_axis(axis, row);
     return qtri_wide_normalize(axis);
 }
 
-/* t = t builder, whose columns are three directions. */
+/* t = t builder, a transform whose columns are axis[0..2]. */
 static void turn(qtri_transform *t, qtri_wide axis[3][3])
 {
     qtri_transform builder;
@@ -310,7 +310,7 @@ void qtri_transform_billboard(qtri_transform *t, const qtri_transform *camera)
     }
 }
 
-/* z is what is level of the camera's, x = y cross z. */
+/* y stays; z is the horizontal part of the camera's z, x = y cross z. */
 void qtri_transform_billboard_upright(qtri_transform *t, const qtri_transform *camera)
 {
     QTRI_ASSERT(t != NULL);

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Outcodes, and clipping of polygons and lines in homogeneous coordinates. */
 #include "qtri/error.h"
 #include "qtri/view.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What encloses a mesh, whether a projector or a view can see it, and the faces that turn away.
+ * Bounding boxes and balls of meshes, their frustum culling, and back-face culling by planes.
  */
 #include "qtri/error.h"
 #include "qtri/mesh.h"
@@ -37,9 +37,9 @@ static uint32_t count_of(const qtri_mesh *mesh)
 }
 
 /*
- * Half of what lies between, rounded up, and the middle, rounded down: where one is rounded the
+ * The middle of low..high, rounded down, and half its length, rounded up: where one is rounded the
  * other is, too, so that they reach `high` exactly and `low` at least. Only from the lowest to the
- * highest number half does not fit, and is held one below.
+ * highest number the half does not fit, and is clamped to one less.
  */
 static void set_axis(q16 *center, q16 *half, q16 low, q16 high)
 {
@@ -76,7 +76,7 @@ qtri_box qtri_mesh_box(const qtri_mesh *mesh)
 }
 
 /* |a - b|, below 2^32. */
-static uint32_t apart(q16 a, q16 b)
+static uint32_t difference(q16 a, q16 b)
 {
     return (uint32_t)qtri_magnitude64((int64_t)a - b);
 }
@@ -90,11 +90,11 @@ qtri_ball qtri_mesh_ball(const qtri_mesh *mesh)
     for (uint32_t i = 0; i < count; i++) {
         q16 down[3];
         q16 up[3];
-        uint64_t square = 0; /* of the distance / 2 of the rounding that is farther */
+        uint64_t square = 0; /* of half the distance to the farther of both roundings */
         get_position(down, up, mesh, i);
         for (int axis = 0; axis < 3; axis++) { /* halves rounded up, <= 2^31: three fit 64 bits */
-            const uint32_t d = apart(down[axis], center[axis]);
-            const uint32_t e = apart(up[axis], center[axis]);
+            const uint32_t d = difference(down[axis], center[axis]);
+            const uint32_t e = difference(up[axis], center[axis]);
             const uint32_t half = ((d > e ? d : e) >> 1) + 1;
             square += qtri_mul_u32(half, half);
         }
@@ -110,7 +110,7 @@ qtri_ball qtri_mesh_ball(const qtri_mesh *mesh)
 /* The sides of a rectangle, the near and the far plane: lower, then upper, of x, y and z. */
 enum { SIDES = 6 };
 
-/* Of an edge e, e w - x, or e w + x on lower sides: |v| < 2^43, |e| <= 2^15. */
+/* Distance inside a side at e: e w - x, or e w + x on lower sides. |v| < 2^43, |e| <= 2^15. */
 static int64_t within(const int64_t v[4], int side, int32_t edge)
 {
     const int64_t x = v[side / 2];
@@ -269,11 +269,12 @@ typedef struct distance {
     int32_t t;            /* w0, W at the origin */
     int32_t slope_q30[3]; /* c / w0 */
     uint32_t reach;       /* |c| R, the most that W differs from w0 */
-    uint32_t least;       /* W at the nearest point */
+    uint32_t least;       /* W at the nearest point, not more */
     uint32_t inverse_q10; /* 1 / (1 - g), not less */
     uint32_t spread_q10;  /* (1 + g)^2 / (1 - g), not less */
 } distance;
 
+/* False: W is not above w0 / 16 everywhere in the mesh. */
 static bool find_distance(distance *w, const qtri_projector *projector, uint32_t radius_q14)
 {
     const qtri_row16 *row = &projector->row.compact[3];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The lights of a draw call: its sources, tables of shininess, points that are unlike most, and
- * texture coordinates by normals.
+ * Set-up of the light sources of a draw call, rarer cases of lit points, tables of shininess, and
+ * sphere maps.
  */
 #include "qtri/error.h"
 #include "qtri/q16.h"
@@ -18,7 +18,7 @@
 /* A place below 2^29 has 2 bits to spare for the difference of two. */
 enum { PLACE_BITS = 29, EXPONENT_MAX = 128, UNEVEN_UNIT_LOG2 = 24 };
 
-/* A vector of the world in eye space; with `place`, a point. */
+/* A vector of the world in eye space; with `place` it is a position. */
 static void to_eye(qtri_wide eye[3], const qtri_transform *camera, const qtri_vec3 *v, bool place)
 {
     qtri_wide world[3];
@@ -34,7 +34,7 @@ static void to_eye(qtri_wide eye[3], const qtri_transform *camera, const qtri_ve
     }
 }
 
-/* Times the transpose of the linear part, which turns it as the inverse does. */
+/* From eye space back to object space, but for the scale: v times the transposed linear part. */
 static void turn_back(qtri_wide v[3], const qtri_light_space *space)
 {
     const qtri_wide eye[3] = {v[0], v[1], v[2]};
@@ -43,7 +43,7 @@ static void turn_back(qtri_wide v[3], const qtri_light_space *space)
     }
 }
 
-/* The greatest of |v| is below 2^bits. */
+/* The least `bits` with all |v| below 2^bits. */
 static int32_t bits_of(const qtri_wide v[3])
 {
     int32_t bits = -4 * QTRI_WIDE_EXPONENT_MAX;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The lights of light.h in one draw call: what is the same for all its vertices, and one vertex in
- * their light. Internal.
+ * The light sources of a view in one draw call: set up once, then summed up at each vertex or
+ * pixel. Internal.
  *
- * Normals and places are compared in local coordinates. Where eye space is object space rotated,
+ * Normals and positions are compared in local coordinates. Where eye space is object space rotated,
  * reflected or scaled evenly these are the object's own, and the sources are taken there once;
  * otherwise they are those of eye space, and every vertex is. Directions have 14 fraction bits:
  * light depends on the cosine of an angle, to which that is 2^-14, and highlights are found from
@@ -21,38 +21,38 @@
 #include "../bits/wide.h"
 #include "row.h"
 
-/* A source as a draw call sees it: of its kind. |color| <= 2^16; of point lights <= 2^12. */
+/* A source set up for a draw call. |color| <= 2^16; of point and spot lights <= 2^12. */
 typedef struct qtri_source {
     uint32_t color_q12[3];
     int32_t at[3]; /* the direction to it, Q14; or its place, |.| < 2^29, times 2^exponent */
     union {
-        int32_t half_q14[3]; /* directional: h */
+        int32_t half_q14[3]; /* directional: h, halfway to the eye */
         struct {
-            int32_t exponent;
-            /* color / fade in Q19, times a distance of 16 bits and a power of two: */
+            int32_t exponent; /* of `at` */
+            /* Attenuation over the largest channel, Q19; factors of 16 bits, times 2^up: */
             uint32_t constant_q19;
             uint32_t linear, quadratic; /* 16 bits, or 0 */
             int32_t linear_up, quadratic_up;
         } far;
     } of;
     /* Spot: */
-    int32_t axis_q14[3]; /* to where it shines */
-    uint32_t outer_q29;  /* 1 - cos */
-    uint32_t penumbra_inverse;
+    int32_t axis_q14[3];       /* to where it shines */
+    uint32_t outer_q29;        /* 1 - cos of the outer angle */
+    uint32_t penumbra_inverse; /* 2^31 / (outer - inner, shifted right by penumbra_shift) */
     int32_t penumbra_shift;
     const qtri_shininess *falloff;
 } qtri_source;
 
-/* A vertex, and the light that reaches it. */
+/* A vertex or pixel in local coordinates, and the light that it gets. */
 typedef struct qtri_lit_point {
     int32_t normal_q14[3]; /* unit, or 0 */
     int32_t place[3];      /* |.| <= 2^29, times 2^exponent */
     int32_t exponent;
     const struct qtri_illumination *by;
-    uint32_t diffuse_q24[3], specular_q24[3];
+    uint32_t diffuse_q24[3], specular_q24[3]; /* sums over sources */
 } qtri_lit_point;
 
-/* From the world to local coordinates. */
+/* How sources are taken from the world to local coordinates. */
 typedef struct qtri_light_space {
     const qtri_transform *camera;
     bool even;
@@ -65,7 +65,7 @@ typedef struct qtri_light_space {
 } qtri_light_space;
 
 struct qtri_light_kind {
-    /* False: it is off. */
+    /* Sets a source up; false: it gives no light. */
     bool (*prepare)(qtri_source *out, const qtri_light_source *source,
                     const qtri_light_space *space);
     /* Adds the light of sources first..end - 1. */
@@ -80,8 +80,8 @@ typedef struct qtri_light_run {
 } qtri_light_run;
 
 typedef struct qtri_illumination {
-    bool even, two_sided;
-    int32_t count;
+    bool even, two_sided; /* even: rotated and scaled uniformly, see above */
+    int32_t count;        /* of runs */
     qtri_light_run run[QTRI_LIGHTS_MAX];
     int32_t view_q14[3];     /* towards the eye */
     uint32_t ambient_q24[3]; /* times the diffuse colour */
@@ -107,14 +107,14 @@ void qtri_illumination_init(qtri_illumination *by, const qtri_view *view,
 /* v / |v| with 14 fraction bits, within 2^-12 of its length; false, and zeros, for v = 0. */
 bool qtri_direction_q14(int32_t out[3], const int64_t v[3]);
 
-/* A direction of the world; false for one without length. */
+/* A direction of the world, as a unit vector in local coordinates; false: it is 0. */
 bool qtri_light_direction(int32_t out_q14[3], const qtri_light_space *space, const qtri_vec3 *v);
 
-/* A place in the world: below 2^29, times 2^exponent. */
+/* A position in the world, in local coordinates: out 2^*exponent, |out| <= 2^29. */
 void qtri_light_place(int32_t out[3], int32_t *exponent, const qtri_light_space *space,
                       const qtri_vec3 *position);
 
-/* A source's color, held to 0..16. */
+/* A source's color, clamped to 0..16. */
 void qtri_light_color_q12(uint32_t out[3], const qtri_light_color *color);
 
 /* The power table at t = 1 - cosine, t <= 4. */
@@ -145,7 +145,7 @@ void qtri_uneven_normal_q14(int32_t out[3], const int32_t *m_q28, const int32_t 
 void qtri_illuminated_place_uneven(qtri_lit_point *point, const qtri_row row[3],
                                    const qtri_vec3 *p);
 
-/* The normal of the triangle a b c, as three such numbers; 0 0 0 where it has no area. */
+/* The normal of the triangle a b c, unit, Q14; 0 0 0 where it has no area. */
 void qtri_face_normal(int32_t normal[3], const qtri_vec3 *a, const qtri_vec3 *b,
                       const qtri_vec3 *c);
 
@@ -179,7 +179,7 @@ QTRI_IN_PLACE void qtri_illuminated_normal(qtri_lit_point *point, const qtri_ill
     }
 }
 
-/* Sets a point's place. */
+/* Sets a point's place from a position in object space. */
 QTRI_IN_PLACE void qtri_illuminated_place16(qtri_lit_point *point, const qtri_illumination *by,
                                             const qtri_position16 *position)
 {
@@ -226,7 +226,7 @@ static inline uint32_t qtri_lit_channel(uint32_t base_q15, uint32_t diffuse_q24,
     return value > 255 ? 255 : value;
 }
 
-/* The light that reaches a point. */
+/* Sums up the light of all sources at a point. */
 QTRI_IN_PLACE void qtri_gather_light(const qtri_illumination *by, qtri_lit_point *point)
 {
     point->by = by;
@@ -242,7 +242,7 @@ QTRI_IN_PLACE void qtri_gather_light(const qtri_illumination *by, qtri_lit_point
     }
 }
 
-/* What a point of this colour shows: red, green and blue from bit 16, 8 and 0 on. */
+/* The lit colour, 0x00RRGGBB, of a point of this colour. */
 QTRI_IN_PLACE uint32_t qtri_illuminate(const qtri_illumination *by, qtri_lit_point *point,
                                        const qtri_rgb *color)
 {

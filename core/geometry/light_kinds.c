@@ -8,7 +8,7 @@
 
 /* ---- What kinds of light share ---- */
 
-/* From here on the table is 0; 0 without one. */
+/* From this 1 - cosine on a highlight is 0; 0 without a table. */
 static inline uint32_t highlight_end_q29(const qtri_shininess *table)
 {
     return table == NULL ? 0 : (uint32_t)table->count << table->shift;
@@ -28,7 +28,7 @@ static inline int32_t dot_q28(const int32_t a_q14[3], const int32_t b_q14[3])
     return a_q14[0] * b_q14[0] + a_q14[1] * b_q14[1] + a_q14[2] * b_q14[2];
 }
 
-/* sum += color share: 2^28 at most. */
+/* sum += color share, each product 2^28 at most. */
 static inline void add_light(uint32_t sum_q24[3], const uint32_t color_q12[3], uint32_t share_q12)
 {
     sum_q24[0] += color_q12[0] * share_q12;
@@ -59,7 +59,7 @@ static bool prepare_directional(qtri_source *out, const qtri_light_source *sourc
     return true;
 }
 
-/* Most vertices are outside of most highlights: what is needed for one is not kept at hand. */
+/* Adds a highlight at 1 - n . h. Out of line: most vertices are outside of most highlights. */
 QTRI_NOINLINE static void add_highlight(const qtri_source *at, qtri_lit_point *point,
                                         uint32_t apart_q29)
 {
@@ -101,10 +101,10 @@ typedef struct light_way {
     int32_t exponent;
 } light_way;
 
-/* fade, as a mantissa of up to 2^16 and a shift. */
+/* The intensity of a source at a distance: 1 / attenuation, 2^-10..16. */
 typedef struct light_fade {
     uint32_t mantissa;
-    int32_t shift; /* fade = mantissa 2^-(shift - 3), 15..28 */
+    int32_t shift; /* intensity = mantissa 2^-(shift - 3); mantissa <= 2^16, shift 15..28 */
 } light_fade;
 
 /* point->place from source->at in one scale, where they have two: the finer one gives way. The
@@ -175,9 +175,9 @@ static inline uint32_t scaled(uint32_t x, int32_t shift)
 }
 
 /*
- * False: less than 2^-10.
+ * Finds a source's intensity at this distance; false: it is less than 2^-10.
  *
- * The sum is color / fade in Q19: 2^15, for 16, to 2^29, for 2^-10. Factors have 16 bits, so a
+ * The sum is the attenuation, Q19: 2^15, for 16, to 2^29, for 2^-10. Factors have 16 bits, so a
  * product that is not 0 is 2^30 at least: without two bits to be cut off it is 2^29 or more.
  */
 QTRI_IN_PLACE bool find_fade(light_fade *fade, const qtri_source *source, const light_way *way)
@@ -202,9 +202,9 @@ QTRI_IN_PLACE bool find_fade(light_fade *fade, const qtri_source *source, const 
 }
 
 /*
- * h is the direction of l + v, |l + v| <= 2^15. Where its square is below 2^16 the source is
- * behind what is looked at, in line with the eye: no direction is good enough, and there is no
- * highlight. 4^up squares are in [2^28, 2^30].
+ * The highlight at a point: its table at 1 - n . h, h the direction of l + v, |l + v| <= 2^15.
+ * Where its square is below 2^16 the source is behind what is looked at, in line with the eye: no
+ * direction is good enough, and there is no highlight. 4^up squares are in [2^28, 2^30].
  */
 QTRI_IN_PLACE uint32_t highlight_q15(const qtri_lit_point *point, const int32_t direction_q14[3])
 {
@@ -235,7 +235,7 @@ QTRI_IN_PLACE uint32_t highlight_q15(const qtri_lit_point *point, const int32_t 
     return qtri_shininess_at(point->by->shininess, distance_q29(point->normal_q14, h));
 }
 
-/* Adds what is reflected of it. */
+/* Adds the diffuse and specular light of a source in this direction. */
 QTRI_IN_PLACE void add_faded(qtri_lit_point *point, const qtri_source *source, const light_way *way,
                              const light_fade *fade)
 {
@@ -252,7 +252,7 @@ QTRI_IN_PLACE void add_faded(qtri_lit_point *point, const qtri_source *source, c
 
 /* ---- Point lights ---- */
 
-enum { NEVER = -4096 }; /* as `up` of a part that is 0 */
+enum { NEVER = -4096 }; /* `up` of a factor that is 0 */
 
 /* x as 16 bits times 2^up; in Q19, times 2^more. */
 static uint32_t set_part(const qtri_wide *x, int32_t more, int32_t *up)
@@ -270,7 +270,7 @@ static qtri_wide fraction_of(q16 x)
     return qtri_wide_make(x < 0 ? 0 : x, 16);
 }
 
-/* Fades are divided by the largest channel, and the color, too, so that it is 1 at most. */
+/* Attenuation and color are divided by the largest channel, so that color is 1 at most. */
 static bool prepare_point(qtri_source *out, const qtri_light_source *source,
                           const qtri_light_space *space)
 {
@@ -347,7 +347,7 @@ static bool prepare_spot(qtri_source *out, const qtri_light_source *source,
     return true;
 }
 
-/* The share in Q15 of a source's light that goes along a way. */
+/* The fraction, Q15, of a spot's light that goes in a direction: 1 inside, 0 outside its cone. */
 static uint32_t cone_q15(const qtri_source *source, const light_way *way)
 {
     const int32_t from[3] = {-way->direction_q14[0], -way->direction_q14[1],

@@ -140,13 +140,13 @@ static void light_list(const qtri_lighting *lighting, const qtri_mesh *mesh, uin
 const qtri_vertex_light qtri_light_by_vertex = {
     .init = qtri_lighting_init, .vertex = light_vertex, .list = light_list};
 
-/* Within +-2^15 when the upper half is 0; several may be or-ed. */
+/* A word whose upper half is 0 when all are within +-2^15; several may be or-ed. */
 static inline uint32_t reach(const int32_t e[3])
 {
     return ((uint32_t)e[0] + 0x7FFFu) | ((uint32_t)e[1] + 0x7FFFu) | ((uint32_t)e[2] + 0x7FFFu);
 }
 
-/* Below 2^15 and so short that the face's normal fits 32 bits. */
+/* Whether both edges are below 2^15, so that the face's normal fits 32 bits. */
 static inline bool is_short(const int32_t e[3], const int32_t f[3])
 {
     return (reach(e) | reach(f)) < 0x10000u;
@@ -208,7 +208,7 @@ static uint32_t light_face(const qtri_lighting *lighting, const int32_t n[3])
                            mantissa16(n[2], zeros));
 }
 
-/* The edges from a to b and to c, in 2^3 where they are 2^30 long. */
+/* The edges from a to b and to c, divided by 2^3 where one is 2^30 or longer. */
 QTRI_NOINLINE static void get_far_edges(int32_t edge[6], const qtri_vec3 *a, const qtri_vec3 *b,
                                         const qtri_vec3 *c)
 {

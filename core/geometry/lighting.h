@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * One directional light for one draw call. Internal.
+ * The white directional light of a draw call: intensities of vertices and faces. Internal.
  */
 #ifndef QTRI_GEOMETRY_LIGHTING_H
 #define QTRI_GEOMETRY_LIGHTING_H
@@ -26,12 +26,13 @@ static inline const qtri_light *qtri_colored_light(const qtri_view *view)
 
 /*
  * Where eye space is object space rotated, reflected or scaled evenly, the light is taken to object
- * space once and a vertex costs a dot product: of a row, where the light is no stranger than most.
- * Otherwise every normal goes through the inverse transpose and is normalised.
+ * space once and a vertex costs a dot product: with a row, if ambient and diffuse are 0 or more and
+ * diffuse is 4 at most. Otherwise every normal goes through the inverse transpose and is
+ * normalised.
  */
 typedef struct qtri_lighting {
-    bool even, plain;                /* plain: even, and the row serves */
-    const qtri_uneven_light *uneven; /* not plain: what serves it */
+    bool even, plain;                /* even: as above; plain: even, and the row serves */
+    const qtri_uneven_light *uneven; /* not plain: the functions that serve; NULL: none */
     uint32_t least_q15;              /* plain: intensity without the diffuse part */
     q16 ambient, diffuse;
     int32_t towards_q30[3]; /* unit, in object space when even, else in eye space */
@@ -58,8 +59,8 @@ void qtri_lighting_init(qtri_lighting *lighting, const qtri_light *light,
 uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, const qtri_vec3 *b,
                             const qtri_vec3 *c);
 /*
- * Likewise for a face whose plane is not 0 0 0, by the plane alone: off by the plane's angle to
- * the face times the diffuse part, and 2^-11. For light that is plain.
+ * The intensity of a face by its plane, which is not 0 0 0, alone: off by the plane's angle to the
+ * face times the diffuse part, and 2^-11. For light that is plain.
  */
 uint32_t qtri_lighting_face8(const qtri_lighting *lighting, const qtri_face8 *face);
 
@@ -95,19 +96,19 @@ static inline void qtri_mesh_positions(qtri_vec3 p[3], const qtri_mesh *mesh,
     }
 }
 
-/* What lights a mesh's vertices: see qtri_vertex_stage. */
+/* Lights a mesh's vertices: see qtri_vertex_stage. */
 struct qtri_vertex_light {
     void (*init)(qtri_lighting *lighting, const qtri_light *light,
                  const qtri_transform *object_to_eye, bool is_bytes,
                  const qtri_uneven_light *uneven);
-    /* min(1, ambient + diffuse max(0, n . towards)) in 0..1, for its unit normal. */
+    /* min(1, ambient + diffuse max(0, n . towards)) in 0..1, Q15, n being the vertex's normal. */
     uint32_t (*vertex)(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t index);
     /* The vertices whose indices are vertices[0..count-1].index, each in its slot. */
     void (*list)(const qtri_lighting *lighting, const qtri_mesh *mesh, uint32_t count,
                  qtri_vertex *vertices);
 };
 
-/* What lights a mesh's faces: the triangle of this number, with these indices. */
+/* Lights a mesh's faces: `face` is the intensity, Q15, of triangle `number` with these indices. */
 struct qtri_face_light {
     void (*init)(qtri_lighting *lighting, const qtri_light *light,
                  const qtri_transform *object_to_eye, bool is_bytes,
@@ -116,7 +117,7 @@ struct qtri_face_light {
                      const uint32_t index[3]);
 };
 
-/* Light that is not plain. */
+/* Light that is not plain; `direction`: the intensity, Q15, for a normal of any length. */
 struct qtri_uneven_light {
     void (*init)(qtri_lighting *lighting, const int32_t towards[3],
                  const qtri_transform *object_to_eye);

@@ -26,6 +26,7 @@ static uint32_t half_depth(uint32_t x)
     return 32768 * x - (x + 1) / 2;
 }
 
+/* A depth plus a bias, both clamped; 0..1. */
 static q16 biased(q16 depth, q16 bias)
 {
     return qtri_hold32(qtri_hold32(depth, 0, Q16_ONE) + qtri_hold32(bias, -Q16_ONE, Q16_ONE), 0,
@@ -252,14 +253,14 @@ static inline bool narrow(int32_t *out, int64_t x, int32_t shift)
     return (int32_t)(result >> 32) == (*out < 0 ? -1 : 0);
 }
 
-/* From a row's sum to z_q31 and X: less the leading zeros of that of w. */
+/* Shifts from sums of rows to X, Y and z_q31, to be reduced by the leading zeros of w's sum. */
 typedef struct stage {
     const qtri_projector *projector;
     int32_t x_down, y_down, z_down;
     int32_t most; /* zeros of w; 0 where shifts do not serve */
 } stage;
 
-static inline void begin(stage *to, const qtri_projector *projector)
+static inline void stage_init(stage *to, const qtri_projector *projector)
 {
     const int32_t *shift = projector->shift;
     to->projector = projector;
@@ -276,8 +277,8 @@ static inline int32_t zeros_of(int64_t w)
     return qtri_clz32((uint32_t)((uint64_t)w >> 32)) & 31;
 }
 
-/* False: outside. */
-QTRI_IN_PLACE bool place(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
+/* project_exact() by 32-bit coordinates, where they decide. */
+QTRI_IN_PLACE bool project_fast(const stage *to, const qtri_vec3 *p, qtri_vertex *out)
 {
     const qtri_projector *projector = to->projector;
     const qtri_row *row = projector->row.wide;
@@ -316,11 +317,11 @@ bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p
                              qtri_vertex *vertices, bool is_listed)
 {
     stage to;
-    begin(&to, projector);
+    stage_init(&to, projector);
     bool inside = true;
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t index = is_listed ? vertices[i].index : i;
-        inside &= place(&to, &p[index], &vertices[index]);
+        inside &= project_fast(&to, &p[index], &vertices[index]);
     }
     return inside;
 }
@@ -446,9 +447,9 @@ void qtri_projector_point16(const qtri_projector *projector, const qtri_position
     set_coordinates(out, v);
 }
 
-/* The exponent that goes with W itself: shifts are the same for all of a draw. */
-QTRI_NOINLINE static bool exact16(const qtri_projector *projector, const qtri_position16 *p,
-                                  qtri_vertex *out)
+/* As project_exact(). The exponent is that of W itself: shifts are the same for all of a draw. */
+QTRI_NOINLINE static bool project16_exact(const qtri_projector *projector, const qtri_position16 *p,
+                                          qtri_vertex *out)
 {
     qtri_clip_vertex clip;
     qtri_projector_point16(projector, p, &clip);
@@ -468,19 +469,19 @@ QTRI_NOINLINE static bool exact16(const qtri_projector *projector, const qtri_po
  * in 2^n have to go the exact way. `bits` is n + zeros.
  * False: outside.
  */
-QTRI_IN_PLACE bool place16(const qtri_projector *projector, int32_t bits, const qtri_position16 *p,
-                           qtri_vertex *out)
+QTRI_IN_PLACE bool project16_fast(const qtri_projector *projector, int32_t bits,
+                                  const qtri_position16 *p, qtri_vertex *out)
 {
     const qtri_row16 *row = projector->row.compact;
     int32_t w = qtri_row16_sum(&row[3], p->x, p->y, p->z);
     int32_t z = qtri_row16_sum(&row[2], p->x, p->y, p->z);
     if (w <= 0 || (uint32_t)z + (uint32_t)w > 2u * (uint32_t)w) {
-        return exact16(projector, p, out);
+        return project16_exact(projector, p, out);
     }
     const int32_t zeros = qtri_clz32((uint32_t)w);
     int32_t n = bits - zeros;
     if ((uint32_t)n - 2u > 28u) {
-        return exact16(projector, p, out);
+        return project16_exact(projector, p, out);
     }
     int32_t r = qtri_reciprocal_below((uint32_t)w << zeros);
     out->inv_w = (uint32_t)r;
@@ -494,7 +495,7 @@ QTRI_IN_PLACE bool place16(const qtri_projector *projector, int32_t bits, const 
     out->at.y_24p8 = y >> n;
     if (((x + 2) & (2 * half)) == 0 || ((y + 2) & (2 * half)) == 0 ||
         !is_in_guard(x >> n, y >> n)) {
-        return exact16(projector, p, out);
+        return project16_exact(projector, p, out);
     }
     return true;
 }
@@ -506,7 +507,7 @@ bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_posit
     bool inside = true;
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t index = is_listed ? vertices[i].index : i;
-        inside &= place16(projector, bits, &p[index], &vertices[index]);
+        inside &= project16_fast(projector, bits, &p[index], &vertices[index]);
     }
     return inside;
 }

@@ -26,16 +26,16 @@ typedef struct qtri_projector {
     int32_t depth_reach;   /*   half a step is in the center */
 } qtri_projector;
 
-/* Depths of the viewport with a bias, all held to 0..1. */
+/* Sets the depths of the viewport's near and far plane plus a bias, all clamped to 0..1. */
 void qtri_projector_set_depth(qtri_projector *projector, const qtri_viewport *viewport, q16 bias);
 
-/* object_to_clip = projection camera pose; no bias. */
+/* Sets up wide rows, without a bias. object_to_clip = projection camera pose. */
 void qtri_projector_init(qtri_projector *projector, const qtri_transform *object_to_clip,
                          const qtri_viewport *viewport);
 
 /*
  * Whether nothing inside the box can be seen in the pixels low..high - 1 of the frame, each within
- * +-16384. It may say no of a box that just misses them. Before qtri_projector_compact().
+ * +-16384. May be false for a box that just misses them. Before qtri_projector_compact().
  */
 bool qtri_projector_misses(const qtri_projector *projector, const qtri_box *box,
                            const int32_t low[2], const int32_t high[2]);
@@ -43,15 +43,15 @@ bool qtri_projector_misses(const qtri_projector *projector, const qtri_box *box,
 /* From then on the projector takes 16-bit positions: origin + extent n / 32768. */
 void qtri_projector_compact(qtri_projector *projector, const qtri_vec3 *origin, q16 extent);
 
-/* (p, 1) in homogeneous screen coordinates; b1 and b2 are set to 0. */
+/* Transforms (p, 1) to homogeneous screen coordinates; b1 and b2 are set to 0. */
 void qtri_projector_point(const qtri_projector *projector, const qtri_vec3 *p,
                           qtri_clip_vertex *out);
 void qtri_projector_point16(const qtri_projector *projector, const qtri_position16 *p,
                             qtri_clip_vertex *out);
 
 /*
- * `count` (1..3) points with any w, of one triangle or line. They share one scale, that of the
- * largest |w| among them.
+ * Transforms `count` (1..3) points of one triangle or line, with any w. They share one scale, that
+ * of the largest |w| among them.
  */
 void qtri_projector_points(const qtri_projector *projector, const qtri_vec4 *const p[], int count,
                            qtri_clip_vertex out[]);
@@ -64,21 +64,19 @@ void qtri_project(const qtri_projector *projector, const qtri_clip_vertex *v,
                   qtri_screen_vertex *out);
 
 /*
- * x and y of where that vertex truly is, less where it was snapped to, in 2^-16 of 1/256 pixel;
- * 0 for what was held. `inv_w_q31`: what qtri_project() found.
+ * The snap residual of a projected vertex: exact x and y less the snapped ones, in 2^-16 of 1/256
+ * pixel; 0 for a coordinate that was clamped. `inv_w_q31`: as qtri_project() found it.
  */
 void qtri_project_rest(int16_t rest[2], const qtri_clip_vertex *v, const qtri_point *at,
                        uint32_t inv_w_q31);
 
-/* What the low byte of qtri_vertex.depth_16p8 and an intensity may say. */
-#define QTRI_VERTEX_OUTSIDE                                                                        \
-    0x80u /* of planes: the low six bits are an outcode, not an exponent                           \
-           */
+/* Special values of the low byte of qtri_vertex.depth_16p8, and of an intensity. */
+#define QTRI_VERTEX_OUTSIDE 0x80u /* the low six bits are an outcode, not an exponent */
 #define QTRI_VERTEX_OUTCODE 0x3Fu
 #define QTRI_VERTEX_EMPTY   0x40u /* the whole word: a slot that holds no vertex */
 #define QTRI_VERTEX_UNLIT   0xFFFFu
 
-/* Whether all three have an intensity. */
+/* Whether all three vertices have an intensity. */
 static inline bool qtri_vertices_are_lit(const qtri_vertex *a, const qtri_vertex *b,
                                          const qtri_vertex *c)
 {
@@ -98,9 +96,9 @@ bool qtri_projector_vertices(const qtri_projector *projector, const qtri_vec3 *p
 bool qtri_projector_vertices16(const qtri_projector *projector, const qtri_position16 *p,
                                uint32_t count, qtri_vertex *vertices, bool is_listed);
 
-/* What serves a mesh's positions: see qtri_vertex_stage. */
+/* Transforms one kind of a mesh's positions: see qtri_vertex_stage. */
 struct qtri_position_ops {
-    /* Makes the projector take these positions; NULL: it does. */
+    /* Sets the projector up for these positions; NULL: it is. */
     void (*begin)(qtri_projector *projector, const qtri_mesh *mesh);
     /* As qtri_projector_vertices(), for the positions from `first` on. */
     bool (*project)(const qtri_projector *projector, const qtri_mesh *mesh, uint32_t first,
@@ -118,7 +116,7 @@ static inline int32_t qtri_mul_high_s32(int32_t a, int32_t b)
     return (int32_t)(qtri_mul_s32(a, b) >> 32);
 }
 
-/* Outcode and projection of exact coordinates, as a vertex. */
+/* Sets a vertex, outcode or projection, from 64-bit coordinates; its intensity is not lit yet. */
 void qtri_vertex_exact(const qtri_projector *projector, const qtri_clip_vertex *clip,
                        qtri_vertex *out);
 

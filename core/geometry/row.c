@@ -86,11 +86,11 @@ void qtri_row_about(qtri_row *row, const qtri_wide axis[3], const qtri_wide poin
 }
 
 /*
- * Sums of rows: the product of two transforms, and the viewport. In 64 bits, which is a tenth of
- * the work that wide scalars make of it; those serve what does not fit.
+ * Weighted sums of rows, for products of transforms and the viewport. In 64 bits, which is a tenth
+ * of the work of wide scalars; these serve what does not fit.
  */
 
-/* The words of x. */
+/* The two words of x. */
 static inline int32_t high_word(int64_t x)
 {
     return (int32_t)(x >> 32);

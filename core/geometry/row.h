@@ -18,7 +18,7 @@ void qtri_wide_from_vec3(qtri_wide out[3], const qtri_vec3 *v);
 /* The row x y z t, block-normalised: the only place where a transform is rounded. */
 void qtri_row_from_wide(qtri_row *row, const qtri_wide element[4]);
 
-/* The same with nothing but x in column i and y in column j. */
+/* A row of zeros but for x in column i and y in column j, block-normalised. */
 void qtri_row_from_two(qtri_row *row, int i, const qtri_wide *x, int j, const qtri_wide *y);
 
 /*
@@ -39,7 +39,7 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
 /* The product of a row and the rows of a transform, whatever they are. */
 void qtri_row_mul(qtri_row *out, const qtri_row *a, const qtri_transform *b);
 
-/* A row's linear part. */
+/* A row's linear part, x y z. */
 void qtri_row_axis(qtri_wide out[3], const qtri_row *row);
 
 /* Element 0..3 of a row. */
@@ -47,15 +47,15 @@ qtri_wide qtri_row_element(const qtri_row *row, int column);
 
 /* ---- Linear parts ---- */
 
-/* With one exponent, that of its largest row, which is returned; a fourth column is left alone. */
+/* The linear part with one exponent, that of its largest row, which is returned; out[][3] stays. */
 int32_t qtri_linear_align(int32_t out[3][4], const qtri_transform *t);
 
-/* Of two columns; |m| <= 2^30, in one of them 2^31. */
+/* The dot product of columns i and j; |m| <= 2^30, in one of them 2^31. */
 int64_t qtri_linear_dot(int32_t m[3][4], int i, int j);
 
 /*
- * Columns of equal length, at right angles, to 2^-20: far above the noise of a rotation in Q2.30,
- * far below 1/255.
+ * Whether columns have one length and are at right angles, to 2^-20: far above the noise of a
+ * rotation in Q2.30, far below 1/255.
  */
 bool qtri_linear_is_even(int32_t m[3][4]);
 
@@ -66,15 +66,9 @@ void qtri_linear_normals(int32_t out_q28[3][3], const qtri_transform *object_to_
 /* ---- Rows for 16 bits ---- */
 
 /*
- * Rows that are applied to vectors of 16-bit integers: positions and normals.
- *
- * On a core without a long multiply they cost two short products a coefficient instead of one that
- * is put together from four.
- */
-
-/*
- * A row for 16-bit positions n: floor((m . n + t) / 2^16), |m| <= 2^31, all multiples of 4. Without
- * a long multiply m and t are stored as high 2^16 + 4 low, so that every product fits 32 bits.
+ * A row for 16-bit positions or normals n: floor((m . n + t) / 2^16), |m| <= 2^31, all multiples of
+ * 4. Without a long multiply m and t are stored as high 2^16 + 4 low, so that every product fits 32
+ * bits: two short products a coefficient, instead of one that is put together from four.
  */
 typedef struct qtri_row16 {
 #if QTRI_LONG_MULTIPLY

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Computed meshes, put together of vertices, triangles and rings.
+ * Meshes of boxes, grids, spheres, tori, cylinders and cones, built of rings and quads.
  */
 #include "qtri/error.h"
 #include "qtri/mesh.h"
@@ -13,7 +13,7 @@
 #include "../bits/bits.h"
 #include "plain.h"
 
-enum { SHAPE_MOST = 1024 };
+enum { SHAPE_COUNT_MAX = 1024 };
 
 typedef struct shape_builder {
     const qtri_shape_memory *memory;
@@ -28,10 +28,10 @@ typedef struct shape_ring {
 
 static inline bool is_count(int32_t n, int32_t least)
 {
-    return n >= least && n <= SHAPE_MOST;
+    return n >= least && n <= SHAPE_COUNT_MAX;
 }
 
-/* An empty mesh with room for so many, or an error. */
+/* Begins an empty mesh; an error if memory has no room for so many vertices and triangles. */
 static enum qtri_error builder_begin(shape_builder *builder, qtri_mesh *mesh,
                                      const qtri_shape_memory *memory, int32_t vertices,
                                      int32_t triangles)
@@ -67,7 +67,7 @@ static int16_t q14(q16 unit)
     return (int16_t)((qtri_hold32(unit, -Q16_ONE, Q16_ONE) + 2) >> 2);
 }
 
-/* The new vertex's number; the normal's parts are held to -1..1. */
+/* Adds a vertex and returns its index; the normal's components are clamped to -1..1. */
 static uint16_t builder_vertex(shape_builder *builder, qtri_vec3 position, qtri_vec3 normal, q16 u,
                                q16 v)
 {
@@ -106,8 +106,9 @@ static q16 angle_of(int32_t i, int32_t count)
 }
 
 /*
- * A circle around the y axis of slices + 1 vertices, the first and the last in one place. Seen from
- * outside they go to the right, so that (left above, left below, right below) is counter-clockwise.
+ * Adds a circle around the y axis of slices + 1 vertices, the first and the last at one position.
+ * Seen from outside they go to the right, so that (left above, left below, right below) is
+ * counter-clockwise.
  */
 static void builder_ring(shape_builder *builder, int32_t slices, const shape_ring *ring)
 {
@@ -122,7 +123,7 @@ static void builder_ring(shape_builder *builder, int32_t slices, const shape_rin
     }
 }
 
-/* Triangles between the last two rings, without those that have no area at a point. */
+/* Adds triangles between the last two rings, but none without area where a ring is a point. */
 static void builder_join(shape_builder *builder, int32_t slices, bool is_point_above,
                          bool is_point_below)
 {
@@ -140,7 +141,6 @@ static void builder_join(shape_builder *builder, int32_t slices, bool is_point_a
 
 /* ---- Flat shapes ---- */
 
-/* Two triangles of four corners: left above, left below, right below, right above. */
 static void add_quad(shape_builder *builder, uint32_t above_left, uint32_t below_left,
                      uint32_t below_right, uint32_t above_right)
 {
@@ -159,7 +159,7 @@ static qtri_vec3 scaled(const qtri_vec3 *half, const int8_t sign[3])
 enum qtri_error qtri_shape_box(qtri_mesh *mesh, const qtri_shape_memory *memory, qtri_vec3 half)
 {
     QTRI_ASSERT(qtri_is_length(half.x) && qtri_is_length(half.y) && qtri_is_length(half.z));
-    /* Of each side: outwards, to the right and up in its picture. */
+    /* For each side: its normal, and what is right and up as seen from outside. */
     static const int8_t sides[6][3][3] = {
         {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},   {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
         {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
@@ -279,7 +279,8 @@ static void add_disc(shape_builder *builder, int32_t slices, q16 radius, q16 y, 
     builder_join(builder, slices, up > 0, up < 0);
 }
 
-/* A side of this normal, away from the axis and up, between discs, the upper one a cone's point. */
+/* A cylinder, or a cone with its tip above: a side of this normal, away from the axis and up, and
+   discs. */
 static enum qtri_error make_side(qtri_mesh *mesh, const qtri_shape_memory *memory, q16 radius,
                                  q16 half_height, int32_t slices, qtri_vec2 normal, bool is_cone)
 {

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Transforms built of translations, scales and rotations, their products, orthonormalization. */
 #include "qtri/error.h"
 #include "qtri/transform.h"
 
@@ -22,7 +23,7 @@ void qtri_transform_from_mat4(qtri_transform *out, const qtri_mat4 *m)
     }
 }
 
-/* As from_mat4 makes it. */
+/* As qtri_transform_from_mat4() makes it. */
 void qtri_transform_identity(qtri_transform *out)
 {
     QTRI_ASSERT(out != NULL);
@@ -153,13 +154,13 @@ void qtri_transform_rotate_z(qtri_transform *t, q16 degrees)
     rotate_plane(t, degrees, 0, 1);
 }
 
-/* j and k from i: 0 1 2, 1 2 0, 2 0 1. */
+/* The axis after i, cyclically: 0 1 2 0. */
 static int next_axis(int i)
 {
     return i < 2 ? i + 1 : 0;
 }
 
-/* The row of these elements, none above 1, and no translation. */
+/* The row of these elements, |element| <= 1, and no translation. */
 static void set_row_q62(qtri_row *row, const int64_t element_q62[3])
 {
     uint64_t size = 0;
@@ -313,7 +314,7 @@ static bool is_linear_zero(const qtri_row *row)
     return (row->m[0] | row->m[1] | row->m[2]) == 0;
 }
 
-/* 0 0 0 1: of everything but a projection. */
+/* Whether the last row is 0 0 0 1, as in all but projections, and the others are sound. */
 static bool is_affine(const qtri_transform *b)
 {
     return is_linear_zero(&b->row[3]) && b->row[3].t == (int64_t)1 << 59 &&
@@ -321,7 +322,7 @@ static bool is_affine(const qtri_transform *b)
            is_sound(&b->row[2]);
 }
 
-/* out may be a: a row of the product needs one row of it. */
+/* out = a b, out not b. It may be a: a row of the product needs only that row of a. */
 QTRI_NOINLINE static void mul_rows(qtri_transform *out, const qtri_transform *a,
                                    const qtri_transform *b)
 {
@@ -339,6 +340,7 @@ QTRI_NOINLINE static void mul_rows(qtri_transform *out, const qtri_transform *a,
     }
 }
 
+/* b = a b. */
 QTRI_NOINLINE static void mul_onto(qtri_transform *b, const qtri_transform *a)
 {
     const qtri_transform copy = *b;
@@ -355,7 +357,7 @@ void qtri_transform_mul(qtri_transform *out, const qtri_transform *a, const qtri
     }
 }
 
-/* ---- Rotations again ---- */
+/* ---- Orthonormalization ---- */
 
 /*
  * Gram and Schmidt, once over: what is taken from y along x is short, and wide scalars have 60

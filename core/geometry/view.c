@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Views: viewport, camera and projection, places between pixels. */
+/* Views: viewport, camera, projection, and jitter by parts of a pixel. */
 #include "qtri/view.h"
 #include "qtri/antialias.h"
 #include "qtri/error.h"
