@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Integer helpers the whole core shares: saturation, rounding shifts, leading zeros, long products,
- * roots and reciprocals of plain integers. Internal.
+ * Integer arithmetic for all of core: saturation, rounding shifts, leading zeros, long products,
+ * roots and reciprocals. Internal.
  *
  * How a product or a quotient is formed depends on the core, its value never does:
  * - QTRI_LONG_MULTIPLY: 1 where 32 x 32 -> 64 bits is an instruction or two; 0 forms it of halves
  * - QTRI_DIVIDE: 1 where 32 / 32 bits is an instruction; 0 divides by a reciprocal
  *
  * They may be set from outside, as the tests do to run the narrow code on the host.
- * What is long on a core of 32 bits, shared.inc, is in shared.c alone with QTRI_SHARE, otherwise in
- * every file.
+ * Functions that are long on a core of 32 bits, in shared.inc, are compiled once, in shared.c, with
+ * QTRI_SHARE, otherwise inline in every file.
  */
 #ifndef QTRI_BITS_H
 #define QTRI_BITS_H
@@ -49,8 +49,7 @@ static inline void qtri_math_fault(void)
 #define QTRI_MATH_CHECK(condition) ((void)0)
 #endif
 
-/* Holds GCC to one sum or product at a time, and x in a register: it would interleave, and spill.
- */
+/* A compiler barrier on x, in a register: GCC would interleave sums and products, and spill. */
 #ifdef __GNUC__
 #define QTRI_HOLD(x) __asm__ volatile("" : "+r"(x))
 #else
@@ -72,8 +71,8 @@ static inline void qtri_math_fault(void)
 #endif
 
 /*
- * Of a function that is in registers what a call would take in memory: inlined wherever it is
- * called; where code is to be small, the compiler decides.
+ * For a function whose arguments a call would pass in memory: inlined wherever it is called; where
+ * code is to be small, the compiler decides.
  */
 #if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
 #define QTRI_IN_PLACE __attribute__((always_inline)) static inline
@@ -94,7 +93,7 @@ static inline int32_t qtri_saturate32(int64_t x)
     return high == (low < 0 ? -1 : 0) ? low : qtri_extreme32(high);
 }
 
-/* The same for a result that was not meant to saturate. */
+/* Saturates a result that was not meant to; see QTRI_CHECK_MATH. */
 static inline int32_t qtri_saturate32_checked(int64_t x)
 {
     QTRI_MATH_CHECK(x >= INT32_MIN && x <= INT32_MAX);
@@ -141,7 +140,7 @@ static inline int32_t qtri_greatest32(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* x held to low..high. */
+/* x clamped to low..high. */
 static inline int32_t qtri_hold32(int32_t x, int32_t low, int32_t high)
 {
     return x < low ? low : (x > high ? high : x);
@@ -191,7 +190,7 @@ uint64_t qtri_divide64(uint64_t n, uint64_t divisor, int32_t more, bool *half);
 uint32_t qtri_sqrt64_floor(uint64_t x, uint64_t *remainder);
 uint64_t qtri_sqrt64_round(uint64_t x);
 
-/* The same number for x < 2^32, in less than half of the instructions. */
+/* qtri_sqrt64_round() for x < 2^32, in less than half of the instructions. */
 uint32_t qtri_sqrt32_round(uint32_t x);
 
 /*
@@ -207,7 +206,7 @@ static inline int32_t qtri_divide32(int32_t n, uint32_t divisor)
     return (int32_t)(n < 0 ? 0 - quotient : quotient);
 }
 
-/* A word, rotated to the right by the low five bits of a number, which need no mask. */
+/* A word rotated right by the low five bits of `by`, which need no mask. */
 static inline uint32_t qtri_rotated(uint32_t word, uint32_t by)
 {
 #if defined(__GNUC__) && defined(__thumb__) && !defined(__thumb2__)
@@ -319,8 +318,8 @@ static inline int32_t qtri_mul_high_s31(int32_t a, uint32_t b)
 }
 
 /*
- * What a checked build asks of arguments, see qtri/error.h. Without QTRI_CHECKED nothing is here to
- * be compiled, called or linked.
+ * Calls a function that asserts on arguments, in checked builds, see qtri/error.h. Other builds do
+ * not compile it.
  */
 
 #ifdef QTRI_CHECKED
@@ -340,8 +339,7 @@ static inline void qtri_find_range(uint32_t *least, uint32_t *greatest, const ui
     }
 }
 
-/* ---- Reciprocals and seeds of roots: where there is one a vertex, a triangle or a few pixels ----
- */
+/* ---- Reciprocals, and seeds of these and of roots ---- */
 
 /*
  * First estimates of quotients and roots, of products that fit 32 bits. They are as good as 16 bits
@@ -363,7 +361,7 @@ static inline uint32_t qtri_reciprocal_seed_newton(uint32_t x)
     return r_q15 + (uint32_t)(((int32_t)r_q15 * (error_q31 >> 7)) >> 24);
 }
 
-/* Within the same bounds, but not the same on all cores. */
+/* qtri_reciprocal_seed_newton() or a division: within its bounds, but not equal on all cores. */
 static inline uint32_t qtri_reciprocal_seed(uint32_t x)
 {
 #if QTRI_DIVIDE
@@ -377,7 +375,7 @@ static inline uint32_t qtri_reciprocal_seed(uint32_t x)
 uint32_t qtri_rsqrt_seed(uint32_t t);
 
 /*
- * The same where it is wanted in place.
+ * qtri_rsqrt_seed() inline.
  *
  * A cubic with the least relative error on [1/4, 1], 2^-7.1, and Newton's step y (3 - v y^2) / 2
  * with a 3 that centres the error as qtri_reciprocal_seed does.
@@ -446,7 +444,7 @@ static inline uint32_t qtri_reciprocal_q31(uint32_t x)
     return y;
 }
 
-/* How far left, or else right, x goes for x 2^up, up < 32; and that: without a branch. */
+/* Shifts to the left, or else right, for x 2^up, up < 32; and x 2^up by them, without a branch. */
 static inline void qtri_set_shifts(uint8_t *left, uint8_t *right, int32_t up)
 {
     *left = (uint8_t)(up > 0 ? up : 0);

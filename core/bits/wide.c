@@ -25,7 +25,7 @@ void qtri_wide_set(qtri_wide *x, int64_t m, int32_t e)
     x->e = e;
 }
 
-/* In words: compilers for small cores call memcpy() for *to = *from. */
+/* *to = *from by fields: compilers for small cores would call memcpy(). */
 static void copy(qtri_wide *to, const qtri_wide *from)
 {
     to->m = from->m;

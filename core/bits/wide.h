@@ -32,7 +32,7 @@ void qtri_wide_div_by(qtri_wide *a, const qtri_wide *b);
 void qtri_wide_add_product(qtri_wide *sum, const qtri_wide *a, const qtri_wide *b);
 void qtri_wide_sub_product(qtri_wide *sum, const qtri_wide *a, const qtri_wide *b);
 
-/* The same with values. b = 0 gives the largest magnitude with the sign of a, or 0 for 0 / 0. */
+/* As above, with values. a / 0 is the largest magnitude with the sign of a; 0 / 0 is 0. */
 qtri_wide qtri_wide_make(int64_t m, int32_t e);
 qtri_wide qtri_wide_mul(qtri_wide a, qtri_wide b);
 qtri_wide qtri_wide_div(qtri_wide a, qtri_wide b);

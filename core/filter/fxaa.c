@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * FXAA: fxaa.inc is one row of it, in any format and in RGB565; the rest keeps rows of old colours.
+ * FXAA over a surface: fxaa.inc filters a pixel, in any format and in RGB565; here are the loops
+ * over rows, and the ring buffers of rows not yet filtered.
  */
 #include "qtri/antialias.h"
 
@@ -29,7 +30,7 @@ static inline bool is_flat(int32_t m, int32_t a, int32_t b, int32_t c, int32_t d
     return high - low < LUMA_MIN || (high - low) * 8 < high;
 }
 
-/* What a pixel takes of its neighbour across an edge, in 32nds: the edge ends `first` pixels to one
+/* The weight, in 1/32, of a pixel's neighbour across an edge. The edge ends `first` pixels to one
    side and `last` to the other, where the luma of its two sides departs by first_end and last_end.
  */
 static uint32_t share_of(int32_t first, int32_t last, int32_t first_end, int32_t last_end,
@@ -103,7 +104,7 @@ QTRI_NOINLINE static void filter_rows_any(const qtri_surface *surface, qtri_rect
     const int32_t end = bounds.x1 < width ? bounds.x1 : width - 1;
     kind_window w = {{{NULL, NULL, NULL, NULL, NULL}}, format->colors};
     for (int32_t y = bounds.y0 - 2; y < bounds.y1; y++) {
-        /* Row y + 2 comes in, while it is as it was; y - 3 goes. */
+        /* Row y + 2 is decoded before it is filtered, in place of y - 3. */
         uint32_t *slot = memory + (ptrdiff_t)((y + 2) % ROWS) * width;
         for (int i = 0; i < ROWS - 1; i++) {
             w.window.row[i] = w.window.row[i + 1];
@@ -113,7 +114,7 @@ QTRI_NOINLINE static void filter_rows_any(const qtri_surface *surface, qtri_rect
             decode_row(surface, y + 2, slot);
             w.window.row[ROWS - 1] = slot;
         }
-        if (w.window.row[1] == NULL || w.window.row[3] == NULL) { /* between two there is one */
+        if (w.window.row[1] == NULL || w.window.row[3] == NULL) { /* no row above, or below */
             continue;
         }
         uint8_t *row = qtri_surface_at(surface, 0, y);
@@ -141,7 +142,7 @@ static inline uint32_t lumas_565(uint32_t first, uint32_t second)
     return lumas_of_two(first | second << 16);
 }
 
-/* Of columns x and x + side of a row, added. */
+/* The sum of the lumas of columns x and x + side. */
 static inline int32_t luma_sum(const uint16_t *row, int32_t x, int32_t side)
 {
     const uint32_t two = lumas_565(row[x], row[x + side]);
@@ -189,9 +190,7 @@ static inline uint32_t above_two(uint32_t a, uint32_t b)
     return difference & (is_above - (is_above >> HALF_BIT));
 }
 
-/*
- * Of two pixels and their neighbours, where is_flat() is not so: the high bits of halves.
- */
+/* !is_flat() of two pixels m and their neighbours, as the high bits of halves. */
 static inline uint32_t edges_of_two(uint32_t m, uint32_t a, uint32_t b, uint32_t c, uint32_t d)
 {
     QTRI_HOLD(a); /* GCC 12 would compute what follows for flat pixels too */
@@ -227,7 +226,7 @@ static inline uint32_t bit_of(bool first)
     return (uint32_t)1 << (is_first_low() == first ? HALF_BIT : 16 + HALF_BIT);
 }
 
-/* Those of pixels x and x + 1 whose halves have the high bit. */
+/* Filters pixels x and x + 1, each if the high bit of its half is set. */
 QTRI_NOINLINE static void resolve_two(const window_565 *w, uint16_t *out, int32_t x, int32_t width,
                                       uint32_t edges)
 {
@@ -246,9 +245,9 @@ static inline uint32_t moved_in(uint32_t two, uint32_t other, bool at_left)
 }
 
 /*
- * Columns x..end - 1, x even and at least 2. Most pixels' lumas are at most 3 less and 4 more than
- * those of all neighbours, which is flat: that is asked of two at once, in halves of a word. A half
- * that is below 0 takes from the other, but has bits that count itself.
+ * Filters columns x..end - 1, x even and at least 2. Most pixels' lumas are at most 3 less and 4
+ * more than those of all neighbours, which is flat: that is tested for two at once, in halves of a
+ * word. A half below 0 borrows from the other, but then has high bits itself.
  */
 QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32_t x, int32_t end,
                                        int32_t width)
@@ -275,7 +274,7 @@ QTRI_NOINLINE static void filter_pairs(const window_565 *w, uint16_t *out, int32
     filter_pixels(w, out, x, end, width);
 }
 
-/* What a row has besides the colour that it begins and ends with: columns first..end - 1. */
+/* The columns first..end - 1 of a row that differ from the colour that it begins and ends with. */
 typedef struct extent {
     uint32_t color; /* of two pixels */
     int32_t first, end;
@@ -350,7 +349,7 @@ static void luma_words(qtri_word *to, const qtri_word *from, const qtri_word *en
     }
 }
 
-/* A row's colours or lumas: of its extent, and of the colour about it. */
+/* Copies a row's colours, or sets its lumas; outside of its extent all are one. */
 static void keep_row(uint32_t *out, const uint16_t *row, const extent *e, int32_t width, bool pairs,
                      bool luma)
 {
@@ -376,7 +375,7 @@ static void keep_row(uint32_t *out, const uint16_t *row, const extent *e, int32_
     fill_words(to + end, width / 2 - end, about);
 }
 
-/* A row comes in below the others: it is as it was. */
+/* Where lumas of the row below the filtered one come from and go to. */
 typedef struct incoming {
     const qtri_surface *surface;
     uint32_t *memory; /* KEPT_ROWS rows of colours, KEPT_ROWS of lumas */

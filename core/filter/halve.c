@@ -3,7 +3,7 @@
 
 #include "mix.h"
 
-/* What becomes of the band; its pixels are not changed yet. */
+/* Sets up the band of half the size, in the same memory; pixels are not changed yet. */
 static enum qtri_error describe(const qtri_surface *band, qtri_surface *half)
 {
     if (((band->width | band->height | band->first_row | band->rows) & 1) != 0) {
@@ -85,7 +85,7 @@ static void halve_565(const qtri_surface *band, const qtri_surface *half)
     }
 }
 
-/* Pixels are made where they are not needed any more: row y of rows 2 y and 2 y + 1. */
+/* In place: row y is written when rows 2 y and 2 y + 1 have been read. */
 enum qtri_error qtri_halve(const qtri_surface *band, qtri_surface *out)
 {
     QTRI_ASSERT(band != NULL);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Colours of stored pixels, mixed in the steps of their format. Internal.
+ * Weighted means of stored pixels' colours, in the steps of their format. Internal.
  *
  * A kind of colour (format.h) says in which steps: 5, 6 and 5 bits, 8 bits a channel, or one of 8
  * bits. Formats are decoded and encoded; those whose stored pixels are of the kind qtri_colors_565
@@ -62,7 +62,7 @@ static inline bool qtri_is_565(const qtri_format *format)
 uint32_t qtri_color_of(const qtri_format *format, uint32_t stored);
 uint32_t qtri_stored_of(const qtri_format *format, uint32_t color);
 
-/* The mix of two colours of a kind, as qtri_lerp_565(). */
+/* a + (b - a) share / 32 of two colours of a kind, rounded as by qtri_lerp_565(). */
 uint32_t qtri_mix_colors(const qtri_colors *kind, uint32_t a, uint32_t b, uint32_t share);
 
 /* The mean of four stored pixels. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Sums of frames. In any format a pixel has two words: red and blue, 16 bits each, and green, all
- * in the steps of the kind of colour. For 565 one is enough: lanes of 10, 10 and 11 bits hold 32
- * times 31, 31 and 63.
+ * Accumulation buffer: sums of frames, and their means. In any format a pixel has two words: red
+ * and blue, 16 bits each, and green, all in the steps of the kind of colour. For 565 one is enough:
+ * lanes of 10, 10 and 11 bits hold 32 times 31, 31 and 63.
  */
 #include "qtri/antialias.h"
 #include "qtri/error.h"
@@ -10,10 +10,9 @@
 #include "../frame/pixel.h"
 #include "mix.h"
 
-/* The rows and columns that count, and a sum's words; false: there is an error, or nothing to do.
- */
-static bool begin(const qtri_surface *surface, const uint32_t *sums, uint32_t words,
-                  qtri_rect *bounds, uint32_t *pixel_words, enum qtri_error *error)
+/* Finds bounds, and the words of a pixel's sum; false: *error, or nothing to do. */
+static bool find_bounds(const qtri_surface *surface, const uint32_t *sums, uint32_t words,
+                        qtri_rect *bounds, uint32_t *pixel_words, enum qtri_error *error)
 {
     QTRI_ASSERT(sums != NULL || words == 0);
     *bounds = qtri_surface_bounds(surface);
@@ -29,8 +28,8 @@ static bool begin(const qtri_surface *surface, const uint32_t *sums, uint32_t wo
     return *error == QTRI_OK;
 }
 
-/* The place of the bounds' first pixel of row y among the surface's pixels. */
-static uint32_t place_of(const qtri_surface *surface, const qtri_rect *bounds, int32_t y)
+/* The index, among the surface's pixels, of the first pixel within bounds of row y. */
+static uint32_t index_of(const qtri_surface *surface, const qtri_rect *bounds, int32_t y)
 {
     return (uint32_t)(y - surface->first_row) * (uint32_t)surface->width + (uint32_t)bounds->x0;
 }
@@ -124,10 +123,10 @@ enum qtri_error qtri_sum_add(uint32_t *sums, uint32_t words, const qtri_surface 
     qtri_rect bounds;
     uint32_t pixel_words;
     enum qtri_error error;
-    if (begin(surface, sums, words, &bounds, &pixel_words, &error)) {
+    if (find_bounds(surface, sums, words, &bounds, &pixel_words, &error)) {
         const int32_t count = bounds.x1 - bounds.x0;
         for (int32_t y = bounds.y0; y < bounds.y1; y++) {
-            uint32_t *sum = sums + pixel_words * place_of(surface, &bounds, y);
+            uint32_t *sum = sums + pixel_words * index_of(surface, &bounds, y);
             uint8_t *pixels = qtri_surface_at(surface, bounds.x0, y);
             if (pixel_words == 1) {
                 add_row_565(sum, (uint16_t *)(void *)pixels, count);
@@ -146,10 +145,10 @@ enum qtri_error qtri_sum_store(const qtri_surface *surface, const uint32_t *sums
     uint32_t pixel_words;
     enum qtri_error error;
     const uint32_t log2 = (uint32_t)qtri_hold32(frames_log2, 0, QTRI_SUM_FRAMES_LOG2_MAX);
-    if (begin(surface, sums, words, &bounds, &pixel_words, &error)) {
+    if (find_bounds(surface, sums, words, &bounds, &pixel_words, &error)) {
         const int32_t count = bounds.x1 - bounds.x0;
         for (int32_t y = bounds.y0; y < bounds.y1; y++) {
-            const uint32_t *sum = sums + pixel_words * place_of(surface, &bounds, y);
+            const uint32_t *sum = sums + pixel_words * index_of(surface, &bounds, y);
             uint8_t *pixels = qtri_surface_at(surface, bounds.x0, y);
             if (pixel_words == 1) {
                 store_row_565((uint16_t *)(void *)pixels, sum, count, log2);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Memory of depths of another format than linear16: reached through a surface's description alone.
- * Internal.
+ * Operations on depth buffers of other formats than linear16. A surface's depth format names them,
+ * so that the linker drops them elsewhere. Internal.
  */
 #ifndef QTRI_FRAME_DEPTH_FORMAT_H
 #define QTRI_FRAME_DEPTH_FORMAT_H
@@ -22,7 +22,7 @@ struct qtri_depth_ops {
     uint16_t *(*flatten)(const qtri_surface *surface);
 };
 
-/* Of qtri_depth_format.encode and .decode. */
+/* For qtri_depth_format.encode and .decode. */
 void qtri_depth_to_float16(uint32_t *depth, int32_t count);
 void qtri_depth_from_float16(uint32_t *depth, int32_t count);
 void qtri_depth_to_linear24(uint32_t *depth, int32_t count);
@@ -35,7 +35,7 @@ static inline const qtri_depth_ops *qtri_depth_ops_of(const qtri_surface *surfac
     return surface->depth_format != NULL ? surface->depth_format->ops : NULL;
 }
 
-/* Pixels of more bytes are records of samples, which hold depths of linear16. NULL: linear16. */
+/* Records of samples, pixels of more than 4 bytes, hold linear16 alone. NULL: linear16. */
 static inline bool qtri_depth_goes_with(const qtri_depth_format *depth, const qtri_format *format)
 {
     return depth == NULL || depth->ops == NULL ||
@@ -48,7 +48,7 @@ static inline int32_t qtri_depth_bytes(const qtri_depth_format *format)
     return format != NULL ? format->bytes : QTRI_DEPTH_LINEAR16_BYTES;
 }
 
-/* Descriptions, for checked builds. */
+/* Assertions on formats, for checked builds. */
 #ifdef QTRI_CHECKED
 static inline void qtri_check_format(const qtri_format *format)
 {

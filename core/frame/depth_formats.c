@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Formats of depth, and memory of those that are not linear16.
+ * Depth formats: encoding, decoding, and operations on buffers of those that are not linear16.
  */
 #include "depth_format.h"
 
@@ -13,7 +13,7 @@
 
 enum { AT_ONCE = 32 };
 
-/* Depths move towards the first: what is read was not written yet. */
+/* Depths move towards the first one: none is overwritten before it is read. */
 static uint16_t *flatten(const qtri_surface *surface)
 {
     const qtri_depth_format *format = surface->depth_format;
@@ -42,7 +42,7 @@ static uint16_t *flatten(const qtri_surface *surface)
     return to;
 }
 
-/* Depths, as pixels of a surface. */
+/* Fills depths as if they were pixels of a surface. */
 static void fill(const qtri_surface *surface, const qtri_rect *rect, uint32_t depth_16p16)
 {
     const qtri_pixels memory = {surface->depth_format->bytes, NULL, NULL, NULL};
@@ -126,7 +126,7 @@ void qtri_depth_to_float16(uint32_t *depth, int32_t count)
     }
 }
 
-/* The middle of what is stored so, which is more than 0; the farthest is itself. */
+/* The middle of the depths that are stored alike; the farthest is itself. */
 void qtri_depth_from_float16(uint32_t *depth, int32_t count)
 {
     for (int32_t i = 0; i < count; i++) {

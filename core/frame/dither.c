@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
+/* Surfaces in gray levels, ordered dithering, and error diffusion. */
 #include "qtri/dither.h"
 #include "qtri/error.h"
 
 #include <stdbool.h>
 #include <string.h>
 
-/* White in units of 2^-24 of a gray level; sums of three are below 2^32 with the half that rounds.
- */
+/* White in 2^-24 of a gray level; sums of three are below 2^32 with the half that rounds. */
 #define WEIGHT_8P24(thousandths, max)                                                              \
     ((uint32_t)((((uint64_t)255 * (thousandths) << 24) + (uint32_t)500 * (max)) /                  \
                 ((uint32_t)1000 * (max))))
@@ -32,8 +32,8 @@ static uint8_t luma_of_565(uint32_t c)
 }
 
 /*
- * Pixels that the row holds. What is stored is known by the function that decodes it, and not by
- * the description's address, which would link all that belongs to it.
+ * Gray levels of pixels within a row. A format is recognized by its `decode`, not by its address,
+ * which would link all that belongs to it.
  */
 static void gray_of_row(const qtri_format *format, const uint8_t *row, int32_t x, int32_t count,
                         uint8_t *gray)
@@ -177,7 +177,7 @@ enum qtri_error qtri_diffusion_init(qtri_diffusion *diffusion, int32_t width, in
 }
 
 /* A sixteenth of error, times weight, towards minus infinity; |error| <= 255, weight <= 7. */
-static int32_t share(int32_t error, int32_t weight)
+static int32_t part_of_error(int32_t error, int32_t weight)
 {
     return (error * weight + 4096) / 16 - 256;
 }
@@ -214,16 +214,16 @@ void qtri_diffuse_row(qtri_diffusion *diffusion, uint8_t max_level, int32_t x, i
         uint32_t chosen = divide_by_255((uint32_t)within + 127);
         int32_t e = value - (int32_t)chosen * 255;
         e = e < -255 ? -255 : (e > 255 ? 255 : e);
-        int32_t right = share(e, 7);
-        int32_t left_below = share(e, 3);
-        int32_t below = share(e, 5);
+        int32_t right = part_of_error(e, 7);
+        int32_t left_below = part_of_error(e, 3);
+        int32_t below = part_of_error(e, 5);
         if (column > 0) {
             d->error[column - 1] = (int16_t)(d->below + left_below);
         } else {
             below += left_below;
         }
         d->below = d->corner + below;
-        d->corner = e - right - left_below - share(e, 5);
+        d->corner = e - right - left_below - part_of_error(e, 5);
         d->right = right;
         if (column == d->width - 1) {
             d->error[column] = (int16_t)(d->below + d->corner + d->right);

@@ -9,7 +9,7 @@ typedef union pattern {
 
 enum { BLOCK_BYTES = 64, MASK_PIXELS = 32 /* that a mask has bits for */ };
 
-/* end - at is a multiple of BLOCK_BYTES and not 0. */
+/* Stores x in all words; end - at is a multiple of BLOCK_BYTES and not 0. */
 static void store_blocks(uint8_t *at, const uint8_t *end, uint32_t x)
 {
 #if defined(__GNUC__) && defined(__thumb__)
@@ -74,7 +74,7 @@ void qtri_fill_words(uint8_t *first, ptrdiff_t pitch, size_t bytes, int32_t rows
 
 /* ---- Copies ---- */
 
-/* What is copied at once, by instructions that load and store several registers. */
+/* Copied at once, by instructions that load and store several registers. */
 typedef struct block {
     uint32_t word[12];
 }
@@ -83,7 +83,7 @@ __attribute__((__may_alias__))
 #endif
 block;
 
-/* As many bytes as its words have, from word to word; how many there are is returned. */
+/* Copies whole words, both sides aligned; returns the number of bytes. */
 static size_t copy_words(uint8_t *to, const uint8_t *from, size_t bytes)
 {
     size_t left = bytes;
@@ -146,7 +146,7 @@ typedef union pattern24 {
     uint8_t byte[12];
 } pattern24;
 
-/* Pixels until a word begins, eight at a time as words, and the rest. */
+/* Fills pixels of three bytes: up to a word's begin, eight at a time as words, and the rest. */
 static void fill_row_24(uint8_t *at, int32_t count, uint32_t stored)
 {
     pattern24 four;
@@ -193,7 +193,7 @@ void qtri_fill_rect(const qtri_surface *surface, const qtri_rect *rect, uint32_t
             fill_row_24(first, columns, stored);
             continue;
         }
-        uint8_t *at = first; /* pixels of another size than a word has room for */
+        uint8_t *at = first; /* pixels of another size */
         for (int32_t left = columns; left > 0; left -= MASK_PIXELS) {
             pixels->fill(at, stored, UINT32_MAX, qtri_least32(left, MASK_PIXELS));
             at += pixel_bytes * MASK_PIXELS;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Formats of surfaces: memory of pixels by their bytes, what stored pixels mean, and the library's
- * own formats. Each is a constant of its own, so that a program links those that it names.
+ * Pixel formats of surfaces: loads and stores by size, decoding, and the library's formats, each a
+ * constant of its own, so that a program links those that it names.
  */
 #include "qtri/format.h"
 
 #include "pixel.h"
 
-/* ---- Memory of pixels ---- */
+/* ---- Pixels in memory ---- */
 
 #define NAME(name) name##_8
 #define BYTES      1
@@ -109,7 +109,7 @@ const qtri_format qtri_xrgb8888 = {
 const qtri_format qtri_gray8 = {&qtri_pixels_8, &qtri_colors_gray, NULL, qtri_decode_gray8,
                                 NULL,           QTRI_GRAY8};
 
-/* ---- Depth alone: pixels that are not there ---- */
+/* ---- Depth alone: pixels of no bytes ---- */
 
 #define NAME(name) name##_0
 #define BYTES      0

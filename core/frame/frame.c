@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Frames: their bands one after another, rows kept between bands, and changed rectangles. */
 #include "qtri/frame.h"
 
 #include "depth_format.h"
@@ -13,7 +14,7 @@ static bool is_side(int32_t x)
 
 /* ---- Layout ---- */
 
-/* A frame without bands. */
+/* Makes it a frame without bands; returns the error. */
 static enum qtri_error refuse(qtri_frame *frame, enum qtri_error error)
 {
     frame->width = 0;
@@ -22,14 +23,14 @@ static enum qtri_error refuse(qtri_frame *frame, enum qtri_error error)
     return error;
 }
 
-/* Depth of more bytes begins where linear16 would: behind the pixels. */
+/* Bytes of pixels and depths of so many rows. */
 static size_t bytes_of(const qtri_frame *frame, int32_t rows)
 {
     return QTRI_FRAME_BYTES_DEPTH(frame->width, rows, frame->format->pixels->bytes,
                                   qtri_depth_bytes(frame->depth_format));
 }
 
-/* Where the buffers are. */
+/* Divides the memory into buffers. */
 static enum qtri_error lay_out(qtri_frame *frame)
 {
     const int32_t rows = frame->rows + 2 * frame->overlap;
@@ -146,15 +147,15 @@ static qtri_rect widened(const qtri_frame *frame, const qtri_rect *rect, int32_t
     return r;
 }
 
-/* Depth so many rows on. */
+/* The depth buffer `rows` rows further on; NULL: there is none. */
 static uint16_t *depth_at(const qtri_surface *band, ptrdiff_t rows)
 {
     const ptrdiff_t bytes = band->depth_pitch * qtri_depth_bytes(band->depth_format);
     return band->depth == NULL ? NULL : (uint16_t *)(void *)((uint8_t *)band->depth + rows * bytes);
 }
 
-/* Rows first .. end - 1 of the frame, of a band whose memory holds them. */
-static void take_rows(qtri_surface *out, const qtri_surface *band, int32_t first, int32_t end)
+/* *out is rows first .. end - 1 of the frame, which the band's memory holds. */
+static void set_rows(qtri_surface *out, const qtri_surface *band, int32_t first, int32_t end)
 {
     const int32_t above = first - band->first_row;
     uint16_t *depth = depth_at(band, above);
@@ -195,7 +196,7 @@ bool qtri_frame_next_band(qtri_frame *frame, qtri_surface *band)
         frame->use_other = !frame->use_other;
     }
     if (keeps) {
-        take_rows(band, band, row, band->first_row + band->rows);
+        set_rows(band, band, row, band->first_row + band->rows);
     }
     return true;
 }
@@ -210,8 +211,8 @@ void qtri_frame_shown(const qtri_frame *frame, const qtri_surface *band, qtri_su
     const int32_t behind = frame->kept != NULL ? frame->overlap : 0;
     const int32_t first = frame->next_row - frame->rows;
     const bool is_last = frame->next_row >= frame->height;
-    take_rows(shown, band, first > 0 ? first - behind : 0,
-              is_last ? frame->height : frame->next_row - behind);
+    set_rows(shown, band, first > 0 ? first - behind : 0,
+             is_last ? frame->height : frame->next_row - behind);
     if (frame->only_changes && frame->kept == NULL) {
         shown->scissor = frame->changes;
     }
@@ -236,7 +237,7 @@ void qtri_frame_join(const qtri_frame *frame, qtri_surface *band)
                                (size_t)qtri_depth_bytes(band->depth_format);
     uint8_t *kept_depth = frame->kept + (pixel_bytes + 3) / 4 * 4;
     if (first > 0) {
-        take_rows(band, band, first - rows, first + band->rows);
+        set_rows(band, band, first - rows, first + band->rows);
         qtri_copy(band->pixels, frame->kept, pixel_bytes);
         if (band->depth != NULL) {
             qtri_copy((uint8_t *)depth_at(band, 1), kept_depth, depth_bytes);

@@ -4,8 +4,8 @@
 #include "../bits/bits.h"
 
 /*
- * A channel of 8 bits in units of which there are ratio_q30 2^-30 to one, n.16, rounded down: of
- * halves, so that no product is longer than 32 bits.
+ * channel ratio_q30 2^-30 in n.16, rounded down, channel of 8 bits: by halves of the ratio, so that
+ * no product is longer than 32 bits.
  */
 static int32_t scaled(uint32_t channel, uint32_t ratio_q30)
 {
@@ -32,8 +32,7 @@ uint32_t qtri_pixel_from_rgb(const qtri_format *format, qtri_rgb color)
 
 /* ---- Kinds of colour ---- */
 
-/* What white is of this channel, n.16, / (255 << 16) in Q30, rounded: times a colour of 24 bits,
-   off by less than 2^-6 units. */
+/* white / (255 << 16) in Q30, rounded: times a channel of 24 bits, off by less than 2^-6 units. */
 #define RATIO_Q30(white)                                                                           \
     ((uint32_t)((((uint64_t)(white) << 30) + ((uint32_t)255 << 15)) / ((uint32_t)255 << 16)))
 

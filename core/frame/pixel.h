@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * From colours of 8 bits to channels in units of the target's own steps, and on to stored pixels.
- * Internal.
+ * Colours of 8 bits as channels in steps of a surface's format, stored pixels, and memory of these
+ * filled and copied. Internal.
  *
  * A channel is interpolated in units of the kind: 0..31 for red of 565, 0..255 for 888, the
  * luma-weighted share of 0..255 for gray, each with 16 fraction bits. So a colour is rounded
@@ -22,7 +22,7 @@
 struct qtri_colors {
     uint32_t ratio_q30[3];                      /* units of 1/255, rounded */
     bool single;                                /* only the sum of the channels counts */
-    uint8_t red, green;                         /* where they begin in a colour; blue: at bit 0 */
+    uint8_t red, green;                         /* their lowest bits in a colour; blue has bit 0 */
     uint32_t (*pack)(const int32_t channel[3]); /* rounded, from n.16 */
 };
 
@@ -40,7 +40,7 @@ uint32_t qtri_pixel_from_rgb(const qtri_format *format, qtri_rgb color);
 
 /* ---- Stored pixels ---- */
 
-/* A word of memory that is read as other types elsewhere: two pixels of 16 bits, for one. */
+/* A word that may alias other types: two pixels of 16 bits, for one. */
 #ifdef __GNUC__
 typedef uint32_t __attribute__((__may_alias__)) qtri_word;
 #else
@@ -52,7 +52,7 @@ static inline bool qtri_rect_is_empty(const qtri_rect *rect)
     return rect->x0 >= rect->x1 || rect->y0 >= rect->y1;
 }
 
-/* Where a pixel of a row that the surface holds is stored. */
+/* The address of a pixel, in a row that the surface holds. */
 static inline uint8_t *qtri_surface_at(const qtri_surface *surface, int32_t x, int32_t row)
 {
     return surface->pixels + (ptrdiff_t)(row - surface->first_row) * surface->pitch +
@@ -84,8 +84,8 @@ void qtri_encode_rgb565_swapped(uint32_t *color, int32_t count);
 void qtri_encode_rgb888(uint32_t *color, int32_t count);
 
 /*
- * Makes of each x of `count` words the `result`, in place, for descriptions of formats: `words` is
- * a variable that moves on. Up to three words more are changed, so that groups of four need no
+ * Replaces each x of `count` words by `result`, for encode and decode of formats; `words` is a
+ * variable that moves on. Up to three words more are changed, so that groups of four need no
  * remainder.
  */
 #define QTRI_EACH_WORD(words, count, x, result)                                                    \

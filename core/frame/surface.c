@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT */
+/* Surfaces: set up, cleared and read. */
 #include "qtri/surface.h"
 
 #include "../bits/bits.h"
 #include "depth_format.h"
 #include "pixel.h"
 
-/* The word that begins here, or next. */
+/* Rounds up to a multiple of four. */
 static uint8_t *align(uint8_t *p)
 {
     return p + (0 - (uintptr_t)p) % 4;
 }
 
-/* What draws nothing, whatever was there before. */
+/* Makes it a surface on which nothing is drawn; returns the error. */
 static enum qtri_error refuse(qtri_surface *surface, enum qtri_error error)
 {
     static const qtri_surface nothing;

@@ -90,8 +90,8 @@ static bool contour_edge(const qtri_contour *contour, int32_t i, qtri_ink_edge *
 /* ---- Rows without smooth edges ---- */
 
 /*
- * Columns of a row from which on the contour has turned around differently, in their order. Edges
- * that meet in a column are one. Of more than there is room for these are the first.
+ * The columns of a row at which the winding number changes, in order; edges that meet in a column
+ * are one stop. If there are more than STOPS, these are the first.
  */
 enum { STOPS = 12 };
 
@@ -150,7 +150,7 @@ static inline const qtri_ink_edge *edge_of(const qtri_contour *contour, int32_t 
     return edge->y0 < end && edge->y1 > top ? edge : NULL;
 }
 
-/* Those behind the column `from`. Two arcs that follow each other are often of one circle. */
+/* Finds the stops behind column `from`. Two arcs in succession are often of one circle. */
 static void find_stops(stops *s, const qtri_contour *contour, int32_t row, int32_t from)
 {
     const int32_t y = row * 256 + 128;
@@ -198,7 +198,7 @@ void qtri_hard_row(const qtri_painter *painter, const qtri_contour *contour, int
     } while (s.count == STOPS);
 }
 
-/* Rows that the contour touches, as far as they are to be painted. */
+/* The rows *first..*end - 1 that the contour touches, within bounds. */
 static void rows_of(const qtri_contour *contour, const qtri_rect *bounds, int32_t *first,
                     int32_t *end)
 {
@@ -245,7 +245,7 @@ static int32_t mirrored(const qtri_ink_edge *arc, const qtri_ink_edge *other, in
     return other->as.arc.center_x + half * other->as.arc.side;
 }
 
-static bool cross(const qtri_crossings *crossings, int32_t i, qtri_crossing *crossing)
+static bool cut_to_row(const qtri_crossings *crossings, int32_t i, qtri_crossing *crossing)
 {
     const qtri_contour *contour = crossings->contour;
     const int32_t top = crossings->row_24p8;
@@ -284,7 +284,7 @@ void qtri_crossings_init(qtri_crossings *crossings, const qtri_contour *contour,
     int32_t i = 0;
     for (; i < contour->count && crossings->kept < QTRI_CROSSINGS_KEPT; i++) {
         qtri_crossing *c = &crossings->crossing[crossings->kept];
-        if (cross(crossings, i, c)) {
+        if (cut_to_row(crossings, i, c)) {
             least = qtri_least32(least, qtri_least32(c->x0, c->x1));
             crossings->kept++;
         }
@@ -302,7 +302,7 @@ const qtri_crossing *qtri_crossings_next(const qtri_crossings *crossings, int32_
     int32_t i = crossings->others + (*position - crossings->kept);
     for (; i < crossings->contour->count; i++) {
         (*position)++;
-        if (cross(crossings, i, room)) {
+        if (cut_to_row(crossings, i, room)) {
             return room;
         }
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * From shapes to pixels. Internal.
+ * Filled contours: edges of lines and arcs, scan-converted row by row. Internal.
  *
  * A shape is a contour: edges that go down the picture, straight ones and quarters of circles,
  * each with the direction in which the contour passes it. A row of pixels is painted from the edges
@@ -11,7 +11,7 @@
 
 #include "painter.h"
 
-/* x = center_x + side sqrt(r r - (y - center_y)^2). */
+/* x = center_x + side sqrt(r r - (y - center_y)^2), 24.8; side: 1 or -1. */
 typedef struct qtri_ink_arc {
     int32_t center_x, center_y, side;
 } qtri_ink_arc;
@@ -22,7 +22,7 @@ typedef struct qtri_ink_line {
     int32_t zeros;
 } qtri_ink_line;
 
-/* Half-open in y: y0 < y1. Across, x0 belongs to y0 and x1 to y1. */
+/* An edge from (x0, y0) down to (x1, y1), y0 < y1, half-open in y. */
 typedef struct qtri_ink_edge {
     int32_t x0, y0, x1, y1; /* 24.8 */
     int32_t radius;         /* 0: straight */
@@ -37,10 +37,10 @@ typedef struct qtri_ink_edge {
 typedef struct qtri_contour {
     const qtri_ink_edge *edges;
     const qtri_point *points; /* NULL: edges */
-    int32_t count;            /* of one or the other */
+    int32_t count;            /* of edges, or of points */
 } qtri_contour;
 
-/* Half of the chord of an arc's circle there. */
+/* Half of the chord, 24.8, of an arc's circle at y, which is within the circle. */
 int32_t qtri_ink_half_chord(const qtri_ink_edge *arc, int32_t y_24p8);
 
 /*
@@ -53,7 +53,7 @@ static inline bool qtri_ink_is_mirrored(const qtri_ink_edge *arc, const qtri_ink
     return arc != NULL && arc->radius == edge->radius;
 }
 
-/* Pixels of a row whose centres lie inside: what it becomes without smooth edges. */
+/* Paints the pixels of a row whose centres lie inside: edges are not smooth. */
 void qtri_hard_row(const qtri_painter *painter, const qtri_contour *contour, int32_t row);
 
 /* Paints a contour. */
@@ -62,6 +62,7 @@ void qtri_paint_contour(const qtri_surface *surface, const qtri_contour *contour
 
 /* ---- The edges of a contour that cross a row ---- */
 
+/* The piece of an edge within a row. */
 typedef struct qtri_crossing {
     int32_t x0, x1; /* 24.8 at y0 and y1 */
     int32_t y0, y1; /* in 1/256 below the row's upper side, 0 <= y0 < y1 <= 256 */
@@ -75,25 +76,25 @@ enum { QTRI_CROSSINGS_KEPT = 12 };
 typedef struct qtri_crossings {
     const qtri_contour *contour;
     int32_t row_24p8;     /* the row's upper side */
-    int32_t first;        /* the column where the first of them begins; or further left */
-    int32_t kept, others; /* how many are kept, and the first edge behind them */
+    int32_t first;        /* no crossing begins left of this column */
+    int32_t kept, others; /* crossings that are kept, and the first edge behind them */
     qtri_crossing crossing[QTRI_CROSSINGS_KEPT];
 } qtri_crossings;
 
 void qtri_crossings_init(qtri_crossings *crossings, const qtri_contour *contour, int32_t row);
 
-/* The next one, and NULL after the last: *position begins with 0. `room` is for one not kept. */
+/* The next crossing; NULL after the last. *position begins with 0. `room` is for one not kept. */
 const qtri_crossing *qtri_crossings_next(const qtri_crossings *crossings, int32_t *position,
                                          qtri_crossing *room);
 
 /* ---- Contours put together from straight lines and arcs ---- */
 
-/* An arc of a ring: five quarters or parts of them outside, five inside, two ends. */
+/* At most, for an arc of a ring: five quarters or parts of them outside, five inside, two ends. */
 enum { QTRI_PATH_EDGES = 12 };
 
 typedef struct qtri_path {
     int32_t count;
-    int32_t direction; /* +1, or -1: edges are added against their direction */
+    int32_t direction; /* of edges that are added: +1 as given, -1 reversed */
     qtri_ink_edge edge[QTRI_PATH_EDGES];
 } qtri_path;
 
@@ -103,17 +104,17 @@ static inline void qtri_path_init(qtri_path *path)
     path->direction = 1;
 }
 
-/* From one point to another. */
+/* Adds a line. */
 void qtri_path_line(qtri_path *path, const qtri_point *from, const qtri_point *to);
 
 /*
- * A quarter of a circle, clockwise in the picture: 0 from the right down, 1 from there to the left,
- * 2 up, 3 to the right. Of it, what lies between the rows y0 and y1, y0 <= y1, both inside it.
+ * Adds the part between y0 <= y1, both inside it, of a quarter of a circle, clockwise on the
+ * screen: 0 from the right down, 1 from there to the left, 2 up, 3 to the right.
  */
 void qtri_path_quarter(qtri_path *path, const qtri_point *center, int32_t radius_24p8,
                        int32_t quarter, int32_t y0_24p8, int32_t y1_24p8);
 
-/* All of a circle; a radius of 0 adds nothing. */
+/* Adds a circle; a radius of 0 adds nothing. */
 void qtri_path_circle(qtri_path *path, const qtri_point *center, int32_t radius_24p8);
 
 void qtri_path_paint(const qtri_path *path, const qtri_surface *surface, const qtri_brush *brush);

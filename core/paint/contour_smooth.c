@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of a contour with smooth edges. */
+/* Contours and rectangles with antialiased edges: &qtri_ink_smooth. */
 #include "contour.h"
 
 #include "coverage.h"
@@ -10,15 +10,15 @@ enum { CHORDS = 16, WINDOW = QTRI_COVERAGE_WINDOW };
 
 typedef struct window {
     qtri_coverage coverage;
-    const qtri_crossing *chorded; /* the last one of several chords, NULL at first, */
-    int32_t half[CHORDS];         /*   and half of the circle's width where each ends */
+    const qtri_crossing *chorded; /* the last crossing of several chords, NULL at first, */
+    int32_t half[CHORDS];         /*   and half of its circle's width at each chord's end */
 } window;
 
 /*
- * Chords of an arc, 1, 4 or 16. One of length l leaves the arc of radius r by l^2 / 8 r; a 64th of
- * a pixel is 4 / 256. Where the arc is steep, four chords have a quarter of its length each, or
- * little more; near its highest and lowest point 16 of equal height h leave it by h / 4, a 64th
- * again.
+ * log2 of the chords that an arc is drawn as, 1, 4 or 16. One of length l leaves the arc of radius
+ * r by l^2 / 8 r; a 64th of a pixel is 4 / 256. Where the arc is steep, four chords have a quarter
+ * of its length each, or little more; near its highest and lowest point 16 of equal height h leave
+ * it by h / 4, a 64th again.
  *
  * Each is higher than nothing: l^2 of a part that is h high is 2 r h at most, and across, rounded,
  * r at most. More than 32 r take h > 15, since 15 would take an r of 15 to 19, and there
@@ -36,7 +36,7 @@ static int32_t chords_log2_of(const qtri_crossing *c)
     return square <= 256 * radius && across <= 2 * down ? 2 : 4;
 }
 
-/* Of a crossing that begins before the window's end. */
+/* Adds the coverage by a crossing that begins before the window's end. */
 static void add_crossing(window *w, const qtri_crossing *c, int32_t row)
 {
     const int32_t chords_log2 = c->arc == NULL ? 0 : chords_log2_of(c);
@@ -67,7 +67,7 @@ static void add_crossing(window *w, const qtri_crossing *c, int32_t row)
     w->chorded = c;
 }
 
-/* Of 255. What is covered more than once is covered. */
+/* Coverage, 0..255, from a sum; winding numbers above 1 count as 1. */
 static uint32_t coverage_of(int32_t sum)
 {
     const uint32_t share = qtri_magnitude32(sum);
@@ -77,9 +77,9 @@ static uint32_t coverage_of(int32_t sum)
 }
 
 /*
- * Adds what begins before the window's end. *busy: the end of the pixels that edges pass through;
- * *next: where the first edge behind the window begins. Sums are those up to *busy, and one more,
- * which an edge that is its side adds nothing to.
+ * Adds all crossings that begin before the window's end. *busy: the end of the pixels that edges
+ * pass through; *next: the column where the first edge behind the window begins. Sums are those up
+ * to *busy, and one more, which an edge that is its side adds nothing to.
  */
 static void fill_window(window *w, const qtri_crossings *crossings, int32_t row, int32_t *busy,
                         int32_t *next)
@@ -148,7 +148,7 @@ static void smooth_row(const qtri_painter *painter, const qtri_contour *contour,
     }
 }
 
-/* What [from, to) covers of the pixel or row i, in 1/256. */
+/* How much of pixel or row i the range from..to, 24.8, covers, in 1/256. */
 static int32_t share_of(int32_t i, int32_t from, int32_t to)
 {
     return qtri_least32(to - i * 256, 256) - qtri_greatest32(from - i * 256, 0);

@@ -20,15 +20,15 @@ enum { QTRI_COVERAGE_WINDOW = 32 };
 
 typedef struct qtri_coverage {
     int32_t x, end; /* columns: x <= column < end <= x + QTRI_COVERAGE_WINDOW */
-    int32_t sum[QTRI_COVERAGE_WINDOW + 1];
+    int32_t sum[QTRI_COVERAGE_WINDOW + 1]; /* up to a pixel they add up to its coverage */
 } qtri_coverage;
 
-/* An edge that passes through several columns, or none of the window; see qtri_coverage_add. */
+/* qtri_coverage_add() for an edge through several columns, or none of the window. */
 void qtri_coverage_add_wide(qtri_coverage *w, int32_t x0, int32_t y0, int32_t x1, int32_t y1,
                             int32_t winding);
 
-/* Adds `height` of an edge, with its sign, whose ends are `ends` in 1/256 behind the side of the
-   pixel of this sum. */
+/* Adds a piece of an edge within one pixel: its signed height, and the sum of both ends' x from the
+   pixel's left side, all in 1/256. */
 QTRI_INLINE void qtri_coverage_add_piece(int32_t *sum, int32_t height, int32_t ends)
 {
     const int32_t behind = height * ends;

@@ -2,8 +2,8 @@
 #include "mix_stored.h"
 
 /*
- * What is stored is known by the function that decodes it; see format.h. Pixels of RGB565 whose
- * colours have 8 bits are mixed with those, as any other.
+ * A format is recognized by its `decode`; see format.h. RGB565 whose colours have 8 bits a channel
+ * is QTRI_MIX_OTHER.
  */
 qtri_mix qtri_mix_of(const qtri_format *format)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Two stored pixels become one: d (256 - a) + s a, a being 0..256, each channel rounded once.
+ * Alpha blending of stored pixels: d (256 - a) + s a, a being 0..256, each channel rounded once.
  * Internal.
  *
  * A weight of 255 steps in 256 is off by 1/512: with the rounding, 1 of 255 and .63 of a step of
@@ -16,6 +16,7 @@
 #include "../bits/bits.h"
 #include "../frame/pixel.h"
 
+/* Formats whose stored pixels are blended directly, and all others. */
 typedef enum qtri_mix {
     QTRI_MIX_GRAY8,
     QTRI_MIX_565,
@@ -41,14 +42,14 @@ static inline uint32_t qtri_mix_red_blue(uint32_t x)
 }
 
 /*
- * `count` pixels, 1..32, of a format whose pixels are nothing that is known here:
- * those with a bit in the mask, the lowest for the last, mixed with colours a - 1 << 24 | 0xRRGGBB,
- * a of 256. There is room for a multiple of four.
+ * Blends `count` pixels, 1..32, of a format that is QTRI_MIX_OTHER: those with a bit in the mask,
+ * the lowest for the last, with colours a - 1 << 24 | 0xRRGGBB, a of 256. `color` has room for a
+ * multiple of four.
  */
 void qtri_mix_others(const qtri_format *format, uint8_t *at, uint32_t *color, uint32_t mask,
                      int32_t count);
 
-/* From 0x00RRGGBB, in place, to what the format stores; room for a multiple of four. */
+/* Turns 0x00RRGGBB, in place, into stored pixels; `color` has room for a multiple of four. */
 static inline void qtri_mix_encode(const qtri_format *format, uint32_t *color, int32_t count)
 {
     const uint32_t *end = color + count;
@@ -74,13 +75,13 @@ typedef struct qtri_mix_part {
     uint32_t low, high; /* bits 0 and 16 on; of RGB565 low is blue and red, high green */
 } qtri_mix_part;
 
-/* n.16 up to 255.0 times a, less than 2^24 in 1/256; the half that rounds is added. */
+/* A channel, n.16 up to 255.0, times a, less than 2^24 in 1/256, plus the half that rounds. */
 static inline uint32_t qtri_mix_channel(int32_t channel, uint32_t a)
 {
     return ((uint32_t)channel >> 8) * a / 256 + 128;
 }
 
-/* A stored pixel times a. */
+/* The part of a stored pixel, times a of 256. */
 QTRI_INLINE qtri_mix_part qtri_mix_part_of_stored(qtri_mix mix, uint32_t stored, uint32_t a)
 {
     const uint32_t mask = 0x00FF00FFu;
@@ -99,7 +100,7 @@ QTRI_INLINE qtri_mix_part qtri_mix_part_of_stored(qtri_mix mix, uint32_t stored,
     return share;
 }
 
-/* The exact colour times a where channels are coarse, the stored one where a step is 1 of 255. */
+/* The part of a colour: of exact channels where steps are coarse, else of the stored pixel. */
 QTRI_INLINE qtri_mix_part qtri_mix_part_of(qtri_mix mix, const qtri_channels *channels,
                                            uint32_t stored, uint32_t a)
 {
@@ -118,7 +119,7 @@ QTRI_INLINE qtri_mix_part qtri_mix_part_of(qtri_mix mix, const qtri_channels *ch
     return share;
 }
 
-/* d (256 - a) and that share. */
+/* The stored pixel d (256 - a) + s a; keep = 256 - a. */
 QTRI_INLINE uint32_t qtri_mix_add(qtri_mix mix, uint32_t d, uint32_t keep, qtri_mix_part share)
 {
     const uint32_t mask = 0x00FF00FFu;

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Rectangles, circles, arcs, polygons and lines as contours. */
+/* Draw calls of rectangles, circles, arcs, polygons and lines. */
 #include "contour.h"
 
 #include "qtri/q16.h"
 
 #include "../bits/bits.h"
 
-/* ---- Checked builds: plain pixels, QTRI_PX() forgotten ---- */
+/* ---- Checked builds: integer pixels, QTRI_PX() forgotten ---- */
 
 #ifdef QTRI_CHECKED
 
@@ -14,9 +14,9 @@
 enum { PLAIN_WIDTH_MAX_24P8 = 15 };
 
 /*
- * What is painted with plain pixels is thinner than one, and lies in the frame's first corner, as
- * far from it in 1/256 pixel as the frame has pixels. What is meant so has its ends on whole or
- * half pixels, or is cut off by the frame's side.
+ * Whether a shape seems to have integer pixels for 24.8: it is thinner than a pixel, and lies in
+ * the frame's first corner, as far from it in 1/256 pixel as the frame has pixels. A shape that is
+ * meant so has its ends on whole or half pixels, or is cut off by the frame's side.
  */
 static bool is_plain_area(const qtri_surface *surface, const qtri_area *box, int32_t finest)
 {
@@ -70,13 +70,13 @@ static void check_points(const qtri_surface *surface, const qtri_point *point, i
     QTRI_ASSERT(count <= 0 || is_point || !is_plain_area(surface, &box, finest));
 }
 
-/* None paints nothing. */
+/* A width of 0 or less paints nothing. */
 static void check_width(int32_t width_24p8)
 {
     QTRI_ASSERT(width_24p8 <= 0 || width_24p8 > PLAIN_WIDTH_MAX_24P8);
 }
 
-/* As wide as the radius it is a circle, or a slice of one. */
+/* A ring as wide as its radius is a circle, or a sector. */
 static void check_ring_width(int32_t radius_24p8, int32_t width_24p8)
 {
     check_width(width_24p8 < radius_24p8 ? width_24p8 : 0);
@@ -122,10 +122,10 @@ void qtri_paint_rect(const qtri_surface *surface, const qtri_area *box, const qt
 }
 
 /*
- * Whether its sides share no pixel: with hard edges; with smooth ones where the inner rectangle
- * begins and ends with a row, and does not lie in one column.
+ * Whether the sides of a rectangle's outline share no pixel: with hard edges; with smooth ones
+ * where the inner rectangle begins and ends with a row, and does not lie in one column.
  */
-static bool is_apart(const qtri_ink *ink, const qtri_area *inner)
+static bool are_sides_apart(const qtri_ink *ink, const qtri_area *inner)
 {
     return ink == NULL || ink->row == qtri_hard_row ||
            (((inner->y0_24p8 | inner->y1_24p8) & 255) == 0 &&
@@ -133,8 +133,8 @@ static bool is_apart(const qtri_ink *ink, const qtri_area *inner)
 }
 
 /*
- * Above and below with their corners, then what is left at the sides. A pixel that two of them
- * share would be mixed twice: then it is a contour, which is painted in one go.
+ * Paints upper and lower side with the corners, then left and right side. A pixel that two of them
+ * share would be blended twice: then the outline is painted as one contour.
  */
 void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, int32_t width_24p8,
                              const qtri_brush *brush)
@@ -153,7 +153,7 @@ void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, 
     }
     const qtri_area inner = {b.x0_24p8 + width_24p8, b.y0_24p8 + width_24p8, b.x1_24p8 - width_24p8,
                              b.y1_24p8 - width_24p8};
-    if (!is_apart(brush->ink, &inner)) {
+    if (!are_sides_apart(brush->ink, &inner)) {
         qtri_paint_round_rect_outline(surface, &b, 0, width_24p8, brush);
         return;
     }
@@ -166,8 +166,8 @@ void qtri_paint_rect_outline(const qtri_surface *surface, const qtri_area *box, 
     }
 }
 
-/* Right and left side, and a quarter of a circle at each corner. */
-static void add(qtri_path *path, const qtri_area *b, int32_t radius)
+/* Adds right and left side, and a quarter of a circle at each corner. */
+static void add_round_rect(qtri_path *path, const qtri_area *b, int32_t radius)
 {
     const int32_t right = b->x1_24p8 - radius;
     const int32_t left = b->x0_24p8 + radius;
@@ -184,8 +184,8 @@ static void add(qtri_path *path, const qtri_area *b, int32_t radius)
     }
 }
 
-/* The box, and the radius that fits into it; false: it has no inside. */
-static bool begin(const qtri_area *box, int32_t *radius, qtri_area *held)
+/* Clamps the box, and the radius to what fits into it; false: the box has no inside. */
+static bool clamp_round_rect(const qtri_area *box, int32_t *radius, qtri_area *held)
 {
     *held = hold_area(box);
     const int32_t width = held->x1_24p8 - held->x0_24p8; /* |.| <= 2^23 */
@@ -205,8 +205,8 @@ void qtri_paint_round_rect(const qtri_surface *surface, const qtri_area *box, in
     qtri_area held;
     qtri_path path;
     qtri_path_init(&path);
-    if (begin(box, &radius_24p8, &held)) {
-        add(&path, &held, radius_24p8);
+    if (clamp_round_rect(box, &radius_24p8, &held)) {
+        add_round_rect(&path, &held, radius_24p8);
         qtri_path_paint(&path, surface, brush);
     }
 }
@@ -219,15 +219,15 @@ void qtri_paint_round_rect_outline(const qtri_surface *surface, const qtri_area 
     qtri_area b;
     qtri_path path;
     qtri_path_init(&path);
-    if (width_24p8 <= 0 || !begin(box, &radius_24p8, &b)) {
+    if (width_24p8 <= 0 || !clamp_round_rect(box, &radius_24p8, &b)) {
         return;
     }
-    add(&path, &b, radius_24p8);
+    add_round_rect(&path, &b, radius_24p8);
     const int32_t w = qtri_least32(width_24p8, 2 * QTRI_PAINT_MAX_24P8);
     const qtri_area inner = {b.x0_24p8 + w, b.y0_24p8 + w, b.x1_24p8 - w, b.y1_24p8 - w};
     if (inner.x0_24p8 < inner.x1_24p8 && inner.y0_24p8 < inner.y1_24p8) {
         path.direction = -1;
-        add(&path, &inner, radius_24p8 > w ? radius_24p8 - w : 0);
+        add_round_rect(&path, &inner, radius_24p8 > w ? radius_24p8 - w : 0);
     }
     qtri_path_paint(&path, surface, brush);
 }
@@ -285,7 +285,7 @@ static qtri_point point_at(const qtri_point *center, int32_t radius, q16 angle)
     return point;
 }
 
-/* Clockwise from one angle to another, 0 <= from < 360 and from < to < from + 360 degrees. */
+/* Adds an arc clockwise between two angles, 0 <= from < 360, from < to < from + 360 degrees. */
 static void add_arc(qtri_path *path, const qtri_point *center, int32_t radius, q16 from, q16 to)
 {
     for (int32_t i = from / DEGREES(90); DEGREES(90) * i < to; i++) {
@@ -297,8 +297,8 @@ static void add_arc(qtri_path *path, const qtri_point *center, int32_t radius, q
     }
 }
 
-static void add_line(qtri_path *path, const qtri_point *center, int32_t inner, int32_t outer,
-                     q16 angle)
+static void add_radial_line(qtri_path *path, const qtri_point *center, int32_t inner, int32_t outer,
+                            q16 angle)
 {
     const qtri_point from = point_at(center, inner, angle);
     const qtri_point to = point_at(center, outer, angle);
@@ -330,9 +330,9 @@ void qtri_paint_arc(const qtri_surface *surface, const qtri_point *center, int32
     qtri_path path;
     qtri_path_init(&path);
     add_arc(&path, &held, outer, from, to);
-    add_line(&path, &held, inner, outer, from);
+    add_radial_line(&path, &held, inner, outer, from);
     path.direction = -1;
-    add_line(&path, &held, inner, outer, to);
+    add_radial_line(&path, &held, inner, outer, to);
     if (inner > 0) {
         add_arc(&path, &held, inner, from, to);
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The brush on rows of pixels: opaque, and blended. */
+/* Spans, rectangles, coverage and bits painted by a brush, opaque or blended. */
 #include "painter.h"
 
 #include "qtri/body/color.h"
@@ -81,7 +81,7 @@ QTRI_INLINE void span_of(qtri_mix mix, uint32_t bytes, uint8_t *at, int32_t coun
     }
 }
 
-/* Of a format that is not known here. */
+/* qtri_blend_cover() for QTRI_MIX_OTHER. */
 QTRI_NOINLINE static void cover_others(const qtri_painter *painter, uint8_t *at, int32_t count,
                                        const uint8_t *coverage)
 {
@@ -159,7 +159,7 @@ void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
     }
 }
 
-/* All pixels have one weight: what is added to each is made once for a glyph. */
+/* All pixels have one weight: the colour times it is computed once for a glyph. */
 QTRI_INLINE void bits_of(qtri_mix mix, uint32_t bytes, const qtri_painter *painter, uint8_t *to,
                          const qtri_ink_bits *bits)
 {

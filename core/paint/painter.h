@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A brush on a surface: what spans, rectangles and bits of glyphs become. Internal.
+ * A brush set up for a surface, and spans, rectangles and glyphs painted by it. Internal.
  */
 #ifndef QTRI_PAINT_PAINTER_H
 #define QTRI_PAINT_PAINTER_H
@@ -14,10 +14,10 @@
 
 struct qtri_contour;
 
-/* The brush, made ready for a surface. */
+/* A brush set up for a surface. */
 typedef struct qtri_painter {
     const qtri_surface *surface;
-    const qtri_ink *ink;
+    const qtri_ink *ink;    /* NULL: opaque, with hard edges */
     qtri_rect bounds;       /* not empty */
     uint32_t stored;        /* the brush's colour as a pixel */
     qtri_channels channels; /* and exactly; only with an ink, */
@@ -25,7 +25,7 @@ typedef struct qtri_painter {
     uint32_t alpha;         /* 1..255 */
 } qtri_painter;
 
-/* Bits of a glyph: of each row `width` from bit `skip` on, the highest bit first. */
+/* The part of a glyph to paint: `width` bits of each row from bit `skip` on, highest bit first. */
 typedef struct qtri_ink_bits {
     const uint8_t *row;
     int32_t stride;        /* bytes of a row */
@@ -46,32 +46,32 @@ static inline uint32_t qtri_ink_bits_at(const uint8_t *row, int32_t at, int32_t 
 }
 
 struct qtri_ink {
-    /* `count` > 0 pixels from `at` on, covered by the same share, 1..255. */
+    /* `count` > 0 pixels from `at` on, all of one coverage, 1..255. */
     void (*span)(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage);
-    /* One share each, 0..255. */
+    /* Pixels of one coverage each, 0..255. */
     void (*cover)(const qtri_painter *painter, uint8_t *at, int32_t count, const uint8_t *coverage);
-    /* Whole pixels that have a bit, `at` being that of the first. */
+    /* Pixels whose bit is set, fully covered; `at`: the pixel of the first bit. */
     void (*bits)(const qtri_painter *painter, uint8_t *at, const qtri_ink_bits *bits);
     /* A row of a contour, and a rectangle. */
     void (*row)(const qtri_painter *painter, const struct qtri_contour *contour, int32_t row);
     void (*rect)(const qtri_painter *painter, const qtri_area *box);
 };
 
-/* False: nothing is to be painted. */
+/* Sets a painter up; false: nothing is to be painted. */
 bool qtri_painter_begin(qtri_painter *painter, const qtri_surface *surface,
                         const qtri_brush *brush);
 
-/* Columns x0..x1-1 of a row within bounds, clipped, covered by one share, 1..255. */
+/* Paints columns x0..x1-1, clipped, of a row within bounds, all of one coverage, 1..255. */
 void qtri_painter_span(const qtri_painter *painter, int32_t row, int32_t x0, int32_t x1,
                        uint32_t coverage);
 
-/* Whole pixels of a rectangle, clipped. */
+/* Paints a rectangle of whole pixels, clipped. */
 void qtri_painter_rect(const qtri_painter *painter, const qtri_rect *rect);
 
-/* Pixels of a rectangle whose centres lie inside. */
+/* Paints the pixels of a rectangle whose centres lie inside. */
 void qtri_hard_rect(const qtri_painter *painter, const qtri_area *box);
 
-/* Blended pixels, in any format; see painter.c. */
+/* span, cover and bits of qtri_ink for blended pixels, in any format. */
 void qtri_blend_span(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage);
 void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
                       const uint8_t *coverage);

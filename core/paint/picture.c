@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures: what is drawn of one, and pixels copied, mixed and blended. */
+/* Images without rotation or scale: clipped, then copied, converted or blended. */
 #include "picture.h"
 
 #include "qtri/error.h"
@@ -48,8 +48,8 @@ uint32_t qtri_picture_key_mask(const qtri_image *image)
     return image->format->decode == qtri_decode_xrgb8888 ? 0x00FFFFFFu : UINT32_MAX;
 }
 
-/* `count` pixels of a row from `at` on, as they are stored. */
-static void fetch(const qtri_image *image, const uint8_t *at, uint32_t *stored, int32_t count)
+/* Loads `count` stored pixels of a row from `at` on. */
+static void load_pixels(const qtri_image *image, const uint8_t *at, uint32_t *stored, int32_t count)
 {
     const qtri_pixels *pixels = image->format->pixels;
     if (pixels->bytes == 2) {
@@ -81,8 +81,8 @@ static uint32_t mask_of(const qtri_image *image, const uint32_t *stored, int32_t
 }
 
 /*
- * From stored pixels to 0x00RRGGBB; of those known to be RGB565 without their bytes' order if that
- * is all that is wanted. Frequent formats do not pay for a call a pixel.
+ * Decodes stored pixels to 0x00RRGGBB, or RGB565 only to its usual byte order if `keep_565`.
+ * Frequent formats do without a call a pixel.
  */
 static void decode(const qtri_image *image, bool keep_565, uint32_t *color, int32_t count)
 {
@@ -109,7 +109,7 @@ static void decode(const qtri_image *image, bool keep_565, uint32_t *color, int3
     }
 }
 
-/* From the picture's format to the surface's, in place; room for a multiple of four. */
+/* Converts pixels from the image's format to the surface's, in place; room for a multiple of 4. */
 static void convert(const qtri_image *image, const qtri_surface *surface, uint32_t *stored,
                     int32_t count)
 {
@@ -140,7 +140,7 @@ QTRI_INLINE void mix_of(qtri_mix mix, uint32_t bytes, uint8_t *at, const uint32_
     }
 }
 
-/* With colours as they would be stored. */
+/* mix() for QTRI_MIX_OTHER. */
 static void mix_others(const qtri_format *format, uint8_t *at, uint32_t *stored, uint32_t mask,
                        int32_t count, uint32_t a)
 {
@@ -150,7 +150,7 @@ static void mix_others(const qtri_format *format, uint8_t *at, uint32_t *stored,
     qtri_mix_others(format, at, stored, mask, count);
 }
 
-/* Mixes `count` pixels of the surface with others, which it may change, a of 256. */
+/* Blends `count` pixels of the surface with `stored`, which may change, a of 256. */
 static void mix(const qtri_surface *surface, uint8_t *at, uint32_t *stored, uint32_t mask,
                 int32_t count, uint32_t a)
 {
@@ -184,7 +184,7 @@ static void paint_row(const qtri_surface *surface, const qtri_image *image, uint
     uint32_t stored[QTRI_PICTURE_BATCH];
     for (; count > 0; count -= QTRI_PICTURE_BATCH) {
         const int32_t n = qtri_least32(count, QTRI_PICTURE_BATCH);
-        fetch(image, from, stored, n);
+        load_pixels(image, from, stored, n);
         qtri_picture_put(surface, image, to, stored, n, a);
         from += (ptrdiff_t)image->format->pixels->bytes * n;
         to += (ptrdiff_t)surface->format->pixels->bytes * n;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures that are turned, scaled and sheared. */
+/* Images under an affine transform: rotated, scaled and sheared. */
 #include "picture.h"
 
 #include "qtri/error.h"
@@ -8,7 +8,7 @@
 #include "../frame/pixel.h"
 
 #ifdef QTRI_CHECKED
-/* Not so near to 0 in both that they are taken for plain numbers; 0, too. */
+/* Whether one is too far from 0 for an integer in place of a Q16.16, or both are 0. */
 static bool is_scale(q16 x, q16 y)
 {
     return (x == 0 && y == 0) || x > 15 || x < -15 || y > 15 || y < -15;
@@ -92,8 +92,8 @@ static void quotient_init(quotient *q, int64_t t, int32_t step)
 }
 
 /*
- * A coordinate of the picture along a row of the surface, and from row to row: where it begins to
- * be inside, and where it ends to be. It is linear, so that this is one run, whose ends move from
+ * A texture coordinate along a row of the surface, and from row to row: the columns at which it
+ * enters and leaves the image. It is linear, so that this is one run, whose ends move from
  * row to row by a quotient: `whole` of it, and 1 more as often as `part` of a step makes up a step.
  */
 typedef struct axis {
@@ -171,8 +171,8 @@ typedef struct run {
     const uint8_t *kept; /*   and its first pixel on the surface; NULL: none */
 } run;
 
-/* u and v stay within the picture, below 2^29, all the way. */
-static void fetch(const run *r, int32_t u, int32_t v, uint32_t *stored, int32_t count)
+/* Loads stored pixels along u and v, which stay within the image, below 2^29, all the way. */
+static void load_pixels(const run *r, int32_t u, int32_t v, uint32_t *stored, int32_t count)
 {
     const qtri_image *image = r->image;
     const uint8_t *pixels = (const uint8_t *)image->pixels;
@@ -204,7 +204,7 @@ static void fetch(const run *r, int32_t u, int32_t v, uint32_t *stored, int32_t 
     }
 }
 
-/* What a loop knows of its pixels: how many bytes, whether there is a key, whether v changes. */
+/* Constants of a loop: bytes a pixel, whether there is a key, whether v changes along a row. */
 typedef struct kind {
     uint32_t bytes;
     bool is_keyed, is_turned;
@@ -276,8 +276,8 @@ QTRI_INLINE void walk_sized(uint32_t bytes, const run *r, uint8_t *to, int32_t c
 }
 
 /*
- * Pixels to a surface that stores them in the same way, those of the key left out. False: it is to
- * be done in batches, which takes less code.
+ * Copies pixels to a surface of the image's format, except those of the key. False: nothing is
+ * done, as batches take less code.
  */
 QTRI_NOINLINE static bool walk_pixels(const run *r, uint8_t *to, int32_t count)
 {
@@ -301,7 +301,7 @@ QTRI_NOINLINE static bool walk_pixels(const run *r, uint8_t *to, int32_t count)
     return true;
 }
 
-/* Pixels that are converted, or mixed. */
+/* Paints pixels that are converted, or blended. */
 static void paint_batches(const run *r, uint8_t *to, int32_t count)
 {
     int32_t u = r->u;
@@ -309,7 +309,7 @@ static void paint_batches(const run *r, uint8_t *to, int32_t count)
     uint32_t stored[QTRI_PICTURE_BATCH];
     for (; count > 0; count -= QTRI_PICTURE_BATCH) {
         const int32_t n = qtri_least32(count, QTRI_PICTURE_BATCH);
-        fetch(r, u, v, stored, n);
+        load_pixels(r, u, v, stored, n);
         qtri_picture_put(r->surface, r->image, to, stored, n, r->a);
         u = (int32_t)((uint32_t)u + (uint32_t)r->inverse.ux * (uint32_t)n);
         v = (int32_t)((uint32_t)v + (uint32_t)r->inverse.vx * (uint32_t)n);
@@ -318,9 +318,8 @@ static void paint_batches(const run *r, uint8_t *to, int32_t count)
 }
 
 /*
- * A run of pixels. Where the picture does not turn, and
- * nothing of what is there shows through it, a row of it that is painted once more is copied from
- * above: runs are then the same in all rows.
+ * Paints a run of pixels. Where the image is upright and opaque, a row of it that is painted again
+ * is copied from above: runs are then equal in all rows.
  */
 static void paint_run(run *r, uint8_t *to, int32_t count)
 {
@@ -347,14 +346,14 @@ static int64_t coordinate(int32_t x, int32_t by, int32_t x2, int32_t by2)
 }
 
 /*
- * The rows or columns that the picture may reach, and `more` where its corners lie; `start`, by_x
- * and by_y: the affine's numbers for them. What it covers is decided by the inverse, whose
+ * Clips rows or columns to those that the image may reach, and `more` on both sides; `start`, by_x
+ * and by_y: the affine's numbers for them. What the image covers is decided by the inverse, whose
  * roundings move a row by 8192 / 131072 times the scale: 1/4 where that is 4. Of a pixel in the
  * picture x and y lie within 2^16 and 2^15 of where the picture is, so that the inverse moves u and
  * v by .75, and that a column by less than 8.
  */
-static void narrow(int32_t start, q16 by_x, q16 by_y, const qtri_image *image, int32_t more,
-                   int32_t *first, int32_t *end)
+static void clip_range(int32_t start, q16 by_x, q16 by_y, const qtri_image *image, int32_t more,
+                       int32_t *first, int32_t *end)
 {
     const uint32_t most = (uint32_t)4 * 65536;
     if (qtri_magnitude32(by_x) > most || qtri_magnitude32(by_y) > most) {
@@ -379,8 +378,8 @@ void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *imag
         return;
     }
     r.is_alike = qtri_picture_is_alike(image, surface);
-    narrow(affine->y0, affine->yx, affine->yy, image, 1, &bounds.y0, &bounds.y1);
-    narrow(affine->x0, affine->xx, affine->xy, image, 8, &bounds.x0, &bounds.x1);
+    clip_range(affine->y0, affine->yx, affine->yy, image, 1, &bounds.y0, &bounds.y1);
+    clip_range(affine->x0, affine->xx, affine->xy, image, 8, &bounds.x0, &bounds.x1);
     if (bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1) {
         return;
     }

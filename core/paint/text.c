@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Text in fonts of bits. */
+/* UTF-8 text in bitmap fonts. */
 #include "contour.h"
 
 #include "qtri/error.h"
@@ -8,8 +8,8 @@
 #include "../bits/bits.h"
 #include "../frame/pixel.h"
 
-/* A first byte 110xxxxx, 1110xxxx or 11110xxx tells how many bytes 10xxxxxx follow. */
-static int32_t following(uint32_t first)
+/* How many bytes 10xxxxxx follow a byte 110xxxxx, 1110xxxx or 11110xxx; -1: it is neither. */
+static int32_t continuation_bytes(uint32_t first)
 {
     return first >= 0xF8 || first < 0xC0 ? -1 : (first >= 0xF0 ? 3 : (first >= 0xE0 ? 2 : 1));
 }
@@ -26,7 +26,7 @@ uint32_t qtri_text_next(const char **text)
         return first;
     }
     *text = at + 1;
-    const int32_t count = following(first);
+    const int32_t count = continuation_bytes(first);
     if (count < 0) {
         return wrong;
     }
@@ -99,7 +99,7 @@ QTRI_INLINE void paint_narrow(uint32_t bytes, const qtri_painter *painter, uint8
     paint_column(bytes, painter, to, b->row, 1, b->height, 0, b->width);
 }
 
-/* Of wide characters, and of those that are clipped: byte by byte of their rows. */
+/* Wide characters, and clipped ones: a column of bytes at a time. */
 QTRI_INLINE void paint_columns(uint32_t bytes, const qtri_painter *painter, uint8_t *to,
                                const qtri_ink_bits *b)
 {
