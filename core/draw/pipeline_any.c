@@ -20,7 +20,7 @@ QTRI_BODY void draw_pixels(const qtri_options *o, qtri_pixel_walk *w, bool bent,
 {
     do {
         qtri_pixel_at(o, w, bent, w->pixel, w->depth);
-        qtri_walk_turn(o, w);
+        qtri_walk_swap_steps(o, w);
         w->pixel += o->pixel_bytes;
         w->depth += depth_step;
     } while (--count != 0);

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What a core can do with integers, and what the pipelines' body needs of that. Internal, part of
- * the body (pipeline_make.h); the library has more in core/bits.
+ * Which integer instructions the target has, and operations on 32 bits that use them. Internal,
+ * part of the pipelines' body (pipeline_make.h); the library has more in core/bits.
  */
 #ifndef QTRI_BODY_ARITHMETIC_H
 #define QTRI_BODY_ARITHMETIC_H
 
 #include <stdint.h>
 
-/* 1 where a compiler was asked for small code: for core/bits, which then has one copy of what is
-   long on a core of 32 bits. Before the next, which it asks whether tests have set it. */
+/* 1 with -Os: core/bits then has one copy of each function of 64 bits, not inlined ones. Stands
+   before QTRI_LONG_MULTIPLY, which only tests have set here: they inline. */
 #ifndef QTRI_SHARE
 #if defined(__OPTIMIZE_SIZE__) && !defined(QTRI_LONG_MULTIPLY)
 #define QTRI_SHARE 1
@@ -18,7 +18,7 @@
 #endif
 #endif
 
-/* Armv6-M, Armv8-M baseline, AVR, MSP430: no long multiply. */
+/* 0 where no instruction multiplies to 64 bits, and where none divides: both on Armv6-M. */
 #ifndef QTRI_LONG_MULTIPLY
 #if (defined(__thumb__) && !defined(__thumb2__)) || defined(__ARM_ARCH_8M_BASE__) ||               \
     (defined(__riscv) && !defined(__riscv_mul)) || defined(__AVR__) || defined(__MSP430__)

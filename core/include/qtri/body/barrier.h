@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * How the pipelines' body is compiled: in place, and with compiler barriers. Internal, part of the
- * body (pipeline_make.h).
+ * Macros that inline the pipelines' body and keep the compiler from mixing pixels' work. Internal,
+ * part of the body (pipeline_make.h).
  *
  * GCC 12 computes the values of several unrolled pixels ahead, mixes their work, and then runs out
  * of registers. An empty statement that may change a value, for all the compiler knows, keeps the
@@ -10,7 +10,7 @@
 #ifndef QTRI_BODY_BARRIER_H
 #define QTRI_BODY_BARRIER_H
 
-#include <stdint.h>
+#include "arithmetic.h"
 
 /* Options fold where the function is inlined; without the attribute they are read at run time. */
 #if defined(__GNUC__) && defined(__OPTIMIZE__)
@@ -25,12 +25,10 @@
 #else
 #define QTRI_BODY_BARRIER(x) __asm__ volatile("" : "+l"(x))
 #endif
-#else
-#if defined(__GNUC__)
+#elif defined(__GNUC__)
 #define QTRI_BODY_BARRIER(x) __asm__ volatile("" : "+r"(x))
 #else
 #define QTRI_BODY_BARRIER(x) ((void)0)
-#endif
 #endif
 
 /* Where code is to be small, a barrier helps in loops of one pixel, too; else those have none:
@@ -41,8 +39,8 @@
 #define QTRI_BODY_IS_SMALL false
 #endif
 
-/* Moves a value out of the low registers of Armv6-M: only what is added and loaded by. clang 14
-   knows no such operand; where code is to be small, it would be moved there and back. */
+/* Moves a value that is only added or an index to a high register of Armv6-M, as low ones are few.
+   clang 14 knows no such operand; with -Os the value would be moved there and back. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__thumb__) && !defined(__thumb2__) &&      \
     !defined(__OPTIMIZE_SIZE__)
 #define QTRI_BODY_HIGH(x)         __asm__ volatile("" : "+h"(x))
@@ -76,14 +74,14 @@ QTRI_BODY uint32_t qtri_body_bits(uint32_t x, uint32_t from, uint32_t count)
     return x >> (32 - count);
 }
 
-/* A function of its own. */
+/* A function that is not inlined. */
 #if defined(__GNUC__)
 #define QTRI_BODY_ALONE static __attribute__((noinline))
 #else
 #define QTRI_BODY_ALONE static
 #endif
 
-/* A part of a pixel that few ask for, and its options: in place where they are constants. */
+/* A rare step of a pixel: inlined, but a function with the state's options where these vary. */
 #ifdef QTRI_PIPELINE_IS_ANY_BY_ASKS
 #define QTRI_BODY_PART          QTRI_BODY_ALONE
 #define QTRI_PART_OPTIONS(o, w) (&(w)->state->options)
@@ -92,14 +90,14 @@ QTRI_BODY uint32_t qtri_body_bits(uint32_t x, uint32_t from, uint32_t count)
 #define QTRI_PART_OPTIONS(o, w) (o)
 #endif
 
-/* A pixel: in place, but where a file has options at run time for strokes and lines. */
+/* qtri_pixel_at(): inlined, but in the file that reads options of strokes and lines at run time. */
 #ifdef QTRI_PIXEL_IS_ALONE
 #define QTRI_BODY_PIXEL QTRI_BODY_ALONE
 #else
 #define QTRI_BODY_PIXEL QTRI_BODY
 #endif
 
-/* Before a loop of at most 8 steps: writes them out, once options are known. */
+/* Before a loop of at most 8 steps: unrolls it. */
 #if defined(__GNUC__) && !defined(__clang__)
 #define QTRI_BODY_UNROLL _Pragma("GCC unroll 8")
 #else
@@ -118,7 +116,7 @@ QTRI_BODY uint32_t qtri_body_bits(uint32_t x, uint32_t from, uint32_t count)
     }
 #endif
 
-/* What holds, so that the compiler need not make a branch for what does not. */
+/* Tells the compiler that x holds, so that it makes no branch for the contrary. */
 #if defined(__GNUC__)
 #define QTRI_BODY_ASSUME(x)                                                                        \
     do {                                                                                           \
@@ -130,11 +128,7 @@ QTRI_BODY uint32_t qtri_body_bits(uint32_t x, uint32_t from, uint32_t count)
 #define QTRI_BODY_ASSUME(x) ((void)0)
 #endif
 
-/* Keeps a branch a branch. */
-#if defined(__GNUC__)
-#define QTRI_BODY_BRANCH() __asm__ volatile("")
-#else
-#define QTRI_BODY_BRANCH() ((void)0)
-#endif
+/* In a branch: keeps the compiler from making conditional instructions of it. */
+#define QTRI_BODY_BRANCH() QTRI_RARELY()
 
 #endif

@@ -14,11 +14,13 @@
 #include "../format.h"
 #include "barrier.h"
 
+/* The formats that pixels are computed in: see qtri_kind_of(). */
 typedef enum qtri_color_kind { QTRI_IN_565, QTRI_IN_888, QTRI_IN_GRAY } qtri_color_kind;
 
 #define QTRI_BODY_LANES_565 0x001F001Fu
 #define QTRI_BODY_LANES_888 0x00FF00FFu
 
+/* Red and blue of RGB565: red << 16 | blue; and a colour of such lanes and its green. */
 QTRI_BODY uint32_t qtri_pixel_lanes_565(uint32_t c)
 {
     return (c | c << 5) & QTRI_BODY_LANES_565;
@@ -39,7 +41,7 @@ QTRI_BODY uint32_t qtri_green_888(uint32_t c)
     return c >> 8 & 255;
 }
 
-/* c a + o b, to nearest; a + b <= 256. Alpha is not kept. */
+/* c a + o b, to nearest; a + b <= 256. Alpha of 888 becomes 0. */
 QTRI_BODY uint32_t qtri_color_mix(qtri_color_kind kind, uint32_t c, uint32_t a, uint32_t o,
                                   uint32_t b)
 {
@@ -72,7 +74,7 @@ QTRI_BODY uint32_t qtri_add_product16(uint32_t sum, uint32_t a, uint32_t b)
 #endif
 }
 
-/* Each channel of a texel by a weight of its own: 6 bits (64 is 1) in 565, 8 bits in 888. */
+/* Channels of a texel, 565 or 888, times a weight each: 64 is 1 in 565, 256 in 888. */
 QTRI_BODY uint32_t qtri_color_modulate(qtri_color_kind kind, uint32_t c, uint32_t r, uint32_t g,
                                        uint32_t b)
 {
@@ -84,8 +86,8 @@ QTRI_BODY uint32_t qtri_color_modulate(qtri_color_kind kind, uint32_t c, uint32_
            ((c & 255) * b + 128) >> 8;
 }
 
-/* All by one weight: the result of qtri_color_modulate() with r = g = b. */
-QTRI_BODY uint32_t qtri_color_light(qtri_color_kind kind, uint32_t c, uint32_t weight)
+/* All channels times one weight: the result of qtri_color_modulate() with r = g = b. */
+QTRI_BODY uint32_t qtri_color_modulate_intensity(qtri_color_kind kind, uint32_t c, uint32_t weight)
 {
     if (kind == QTRI_IN_565) { /* red and blue, 11 bits apart, have 6 more each: 31 64 < 2^11 */
         uint32_t mask = 0xF81Fu;
@@ -98,7 +100,7 @@ QTRI_BODY uint32_t qtri_color_light(qtri_color_kind kind, uint32_t c, uint32_t w
     return qtri_color_scale(kind, c, weight);
 }
 
-/* Channels times channels, full being 1. */
+/* The product of two colours by channel, full intensity being 1. */
 QTRI_BODY uint32_t qtri_color_product(qtri_color_kind kind, uint32_t c, uint32_t o)
 {
     if (kind == QTRI_IN_GRAY) {
@@ -116,7 +118,7 @@ QTRI_BODY uint32_t qtri_color_product(qtri_color_kind kind, uint32_t c, uint32_t
     return (r + (r >> 8)) >> 8 << 16 | ((g + (g >> 8)) & 0xFF00u) | (b + (b >> 8)) >> 8;
 }
 
-/* c + o, at most full: a channel that runs over becomes all ones. */
+/* c + o by channel, saturated: a channel that overflows becomes all ones. */
 QTRI_BODY uint32_t qtri_color_sum(qtri_color_kind kind, uint32_t c, uint32_t o)
 {
     if (kind == QTRI_IN_GRAY) {
@@ -146,7 +148,7 @@ QTRI_BODY uint32_t qtri_pixel_rgb_to_888(const qtri_rgb *color)
     return (uint32_t)color->r << 16 | (uint32_t)color->g << 8 | color->b;
 }
 
-/* Texels with alpha: each digit becomes two; 31 becomes 255, rounded between. */
+/* Texels with alpha to 0xAARRGGBB: four bits are repeated; 31 becomes 255, to nearest between. */
 QTRI_BODY uint32_t qtri_pixel_4444_to_8888(uint32_t c)
 {
     c = (c & 0xF000u) << 12 | (c & 0x0F00u) << 8 | (c & 0x00F0u) << 4 | (c & 15u);
@@ -186,7 +188,7 @@ QTRI_BODY uint32_t qtri_pixel_888_to_luma(uint32_t c)
            16;
 }
 
-/* The same of 565: c 255 / 31 .114 = c 120 / 2^7, c 255 / 63 .587 = c 304 / 2^7, c 255 / 31 .299 =
+/* Luma of 565: c 255 / 31 .114 = c 120 / 2^7, c 255 / 63 .587 = c 304 / 2^7, c 255 / 31 .299 =
    c 315 / 2^7, within .07 in all. */
 QTRI_BODY uint32_t qtri_pixel_565_to_luma(uint32_t c)
 {
@@ -203,7 +205,8 @@ QTRI_BODY uint32_t qtri_pixel_565_to_luma(uint32_t c)
     return (sum + (c >> 11) * factor) >> 7;
 }
 
-/* A pixel of 1 to 4 bytes that a row has: NOLINTBEGIN(clang-analyzer-core.NullDereference) */
+/* A pixel or depth of 1 to 4 bytes; 0 bytes: 0, and no store.
+ * NOLINTBEGIN(clang-analyzer-core.NullDereference) */
 QTRI_BODY uint32_t qtri_load(uint32_t bytes, const uint8_t *at)
 {
     switch (bytes) {
@@ -253,7 +256,7 @@ QTRI_BODY uint32_t qtri_swap_16(uint32_t c)
 #endif
 }
 
-/* The three low bytes the other way round. */
+/* 0x00BBGGRR of 0xXXRRGGBB, and back. */
 QTRI_BODY uint32_t qtri_swap_red_blue(uint32_t c)
 {
 #ifdef __GNUC__

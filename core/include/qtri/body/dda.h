@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A line that is walked row by row, or column by column: see core/raster/dda.h. Internal, part of
- * the pipelines' body (pipeline_make.h).
+ * A line, stepped by one row or column with an exact fraction: see core/raster/dda.h. Internal,
+ * part of the pipelines' body (pipeline_make.h).
  */
 #ifndef QTRI_BODY_DDA_H
 #define QTRI_BODY_DDA_H
@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 typedef struct qtri_dda {
-    int32_t value; /* the pixel */
+    int32_t value; /* the pixel; the fraction is remainder / denominator */
     int32_t step;
     uint32_t remainder, remainder_step; /* below `denominator` */
     uint32_t denominator;               /* 256 length <= 2^31 */

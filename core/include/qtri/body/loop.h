@@ -14,7 +14,7 @@
  */
 typedef void qtri_pixel_body(qtri_pixel_walk *w, bool bent, uint8_t *pixel, uint8_t *depth);
 
-/* Pixel i from where the walk is. */
+/* Draws pixel i after the one that the walk points to, and steps its values, not its pointers. */
 QTRI_BODY void qtri_pixel(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
                           bool bent, int32_t i)
 {
@@ -25,6 +25,7 @@ QTRI_BODY void qtri_pixel(const qtri_options *o, qtri_pixel_body *pixel, qtri_pi
     pixel(w, bent, w->pixel + (uint32_t)i * qtri_pixel_step(o), depth);
 }
 
+/* Moves the pointers of the walk. */
 QTRI_BODY void qtri_walk_move(const qtri_options *o, qtri_pixel_walk *w, uint32_t pixels)
 {
     w->pixel += pixels * qtri_pixel_step(o);
@@ -35,9 +36,9 @@ QTRI_BODY void qtri_walk_move(const qtri_options *o, qtri_pixel_walk *w, uint32_
     }
 }
 
-/* Steps of packed colours, which are rounded to short fractions, take turns along long rows, so
-   that two of them are rounded once. */
-QTRI_BODY void qtri_walk_turn(const qtri_options *o, qtri_pixel_walk *w)
+/* Packed colours of 565 have two steps along long rows, for even and odd pixels: both rounded to
+   short fractions, their sum only once. */
+QTRI_BODY void qtri_walk_swap_steps(const qtri_options *o, qtri_pixel_walk *w)
 {
     if (qtri_is_packed_565(o)) {
         const uint32_t step = w->c_step;
@@ -46,16 +47,17 @@ QTRI_BODY void qtri_walk_turn(const qtri_options *o, qtri_pixel_walk *w)
     }
 }
 
-/* A pixel of a long row. */
+/* As qtri_pixel(), in a long row. */
 QTRI_BODY void qtri_pixel_next(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
                                bool bent, int32_t i)
 {
     qtri_pixel(o, pixel, w, bent, i);
-    qtri_walk_turn(o, w);
+    qtri_walk_swap_steps(o, w);
 }
 
-QTRI_BODY void qtri_pixel_alone(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
-                                bool bent)
+/* Draws the walk's pixel, with the samples that the row covers, and moves to the next. */
+QTRI_BODY void qtri_pixel_and_move(const qtri_options *o, qtri_pixel_body *pixel,
+                                   qtri_pixel_walk *w, bool bent)
 {
     if (qtri_has_samples(o)) {
         w->samples = qtri_samples_of(w->sample_row, w->x);
@@ -64,14 +66,13 @@ QTRI_BODY void qtri_pixel_alone(const qtri_options *o, qtri_pixel_body *pixel, q
     qtri_walk_move(o, w, 1);
 }
 
-/* Pixels of a row by fours where all of four pass or fail, and where words of pixels and of depths
-   begin at the same columns. */
+/* Draws pixels of a row, by qtri_quads_draw() where pixels and depths are equally aligned. */
 QTRI_BODY void qtri_pixels_by_fours(const qtri_options *o, qtri_pixel_body *pixel,
                                     qtri_pixel_walk *w, int32_t count)
 {
     const int32_t together = QTRI_BODY_UNROLLS > 2 ? 8 : 2; /* even: words stay where they begin */
     if (count > 0 && ((uintptr_t)w->pixel & 2) != 0) {
-        qtri_pixel_alone(o, pixel, w, false);
+        qtri_pixel_and_move(o, pixel, w, false);
         count--;
     }
     const bool aligned = !qtri_tests_depth(o) || ((uintptr_t)w->depth & 2) == 0;
@@ -90,19 +91,19 @@ QTRI_BODY void qtri_pixels_by_fours(const qtri_options *o, qtri_pixel_body *pixe
         count -= together;
     }
     for (; count > 0; count--) {
-        qtri_pixel_alone(o, pixel, w, false);
+        qtri_pixel_and_move(o, pixel, w, false);
     }
 }
 
-/* Long rows whose loop has one pixel: a lit and textured face of 140 pixels takes 6 % less. On
-   Armv7-M blends of what has no texture have the registers for two pointers and a count. */
+/* Whether long rows step one pointer for both pixel and depth: a lit and textured face of 140
+   pixels takes 6 % less. On Armv7-M untextured blends have registers for two and a count. */
 QTRI_BODY bool qtri_pixels_are_paired(const qtri_options *o)
 {
     return qtri_is_paired(o) && !qtri_has_samples(o) &&
            (qtri_is_textured(o) || !QTRI_LONG_MULTIPLY);
 }
 
-/* By one pointer, which also tells the end. */
+/* Draws `count` pixels by the pointer to depth, which also tells the end. */
 QTRI_BODY void qtri_pixels_paired(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
                                   bool bent, int32_t count)
 {
@@ -116,13 +117,13 @@ QTRI_BODY void qtri_pixels_paired(const qtri_options *o, qtri_pixel_body *pixel,
     do {
         // NOLINTNEXTLINE(performance-no-int-to-ptr)
         pixel(w, bent, (uint8_t *)((uintptr_t)w->depth + apart), w->depth);
-        qtri_walk_turn(o, w);
+        qtri_walk_swap_steps(o, w);
         w->depth += bytes;
         QTRI_BODY_BARRIER(w->depth);
     } while (w->depth != end);
 }
 
-/* Pixels of a row, one after the other. */
+/* Draws `count` pixels one after the other; 0 or less: none. */
 #ifdef QTRI_PIPELINE_IS_ANY_LOOP
 /* The generic pipeline has loops of its own. */
 QTRI_BODY void qtri_pixels_singly(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
@@ -142,7 +143,7 @@ QTRI_BODY void qtri_pixels_singly(const qtri_options *o, qtri_pixel_body *pixel,
     const bool in_pairs = qtri_unrolled(o, bent) == 2;
     if (count > 0 && (!in_pairs || (count & 1) != 0)) {
         do { /* GCC does not turn loops round by itself */
-            qtri_pixel_alone(o, pixel, w, bent);
+            qtri_pixel_and_move(o, pixel, w, bent);
         } while (!in_pairs && --count != 0);
     }
     if (in_pairs && count > 1) {
@@ -183,12 +184,12 @@ QTRI_BODY void qtri_pixels_singly(const qtri_options *o, qtri_pixel_body *pixel,
         return;
     }
     for (; count > 0; count--) {
-        qtri_pixel_alone(o, pixel, w, bent);
+        qtri_pixel_and_move(o, pixel, w, bent);
     }
 }
 #endif
 
-/* `count` pixels of a row, 0 or less: none. */
+/* Draws `count` pixels of a long row, 0 or less: none. */
 QTRI_BODY void qtri_pixels_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
                                 bool bent, int32_t count)
 {

@@ -1,17 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What options ask for: constants where the options are. Internal, part of the pipelines' body
- * (pipeline_make.h).
+ * Properties of a pipeline that follow from its options: constants where the options are. Internal,
+ * part of the pipelines' body (pipeline_make.h).
  */
 #ifndef QTRI_BODY_OPTIONS_H
 #define QTRI_BODY_OPTIONS_H
 
 #include "state.h"
 
-/* What options ask for ------------------------------------------------------------------------- */
-
-/* Bits of qtri_options.asks: answers of the functions below, for the generic pipeline, which would
-   ask them of every pixel. The kind of colours is in the lowest two. */
+/* Bits of qtri_options.asks: results of the functions below, for the generic pipeline, which would
+   compute them for every pixel. The two lowest are qtri_kind_of(). */
 enum {
     QTRI_ASK_KIND,
     QTRI_ASK_565 = 2,
@@ -121,7 +119,7 @@ QTRI_BODY bool qtri_varies(const qtri_options *o)
     return o->shade >= QTRI_LIGHT;
 }
 
-/* Colours are two words: see qtri_pixel_walk. */
+/* Vertex colours are stepped in two words, c and g of qtri_pixel_walk. */
 QTRI_BODY bool qtri_has_two_words(const qtri_options *o)
 {
     return QTRI_ASKS(o, QTRI_ASK_TWO_WORDS,
@@ -129,7 +127,7 @@ QTRI_BODY bool qtri_has_two_words(const qtri_options *o)
                          (qtri_is_textured(o) || qtri_kind_of(o) == QTRI_IN_888));
 }
 
-/* Colours are one word, of 565. */
+/* Vertex colours are stepped in one word, all channels of 565. */
 QTRI_BODY bool qtri_is_packed_565(const qtri_options *o)
 {
     return QTRI_ASKS(o, QTRI_ASK_PACKED,
@@ -137,7 +135,7 @@ QTRI_BODY bool qtri_is_packed_565(const qtri_options *o)
                          qtri_kind_of(o) == QTRI_IN_565);
 }
 
-/* Light makes stored pixels by a table. */
+/* Pixels are read by their light from the state's table. */
 QTRI_BODY bool qtri_uses_table(const qtri_options *o)
 {
     return QTRI_ASKS(o, QTRI_ASK_TABLE,
@@ -172,6 +170,7 @@ QTRI_BODY bool qtri_needs_depth(const qtri_options *o)
     return QTRI_ASKS(o, QTRI_ASK_DEPTH, qtri_tests_depth(o) || o->fog || o->fragment != NULL);
 }
 
+/* Pixels use x and y of the walk. */
 QTRI_BODY bool qtri_needs_place(const qtri_options *o)
 {
     return QTRI_ASKS(o, QTRI_ASK_PLACE,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A pixel, written once. Internal, part of the pipelines' body (pipeline_make.h).
+ * A pixel: tests, texture, light, fog, blend, store, in one function. Internal, part of the
+ * pipelines' body (pipeline_make.h).
  *
  * `o` is constant in a pipeline, and the compiler leaves out what it does not ask for; the generic
  * pipeline reads it for every pixel. All sums wrap, so both draw the same bits.
@@ -8,13 +9,12 @@
 #ifndef QTRI_BODY_PIXEL_H
 #define QTRI_BODY_PIXEL_H
 
-#include "arithmetic.h"
 #include "samples.h"
 #include "texel.h"
 
 /* Colour --------------------------------------------------------------------------------------- */
 
-/* Colours that vary, without texture. Packed ones of 565: red << 27, blue << 16, green << 5. */
+/* The colour in c and g, without texture. Packed 565: red << 27, blue << 16, green << 5. */
 QTRI_BODY uint32_t qtri_smooth_color(const qtri_options *o, const qtri_pixel_walk *w)
 {
     switch (qtri_kind_of(o)) {
@@ -31,7 +31,7 @@ QTRI_BODY uint32_t qtri_smooth_color(const qtri_options *o, const qtri_pixel_wal
     }
 }
 
-/* The half that rounds, which light or colours of the walk start with: of what the pixel takes. */
+/* Half of the unit that pixels cut c of the walk to: added to its start, so that cutting rounds. */
 QTRI_BODY uint32_t qtri_light_half(const qtri_options *o)
 {
     if (!qtri_is_textured(o)) {
@@ -40,7 +40,7 @@ QTRI_BODY uint32_t qtri_light_half(const qtri_options *o)
     return qtri_kind_of(o) == QTRI_IN_565 ? (uint32_t)1 << 17 : 0x8000u;
 }
 
-/* A texel times what varies, or the triangle's colour. */
+/* A texel times light, the vertices' colours or that of the triangle. */
 QTRI_BODY uint32_t qtri_shaded_texel(const qtri_options *o, const qtri_pixel_walk *w,
                                      uint32_t texel)
 {
@@ -55,7 +55,7 @@ QTRI_BODY uint32_t qtri_shaded_texel(const qtri_options *o, const qtri_pixel_wal
                                    (b + less) >> less);
     }
     case QTRI_WHITE_LIGHT:
-        return qtri_color_light(kind, texel, w->c >> (kind == QTRI_IN_565 ? 18 : 16));
+        return qtri_color_modulate_intensity(kind, texel, w->c >> (kind == QTRI_IN_565 ? 18 : 16));
     case QTRI_LIGHT: { /* rounded once; with weights of 256 QTRI_WHITE_LIGHT to the bit */
         const uint32_t down = kind == QTRI_IN_565 ? 14 : 16;
         const uint32_t light = w->c >> (32 - down); /* 64 or 256 is 1 */
@@ -83,7 +83,7 @@ QTRI_BODY uint32_t qtri_shaded_texel(const qtri_options *o, const qtri_pixel_wal
     }
 }
 
-/* The colour of a pixel of the kind, before fog and blend. */
+/* The colour of a pixel, in qtri_kind_of(o), before fog and blend. */
 QTRI_BODY uint32_t qtri_pixel_color(const qtri_options *o, const qtri_pixel_walk *w, uint32_t texel)
 {
     if (qtri_is_textured(o)) {
@@ -113,6 +113,7 @@ QTRI_BODY uint32_t qtri_pixel_alpha(const qtri_options *o, const qtri_pixel_walk
     return alpha;
 }
 
+/* `color` blended with `stored`, a decoded pixel. */
 QTRI_BODY uint32_t qtri_blended(const qtri_options *o, const qtri_pixel_walk *w, uint32_t color,
                                 uint32_t texel, uint32_t stored)
 {
@@ -132,15 +133,15 @@ QTRI_BODY uint32_t qtri_blended(const qtri_options *o, const qtri_pixel_walk *w,
     }
 }
 
-/* Bayer's pattern: drawn where alpha of 255 is more than 16 of it + 8. */
-QTRI_BODY_PART bool qtri_door_is_open(const qtri_options *o, const qtri_pixel_walk *w,
-                                      uint32_t texel)
+/* Whether a pixel's alpha, 256 being 1, is above its threshold in Bayer's matrix: 16 steps + 8. */
+QTRI_BODY_PART bool qtri_passes_screen_door(const qtri_options *o, const qtri_pixel_walk *w,
+                                            uint32_t texel)
 {
     static const uint8_t step[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
     return qtri_pixel_alpha(o, w, texel) > 16u * step[(w->y & 3) * 4 + (w->x & 3)] + 8;
 }
 
-/* The texel at the walk's coordinates; *drawn becomes false where it is not to be seen. */
+/* The texel at the walk's coordinates; *drawn becomes false where it is discarded. */
 QTRI_BODY uint32_t qtri_texel_at(const qtri_options *o, const qtri_pixel_walk *w, bool *drawn)
 {
     uint32_t texel;
@@ -169,7 +170,7 @@ QTRI_BODY uint32_t qtri_texel_at(const qtri_options *o, const qtri_pixel_walk *w
 
 /* Pixel and loop ------------------------------------------------------------------------------- */
 
-/* How many pixels a loop may have: in one file of all, and in the generic pipeline, one. */
+/* The most pixels a loop is unrolled to: 1 in a single-file library and the generic pipeline. */
 #if defined(QTRI_PIPELINE_IS_ANY) || defined(QTRI_AMALGAMATION)
 #define QTRI_BODY_UNROLLS 1
 #elif defined(__OPTIMIZE_SIZE__)
@@ -178,7 +179,7 @@ QTRI_BODY uint32_t qtri_texel_at(const qtri_options *o, const qtri_pixel_walk *w
 #define QTRI_BODY_UNROLLS 8
 #endif
 
-/* A pixel of so little work that what a loop adds to it can be seen. */
+/* Whether a pixel is so little work that unrolling its loop pays. */
 QTRI_BODY bool qtri_is_short(const qtri_options *o)
 {
 #if defined(QTRI_PIPELINE_IS_ANY)
@@ -190,8 +191,8 @@ QTRI_BODY bool qtri_is_short(const qtri_options *o)
 #endif
 }
 
-/* How many pixels a loop has: short ones gain by it, where pieces are not short themselves, and
-   where there are registers: on Armv6-M texels that become RGB565 leave none. */
+/* How many pixels a loop is unrolled to: short ones, where rows are not short as well, and where
+   there are registers: on Armv6-M texels that become RGB565 leave none. */
 QTRI_BODY int qtri_unrolled(const qtri_options *o, bool bent)
 {
     const bool has_few = !QTRI_LONG_MULTIPLY && qtri_is_textured(o);
@@ -203,8 +204,9 @@ QTRI_BODY int qtri_unrolled(const qtri_options *o, bool bent)
     return most < QTRI_BODY_UNROLLS ? most : QTRI_BODY_UNROLLS;
 }
 
-QTRI_BODY_PART bool qtri_pixel_function(const qtri_options *o, const qtri_pixel_walk *w,
-                                        uint32_t *color)
+/* Calls the material's fragment function, which may change *color; false: it discards the pixel. */
+QTRI_BODY_PART bool qtri_pixel_run_fragment(const qtri_options *o, const qtri_pixel_walk *w,
+                                            uint32_t *color)
 {
     qtri_fragment f;
     f.x = w->x;
@@ -226,9 +228,9 @@ QTRI_BODY_PART bool qtri_pixel_function(const qtri_options *o, const qtri_pixel_
     return true;
 }
 
-/* What is stored of a pixel's colour over what is there. */
-QTRI_BODY_PART uint32_t qtri_pixel_over(const qtri_options *o, const qtri_pixel_walk *w,
-                                        uint32_t color, uint32_t texel, uint32_t under)
+/* A colour, blended with the stored pixel `under`, by channel mask and a stroke's coverage. */
+QTRI_BODY_PART uint32_t qtri_pixel_composite(const qtri_options *o, const qtri_pixel_walk *w,
+                                             uint32_t color, uint32_t texel, uint32_t under)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t stored = qtri_decode(o, surface, under);
@@ -242,7 +244,7 @@ QTRI_BODY_PART uint32_t qtri_pixel_over(const qtri_options *o, const qtri_pixel_
     return color;
 }
 
-/* A pixel's colour to its samples: what it is blended with is mostly the same in all of them. */
+/* Stores a colour in samples of a pixel; blends once for neighbours that have equal colours. */
 QTRI_BODY void qtri_pixel_put_samples(const qtri_options *o, const qtri_pixel_walk *w,
                                       uint32_t samples, uint32_t color, uint32_t texel,
                                       uint8_t *pixel)
@@ -267,19 +269,18 @@ QTRI_BODY void qtri_pixel_put_samples(const qtri_options *o, const qtri_pixel_wa
         if (!is_known || there != under) {
             under = there;
             is_known = true;
-            stored = qtri_encode(o, surface, qtri_pixel_over(o, w, color, texel, there));
+            stored = qtri_encode(o, surface, qtri_pixel_composite(o, w, color, texel, there));
         }
         qtri_save(bytes, pixel, stored);
     }
 }
 
-/* Draws a pixel of the walk, and steps. `bent`: steps of u and v grow. */
+/* Draws the walk's pixel, and steps. `bent`: u_step and v_step grow by u_bend and v_bend. */
 QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bool bent,
                                    uint8_t *pixel, uint8_t *depth)
 {
     const qtri_surface *surface = w->state->surface;
-    const uint32_t bytes = qtri_pixel_bytes(o);
-    const uint32_t depth_bytes = qtri_depth_size(o, surface);
+    const uint32_t bytes = qtri_pixel_bytes(o), depth_bytes = qtri_depth_size(o, surface);
     const bool has_barriers = QTRI_BODY_IS_SMALL || qtri_unrolled(o, bent) > 1;
     bool drawn = true;
     uint32_t z = 0, texel = 0, color = 0, samples = 0;
@@ -301,7 +302,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
         texel = qtri_texel_at(o, w, &drawn);
     }
     if (drawn && o->blend == QTRI_SCREEN_DOOR) {
-        drawn = qtri_door_is_open(QTRI_PART_OPTIONS(o, w), w, texel);
+        drawn = qtri_passes_screen_door(QTRI_PART_OPTIONS(o, w), w, texel);
     }
     if (drawn) {
         QTRI_BODY_BRANCH();
@@ -309,7 +310,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
             color = qtri_pixel_color(o, w, texel);
         }
         if (o->fragment != NULL) {
-            drawn = qtri_pixel_function(QTRI_PART_OPTIONS(o, w), w, &color);
+            drawn = qtri_pixel_run_fragment(QTRI_PART_OPTIONS(o, w), w, &color);
         }
     }
     if (drawn) {
@@ -322,8 +323,8 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
             qtri_pixel_put_samples(o, w, samples, color, texel, pixel);
         } else {
             if (qtri_reads_pixel(o)) {
-                color = qtri_pixel_over(QTRI_PART_OPTIONS(o, w), w, color, texel,
-                                        qtri_load(bytes, pixel));
+                color = qtri_pixel_composite(QTRI_PART_OPTIONS(o, w), w, color, texel,
+                                             qtri_load(bytes, pixel));
             }
             if (qtri_pixel_writes(o, w) && !early && (!o->covered || w->cover_writes)) {
                 if (QTRI_BODY_IS_SMALL && o->depth == QTRI_LINEAR16 &&
@@ -400,7 +401,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
     }
 }
 
-/* The texture that texels are read from, or the level of it. */
+/* Sets the walk's texels, palette and shifts, by the texture or its current mipmap level. */
 QTRI_BODY void qtri_walk_set_texture(const qtri_options *o, qtri_pixel_walk *w)
 {
     const qtri_draw_state *state = w->state;
@@ -421,7 +422,7 @@ QTRI_BODY void qtri_walk_set_texture(const qtri_options *o, qtri_pixel_walk *w)
         w->u_shift;
 }
 
-/* What a draw call's state says to all rows. */
+/* Sets what of the walk all triangles and rows of a draw call share. */
 QTRI_BODY void qtri_walk_begin(const qtri_options *o, qtri_pixel_walk *w,
                                const qtri_draw_state *state)
 {

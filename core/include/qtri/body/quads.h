@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Four pixels of 16 bits at once, as their depths are, in pairs of words: loops by hand for
- * Armv7-M. Internal, part of the pipelines' body (pipeline_make.h).
+ * Assembly loops for Armv7-M that draw four pixels at once, colours and depths of 16 bits being
+ * two words each. Internal, part of the pipelines' body (pipeline_make.h).
  *
- * Where words begin at the same columns of pixels and of depths; elsewhere, and where options ask
- * for more, pixels are drawn one by one, to the same bits. By fours a pixel takes 5.75 instructions
+ * They serve where words begin at the same columns of pixels and depths; elsewhere, and with other
+ * options, pixels are drawn one by one, to the same bits. By fours a pixel takes 5.75 instructions
  * on a Cortex-M3 (4.75 where four fail) and 4.5 on a Cortex-M4, alone 7.6 (5.6); of packed colours
  * 9 on a Cortex-M4, alone 10.6. Words are aligned: memory of devices, as external RAM may be, knows
  * no others.
@@ -21,13 +21,14 @@
 #define QTRI_BODY_QUADS false
 #endif
 
-/* Instructions for two half-words at once: without them there is one comparison, and one colour. */
+/* Instructions for two half-words at once; without them loops are for QTRI_LESS and one colour. */
 #ifdef __ARM_FEATURE_SIMD32
 #define QTRI_BODY_HALVES true
 #else
 #define QTRI_BODY_HALVES false
 #endif
 
+/* Whether loops have the comparison. */
 QTRI_BODY bool qtri_quads_compare(const qtri_options *o)
 {
     return o->compare == QTRI_LESS ||
@@ -35,14 +36,14 @@ QTRI_BODY bool qtri_quads_compare(const qtri_options *o)
                                  o->compare == QTRI_GREATER_EQUAL));
 }
 
-/* Packed colours that replace what is there. */
+/* Whether a loop steps packed vertex colours, which replace the pixel. */
 QTRI_BODY bool qtri_quads_vary(const qtri_options *o)
 {
     return QTRI_BODY_HALVES && qtri_is_packed_565(o) && qtri_tests_depth(o) && !o->fog &&
            !qtri_reads_pixel(o) && o->fragment == NULL;
 }
 
-/* All that is done with depths is the test. */
+/* Whether pixels are drawn by fours: stored as they are, depths tested and written, or neither. */
 QTRI_BODY bool qtri_draws_quads(const qtri_options *o)
 {
     return QTRI_BODY_QUADS && (qtri_has_constant_color(o) || qtri_quads_vary(o)) &&
@@ -56,7 +57,7 @@ QTRI_BODY bool qtri_draws_quads(const qtri_options *o)
 /* Each draws pixels of the walk by fours until `more`, how many there are more than four, is below
    0, and returns that. */
 #if QTRI_BODY_HALVES
-/* Sets a flag for each half-word of d, what is stored, and z, and selects the depth that stays. */
+/* Compares half-words of d, stored depths, with those of z by a flag each; d becomes what stays. */
 #define QTRI_QUADS_LESS(d, z, t)       "usub16 " t ", " z ", " d "\n\tsel " d ", " d ", " z "\n\t"
 #define QTRI_QUADS_GREATER(d, z, t)    "usub16 " t ", " d ", " z "\n\tsel " d ", " d ", " z "\n\t"
 #define QTRI_QUADS_LESS_EQUAL(d, z, t) "usub16 " t ", " d ", " z "\n\tsel " d ", " z ", " d "\n\t"
@@ -67,7 +68,7 @@ QTRI_BODY bool qtri_draws_quads(const qtri_options *o)
 #define QTRI_QUADS_UNDER(p, c) "sel " p ", " p ", " c "\n\t"
 #define QTRI_QUADS_OVER(p, c)  "sel " p ", " c ", " p "\n\t"
 
-/* A loop by a test, and what stays of colours. */
+/* Runs the loop for a comparison. */
 #define QTRI_QUADS_BY_COMPARE(o, loop)                                                             \
     do {                                                                                           \
         if ((o)->compare == QTRI_LESS) {                                                           \

@@ -23,7 +23,7 @@
 
 enum { QTRI_CENTER = 4, QTRI_PLACES }; /* samples, and the centre */
 
-/* What is linear on the screen has more at a place, from p and q. */
+/* A linear value at a place, sample 0..3 or QTRI_CENTER, less that at the centre. */
 QTRI_BODY uint32_t qtri_samples_more(int32_t place, uint32_t p, uint32_t q)
 {
     return place == QTRI_CENTER ? 0
@@ -33,13 +33,15 @@ QTRI_BODY uint32_t qtri_samples_more(int32_t place, uint32_t p, uint32_t q)
                                 : p;
 }
 
-/* A row of a large triangle: columns of each sample, and those of which all are covered. */
+/* A row of a large triangle. Sample k, or the centre, is covered from left[k] to before right[k];
+   `count` pixels from x0 on are so wholly. */
 typedef struct qtri_samples_row {
     int32_t x0;
     uint32_t count;
     int32_t left[QTRI_PLACES], right[QTRI_PLACES];
 } qtri_samples_row;
 
+/* The samples in column x that are covered. */
 QTRI_BODY uint32_t qtri_samples_of(const qtri_samples_row *row, int32_t x)
 {
     uint32_t samples = 0;
@@ -52,7 +54,7 @@ QTRI_BODY uint32_t qtri_samples_of(const qtri_samples_row *row, int32_t x)
     return samples;
 }
 
-/* What is left of samples once one of them is tested, at a depth of 16.16. */
+/* Tests one sample at a depth of 16.16; returns the samples without it if it fails. */
 QTRI_BODY uint32_t qtri_sample_test(const qtri_options *o, const qtri_pixel_walk *w,
                                     uint32_t samples, uint32_t sample, uint8_t *depth,
                                     uint32_t z_16p16)
@@ -71,7 +73,7 @@ QTRI_BODY uint32_t qtri_sample_test(const qtri_options *o, const qtri_pixel_walk
     return samples;
 }
 
-/* Those of w->samples that pass; their depths are written where no pixel is discarded. */
+/* Those of w->samples that pass the depth test; depths are written if no option discards pixels. */
 QTRI_BODY uint32_t qtri_samples_test(const qtri_options *o, const qtri_pixel_walk *w,
                                      uint8_t *pixel, uint8_t *depth)
 {
@@ -86,7 +88,7 @@ QTRI_BODY uint32_t qtri_samples_test(const qtri_options *o, const qtri_pixel_wal
     return samples;
 }
 
-/* Depths of samples that may have been discarded. */
+/* Writes depths after all tests, where options may discard pixels. */
 QTRI_BODY void qtri_samples_write_late(const qtri_options *o, const qtri_pixel_walk *w,
                                        uint32_t samples, uint8_t *pixel, uint8_t *depth)
 {
@@ -108,6 +110,7 @@ QTRI_BODY void qtri_samples_write_late(const qtri_options *o, const qtri_pixel_w
     }
 }
 
+/* Stores an encoded colour in these samples. */
 QTRI_BODY void qtri_pixel_store_samples(uint32_t bytes, uint8_t *pixel, uint32_t samples,
                                         uint32_t stored)
 {

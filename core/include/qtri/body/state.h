@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What a draw call's triangles have in common, and the walk of a loop over pixels. Internal, part
- * of the pipelines' body (pipeline_make.h).
+ * The state of a draw call, and of a loop over pixels, its "walk". Internal, part of the pipelines'
+ * body (pipeline_make.h).
  */
 #ifndef QTRI_BODY_STATE_H
 #define QTRI_BODY_STATE_H
@@ -13,13 +13,13 @@
 extern "C" {
 #endif
 
-enum { QTRI_TABLE_LOG2 = 7, QTRI_TABLE = (1 << QTRI_TABLE_LOG2) + 1 };
+enum { QTRI_TABLE_LOG2 = 7, QTRI_TABLE = (1 << QTRI_TABLE_LOG2) + 1 }; /* colours by light */
 
-/* Of a texture, or the level of it that is drawn; 0: coordinates are simple. */
+/* Traits of a texture, or of its current level; 0: it repeats, and has 2^8 texels or more. */
 enum {
     QTRI_CLAMPS_U = 1,
     QTRI_CLAMPS_V = 2,
-    QTRI_ONE_WIDE = 4,  /* one texel */
+    QTRI_ONE_WIDE = 4,  /* its width is a texel */
     QTRI_FEW_TEXELS = 8 /* less than 2^8 */
 };
 
@@ -31,17 +31,18 @@ typedef void qtri_pixels_loop(struct qtri_pixel_walk *w, bool bent, int32_t coun
 /* Set once a draw call, by draw_state.c. */
 typedef struct qtri_draw_state {
     bool is_linear; /* nothing follows perspective: QTRI_SCREEN_LINEAR */
-    bool is_lit;    /* with a view's lights, see below */
-    bool has_table; /* is set */
+    bool is_lit;    /* `lit` is set for each triangle */
+    bool has_table; /* `table` is set */
     uint8_t traits; /* of the texture: QTRI_CLAMPS_U ... */
     const qtri_pipeline *pipeline;
     qtri_options options; /* what surface, material and mesh ask for; Armv6-M reaches 31 bytes */
-    /* What draws small triangles: the pipeline's, or what moves their depths before. */
+    /* Draws a small triangle: the pipeline's, or one that shifts depths first. False: it is large.
+     */
     bool (*small)(struct qtri_small *triangle);
     const qtri_surface *surface;
     const qtri_material *material;
     qtri_rect bounds; /* what may be drawn */
-    /* Vertices in here, 24.8 from x and y, have all pixels of a small triangle in the bounds. */
+    /* 24.8. Where vertex 0 of a small triangle that is not wide is in here, bounds cut nothing. */
     struct {
         uint32_t x, y, width, height;
     } inner;
@@ -56,9 +57,9 @@ typedef struct qtri_draw_state {
     uint32_t weight[3];      /* of its red, green and blue: 256 is 1 */
     uint32_t alpha;          /* material.alpha: 256 is 1 */
     const uint8_t *alphas;   /* of vertices: the material's, or those of a loose triangle */
-    uint32_t alpha_index[3]; /* whose of them a clipped triangle's vertices have */
-    uint32_t keep;           /* bits that stay, of the pipeline's kind of colour */
-    uint32_t fog_color;      /* of that kind */
+    uint32_t alpha_index[3]; /* into alphas, of the vertices of a triangle to be clipped */
+    uint32_t keep;           /* channel mask: bits that stay as stored, in qtri_kind_of() */
+    uint32_t fog_color;      /* in that kind */
     const qtri_fog *fog;
 
     /* With a view's lights: 0x00RRGGBB of the triangle's vertices, in the order of its indices. */
@@ -108,30 +109,29 @@ typedef struct qtri_pixel_walk {
     uintptr_t apart;    /* from a depth to its pixel, where one pointer serves both */
     uint32_t z, z_step; /* 16.16, with QTRI_DEPTH_HALF, less octave.zero */
     qtri_octave octave; /* of rows whose depths are stored by it; otherwise zeros */
-    uint32_t u, v, u_step, v_step, u_bend, v_bend;
+    uint32_t u, v, u_step, v_step, u_bend, v_bend; /* bend: what a step grows by each pixel */
     uint32_t c, c_step, g, g_step;
     uint32_t c_other;           /* packed colours of 565: every second step */
     uint32_t alpha, alpha_step; /* alpha of the vertices: 8.16, 256.0 is 1 */
     uint32_t fog, fog_step;     /* what fog leaves of the colour: 8.16, 256.0 is 1 */
     int32_t x, y;               /* of the frame; x only where options ask for it */
-    uint32_t cover;             /* of a stroke: what of a pixel it takes, 256 is all */
-    bool cover_writes;          /* its depth: half of it or more is covered */
+    uint32_t cover;             /* coverage by a stroke: 256 is all of the pixel */
+    bool cover_writes;          /* depth, as half of the pixel or more is covered */
     bool keeps_depth;           /* the material's depths are read only; see qtri_pixel_writes() */
     /* Where options are for any comparison, see qtri_walk_set_compare(). */
     uint8_t passes;
     uint32_t pass_first, pass_count;
 
-    /* Four samples a pixel: which of them are drawn, and what their depths have more; see
-       antialias.h. */
+    /* Four samples a pixel, see samples.h: which of them are drawn; depths at samples 3 and 1, and
+       where the pixel takes its colour, less that at the centre. */
     uint32_t samples;
-    uint32_t z_p, z_q;
-    uint32_t z_place; /* what depth has more where the pixel takes its colour */
+    uint32_t z_p, z_q, z_place;
     const struct qtri_samples_row *sample_row; /* of a large triangle */
 
     /* Constant along a row. */
     const qtri_draw_state *state;
     const void *texels, *palette;
-    uint32_t rows, u_shift, v_shift, width_log2; /* rows: mask of v, times the width << 16 */
+    uint32_t rows, u_shift, v_shift, width_log2; /* rows: mask of v; low byte: u_shift */
     uint32_t color; /* of the triangle: of the kind; where nothing else is done, as it is stored */
     /* Lit texture: weights of the state, of 565 green's also << 16 in red; the half that rounds. */
     uint32_t red, green, blue, half;
@@ -142,10 +142,10 @@ typedef struct qtri_pixel_walk {
    most. In fog.c. */
 uint32_t qtri_fog_share(const qtri_fog *fog, uint32_t depth_16p16);
 
-/* Makes the texture of what is mipmapped another level, 0..state->last_level. */
+/* Makes state->level_texture another mipmap level, 0..state->last_level. */
 void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level);
 
-/* state->table, when a triangle first needs it. */
+/* Fills state->table from state->color, when a triangle first needs it. */
 void qtri_draw_state_set_table(qtri_draw_state *state);
 
 /* A pixel, depth or texel by the callbacks of a user-defined format, in own_formats.c. */

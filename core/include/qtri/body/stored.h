@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Pixels and depths as surfaces store them. Internal, part of the pipelines' body
- * (pipeline_make.h).
+ * Encodes, decodes and compares pixels and depths as surfaces store them. Internal, part of the
+ * pipelines' body (pipeline_make.h).
  */
 #ifndef QTRI_BODY_STORED_H
 #define QTRI_BODY_STORED_H
@@ -61,7 +61,7 @@ QTRI_BODY uint32_t qtri_encode(const qtri_options *o, const qtri_surface *surfac
     }
 }
 
-/* What is stored as a colour of the kind. */
+/* A stored pixel as a colour in qtri_kind_of(o). */
 QTRI_BODY uint32_t qtri_decode(const qtri_options *o, const qtri_surface *surface, uint32_t stored)
 {
     switch (o->format) {
@@ -98,10 +98,11 @@ QTRI_BODY uint32_t qtri_depth_size(const qtri_options *o, const qtri_surface *su
 #endif
 }
 
-/* What a depth starts with: the half that rounds linear16. Of finer formats it keeps what rounding
-   leads beyond the ends from wrapping. */
+/* Depths of a walk have this half of a unit of linear16 more, so that cutting rounds. In finer
+   formats it keeps depths that rounding moves past an end from wrapping. */
 #define QTRI_DEPTH_HALF 0x8000u
 
+/* The depth without that half, 0..65535.0. */
 QTRI_BODY uint32_t qtri_depth_of(uint32_t z)
 {
     const uint32_t farthest = (uint32_t)65535 << 16;
@@ -132,8 +133,9 @@ QTRI_BODY bool qtri_depth_is_narrow(const qtri_options *o)
     return o->depth <= QTRI_LINEAR24;
 }
 
-/* Any comparison, as bits for a depth that is less than, equal to and greater than the stored one:
-   a narrow one passes where its difference to that is one of pass_count from -pass_first on. */
+/* Sets the comparison by bits: whether depths less than (1), equal to (2) and greater than (4) the
+   stored one pass. A narrow one passes where its difference to that is one of pass_count from
+   -pass_first on. */
 QTRI_BODY void qtri_walk_set_compare(const qtri_options *o, qtri_pixel_walk *w, uint32_t passes)
 {
     const uint32_t most = (uint32_t)1 << 24;
@@ -172,7 +174,7 @@ QTRI_BODY bool qtri_depth_passes(const qtri_options *o, const qtri_pixel_walk *w
     }
 }
 
-/* Whether a pixel that passes leaves its depth. */
+/* Whether a pixel that passes writes its depth. */
 QTRI_BODY bool qtri_pixel_writes(const qtri_options *o, const qtri_pixel_walk *w)
 {
     return qtri_writes_depth(o) && (o->read_only != QTRI_ANY || !w->keeps_depth);
@@ -185,7 +187,7 @@ QTRI_BODY uint32_t qtri_pixel_step(const qtri_options *o)
     return !qtri_has_samples(o) ? bytes : bytes == 4 ? 24 : 4 * bytes + 6;
 }
 
-/* A pixel and its depth have the same bytes: one pointer serves both, see qtri_small_pixels(). */
+/* A pixel has as many bytes as its depth: one pointer serves both, see qtri_small_pixels(). */
 QTRI_BODY bool qtri_is_paired(const qtri_options *o)
 {
 #ifdef QTRI_PIPELINE_IS_ANY

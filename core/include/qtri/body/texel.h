@@ -7,11 +7,10 @@
 
 #include "stored.h"
 
-/* Texels --------------------------------------------------------------------------------------- */
-
 /* NOLINTBEGIN(clang-analyzer-core.NullDereference): texels and axes of a texture are set by
    qtri_walk_begin() and set-up; without a texture nothing here is called */
 
+/* The column at u: the low byte of `rows` is u_shift. */
 QTRI_BODY uint32_t qtri_texel_column(const qtri_pixel_walk *w, uint32_t u)
 {
     return qtri_body_shift(u, w->rows);
@@ -24,7 +23,7 @@ QTRI_BODY uint32_t qtri_texel_row(const qtri_options *o, const qtri_pixel_walk *
 }
 
 /* Which of a checker's two colours texel `number` has: 0 or 1. */
-QTRI_BODY uint32_t qtri_checker_field(const qtri_texture *texture, uint32_t width_log2,
+QTRI_BODY uint32_t qtri_checker_index(const qtri_texture *texture, uint32_t width_log2,
                                       uint32_t number)
 {
     const uint32_t column = number & (((uint32_t)1 << width_log2) - 1), row = number >> width_log2;
@@ -33,6 +32,7 @@ QTRI_BODY uint32_t qtri_checker_field(const qtri_texture *texture, uint32_t widt
     return ((column * fields >> width_log2) + (row * fields >> height_log2)) & 1;
 }
 
+/* Texel `number` as the texture stores it. */
 QTRI_BODY uint32_t qtri_texel_stored(const qtri_options *o, const qtri_pixel_walk *w,
                                      uint32_t number)
 {
@@ -45,7 +45,7 @@ QTRI_BODY uint32_t qtri_texel_stored(const qtri_options *o, const qtri_pixel_wal
     case QTRI_TEXEL_ARGB8888:
         return ((const uint32_t *)w->texels)[number];
     case QTRI_TEXEL_CHECKER:
-        return qtri_checker_field(w->state->texture, w->width_log2, number);
+        return qtri_checker_index(w->state->texture, w->width_log2, number);
     case QTRI_OTHER_TEXEL:
         return o->fetch != NULL ? o->fetch(w->state->texture, number)
                                 : qtri_fetch_other(w->state->texture, number);
@@ -79,7 +79,7 @@ QTRI_BODY uint32_t qtri_texel_color(const qtri_options *o, const qtri_pixel_walk
     case QTRI_TEXEL_GRAY8:
         return kind == QTRI_IN_GRAY ? t : t * 0x010101u;
     case QTRI_TEXEL_PALETTE8:
-    case QTRI_TEXEL_CHECKER: /* its palette are both colours */
+    case QTRI_TEXEL_CHECKER: /* both colours are its palette */
         return qtri_texel_from_888(kind, qtri_pixel_rgb_to_888((const qtri_rgb *)w->palette + t));
     case QTRI_TEXEL_ARGB4444:
         return qtri_pixel_4444_to_8888(t);
@@ -138,13 +138,13 @@ QTRI_BODY uint32_t qtri_texel_fraction(uint32_t at, uint32_t shift)
     return (shift > 11 ? at >> (shift - 11) : at << (11 - shift)) & 2047;
 }
 
+/* The bilinear mean at u and v; *drawn becomes false where the nearest texel equals the key. */
 QTRI_BODY uint32_t qtri_texel_bilinear(const qtri_options *o, const qtri_pixel_walk *w, bool *drawn)
 {
     const uint32_t along = qtri_texel_fraction(w->u, w->u_shift);
     const uint32_t across = qtri_texel_fraction(w->v, w->v_shift);
-    const uint32_t column = qtri_texel_column(w, w->u);
-    const uint32_t row = qtri_texel_row(o, w, w->v);
-    /* The next texel; in a texture one texel wide, the same. */
+    const uint32_t column = qtri_texel_column(w, w->u), row = qtri_texel_row(o, w, w->v);
+    /* The next column; in a texture one texel wide, this one. */
     const uint32_t next_column =
         qtri_texel_column(w, w->u + ((uint32_t)2 << ((31 - w->width_log2) & 31)));
     const uint32_t next_row = qtri_texel_row(o, w, w->v + ((uint32_t)1 << w->v_shift));
