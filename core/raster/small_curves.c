@@ -3,15 +3,15 @@
 
 #include "../bits/bits.h"
 
-void qtri_small_find_e(int32_t e_q18[2], const qtri_small_place *p, const qtri_small *t)
+void qtri_small_find_inv_w_deltas(int32_t e_q18[2], const qtri_small_place *p, const qtri_small *t)
 {
     const int32_t y = (int32_t)qtri_small_reciprocal(t->v[0]->inv_w >> 15);
     e_q18[0] = ((p->q1 >> 15) * y + ((int32_t)1 << 12)) >> 13;
     e_q18[1] = ((p->q2 >> 15) * y + ((int32_t)1 << 12)) >> 13;
 }
 
-/* e / (1 + e/2) = 2 h (1 - h (1 - h + h^2)), h = e/2: off by 2 h^5, 2^-9, at most. */
-static int32_t bend_of(int32_t e_q18)
+/* k = e / (1 + e/2) = 2 h (1 - h (1 - h + h^2)), h = e/2: off by 2 h^5, 2^-9, at most. */
+static int32_t k_of(int32_t e_q18)
 {
     const int32_t h = e_q18 >> 3; /* Q16, |h| <= 2^14 */
     const int32_t rest = 0x10000 - ((h * (0x10000 - h)) >> 16);
@@ -23,15 +23,14 @@ bool qtri_small_set_curvature(qtri_curvature *c, const qtri_small_place *p, cons
     int32_t *e = c->e_q18;
     const int wide = p->wide;
     qtri_small_ramp ramp;
-    qtri_small_find_e(e, p, t);
-    c->k_q18[0] = bend_of(e[0]);
-    c->k_q18[1] = bend_of(e[1]);
+    qtri_small_find_inv_w_deltas(e, p, t);
+    c->k_q18[0] = k_of(e[0]);
+    c->k_q18[1] = k_of(e[1]);
     QTRI_SMALL_SETUP(ramp_set_at)
     (&ramp, p, p->x, p->y - 256 * p->first, 0, c->k_q18[0] >> (1 + wide), c->k_q18[1] >> (1 + wide),
      -p->up);
     /* Steps of Q25, of wide ones Q24, 2^up less: to 13 bits of the greater one. */
-    const uint32_t greater =
-        qtri_small_about((int32_t)ramp.dx) | qtri_small_about((int32_t)ramp.dy);
+    const uint32_t greater = qtri_small_abs((int32_t)ramp.dx) | qtri_small_abs((int32_t)ramp.dy);
     const int32_t down = qtri_greatest32(19 - qtri_clz32(greater), 1);
     const int32_t round = (int32_t)1 << (down - 1);
     c->bits = 25 - wide - p->up - down;
@@ -77,7 +76,7 @@ void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const 
     (&g, p, x, y, value->value, qtri_small_scaled(f1, c->k_q18[0]),
      qtri_small_scaled(f2, c->k_q18[1]), up);
     const int32_t at = (int32_t)f.at, fx = (int32_t)f.dx, fy = (int32_t)f.dy;
-    up += p->up + 14 - c->bits; /* of what product() is of */
+    up += p->up + 14 - c->bits; /* of the unit of product() */
     r->xx = 0u - to_units(product(fx, c->ex), up);
     r->xy = 0u - to_units(product(fx, c->ey) + product(fy, c->ex), up);
     const uint32_t yy = 0u - to_units(product(fy, c->ey), up);
@@ -91,7 +90,7 @@ void qtri_small_set_curve(qtri_small_curve *r, const qtri_small_place *p, const 
 
 int32_t qtri_small_chord_log2(const qtri_small_curve *c, int32_t most, uint32_t bend)
 {
-    const uint32_t by = qtri_small_about((int32_t)c->xx);
+    const uint32_t by = qtri_small_abs((int32_t)c->xx);
     int32_t log2 = most;
     while (log2 > 0 && by > bend >> 2 * log2) {
         log2--;

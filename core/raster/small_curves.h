@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What follows perspective over a small triangle, as a polynomial of second order. Internal.
+ * Values that follow perspective over a small triangle, as polynomials of second order. Internal.
  *
  * With e, what q has more than at vertex 0 by its value there, a value along the edge from there is
  * u_0 + f s (1 + e) / (1 + e s), s from 0 to 1: f s + f k s (1 - s), k = e / (1 + e/2), is equal at
@@ -65,9 +65,9 @@ static inline void qtri_small_disable_division(qtri_small_division *d)
     d->goes_on = 0;
 }
 
-/* In small_division.c, one after the other: points, and where the pixels of chords go; values,
-   which have a curve each up to the next point; and how far apart points are. False: the triangle
-   bends too much. */
+/* In small_division.c, to be called in order: begin, with where to store the pixels of chords; a
+   call for each value, whose curve qtri_small_divide() sets; end. False: the triangle bends too
+   much. */
 bool qtri_small_begin_division(qtri_small_division *d, uint32_t *piece, const qtri_curvature *c,
                                const qtri_small_place *p);
 bool qtri_small_add_divided(qtri_small_division *d, qtri_small_curve *curve,
@@ -76,7 +76,7 @@ bool qtri_small_add_divided(qtri_small_division *d, qtri_small_curve *curve,
 void qtri_small_end_division(qtri_small_division *d);
 
 /* 1/w at vertices 1 and 2 less that at vertex 0, divided by the latter. */
-void qtri_small_find_e(int32_t e_q18[2], const qtri_small_place *p, const qtri_small *t);
+void qtri_small_find_inv_w_deltas(int32_t e_q18[2], const qtri_small_place *p, const qtri_small *t);
 
 /* f (1 + e), |f| <= 2^16, |e| <= 1/2. */
 QTRI_BODY int32_t qtri_small_scaled(int32_t f, int32_t e_q18)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What varies over small triangles by division, where it bends too much for a curve over the whole
+ * Values over small triangles by division, where they bend too much for a curve over the whole
  * triangle (small_curves.h).
  *
  * With q what 1/w has more than at vertex 0 by its value there, s = f (1 + q) is linear, f being
@@ -39,22 +39,21 @@ static inline int32_t reciprocal_of(uint32_t x)
     return (int32_t)(x >= 0x8000 ? qtri_small_reciprocal(x) : qtri_small_reciprocal(2 * x) << 1);
 }
 
-/* The steepest slope at q = 0 of what is f more at vertices 1 and 2. The slope of f times (1 +
-   q)^2, s' (1 + q) - s q', does not change along rows: it is steepest at a vertex. */
+/* The steepest slope, at q = 0, of a value that is f more at vertices 1 and 2. The slope of f times
+   (1 + q)^2, s' (1 + q) - s q', does not change along rows: it is steepest at a vertex. */
 static uint32_t slope_of(const qtri_small_ramp *s, int32_t q_dx, const int32_t e_q18[2],
                          const int32_t f[2], int32_t wide)
 {
-    uint32_t most = qtri_small_about((int32_t)s->dx);
+    uint32_t most = qtri_small_abs((int32_t)s->dx);
     for (int i = 0; i < 2; i++) {
         const int32_t at_vertex = (int32_t)s->dx - (f[i] * (q_dx >> 6) >> (6 - wide));
-        const uint32_t slope =
-            qtri_small_about((at_vertex >> 10) * (1024 + (e_q18[i] >> 8))) + 1024;
+        const uint32_t slope = qtri_small_abs((at_vertex >> 10) * (1024 + (e_q18[i] >> 8))) + 1024;
         most = slope > most ? slope : most;
     }
     return most;
 }
 
-/* Whether parabolas of 2^log2 columns are near enough of what has such a slope, in units of
+/* Whether parabolas over 2^log2 columns are near enough to a value of this slope, in units of
    2^unit_log2 of s: where they have pixels of the triangle, the middle of q is half its rise below
    the least at most. */
 static bool is_near_parabola(uint32_t slope, int32_t unit_log2, uint32_t q_dx, uint32_t q_least_q10,
@@ -88,7 +87,7 @@ bool qtri_small_begin_division(qtri_small_division *d, uint32_t *piece, const qt
         d->log2--;
     }
     /* no needle, and not too steep for all */
-    return p->up == 0 && qtri_small_about((int32_t)d->q.dx) >> 20 == 0;
+    return p->up == 0 && qtri_small_abs((int32_t)d->q.dx) >> 20 == 0;
 }
 
 bool qtri_small_add_divided(qtri_small_division *d, qtri_small_curve *curve,
@@ -114,8 +113,7 @@ bool qtri_small_add_divided(qtri_small_division *d, qtri_small_curve *curve,
     if (unit_log2 < 0 || (a->bend == 0 && slope >> unit_log2 > MOST_TEXELS * 64)) {
         return false;
     }
-    while (
-        !is_near_parabola(slope, unit_log2, qtri_small_about(q_dx), q_least, d->log2, value->by)) {
+    while (!is_near_parabola(slope, unit_log2, qtri_small_abs(q_dx), q_least, d->log2, value->by)) {
         if (d->log2 == LEAST_LOG2) {
             return false;
         }
@@ -158,8 +156,8 @@ static inline int32_t difference_at(const qtri_small_divided *a, int32_t recipro
     return s + qtri_small_product(s, (reciprocal - 0x10000) >> 1, 15);
 }
 
-/* From a point at column x to the next, at which a value has `to` more; the middle is above the
-   chord by `rise` eps / 2. */
+/* Sets the curve from the point at column x to the next, at which the value is `to` more than at
+   vertex 0; the middle is above the chord by `rise` eps / 2. */
 static inline void set_parabola(qtri_small_divided *a, int32_t to, int32_t eps, uint32_t x)
 {
     qtri_small_curve *c = a->curve;

@@ -31,12 +31,12 @@ enum { IS_LITTLE = 0 };
 #endif
 
 typedef struct quarters {
-    uint8_t *left, *right; /* of quarter 0 */
+    uint8_t *left, *right; /* columns, from quarter 0 of vertex 0's row on */
 } quarters;
 
-/* What an edge has in a quarter. */
+/* The column of an edge in a quarter. */
 /* NOLINTNEXTLINE(readability-non-const-parameter): they are written where nothing divides */
-static inline int32_t next_of(int32_t *numerator, int32_t *quotient, int32_t denominator)
+static inline int32_t edge_column(int32_t *numerator, int32_t *quotient, int32_t denominator)
 {
 #if QTRI_DIVIDE
     (void)quotient;
@@ -58,11 +58,11 @@ static inline int32_t next_of(int32_t *numerator, int32_t *quotient, int32_t den
 }
 
 /*
- * Quarters from..stop - 1 of an edge that goes down; returns the sum. From sample to sample ox
- * changes by 128, -192, 128 and -64.
+ * Stores columns of an edge in quarters from..stop - 1, going down; returns their sum. From sample
+ * to sample ox changes by 128, -192, 128 and -64.
  */
-static int32_t walk(uint8_t *side, int32_t from, int32_t stop, int32_t dx, int32_t dy,
-                    int32_t numerator)
+static int32_t walk_edge(uint8_t *side, int32_t from, int32_t stop, int32_t dx, int32_t dy,
+                         int32_t numerator)
 {
     const int32_t down = 64 * dx, denominator = 256 * dy;
     const int32_t even = down - 128 * dy, one = down + 192 * dy, three = down + 64 * dy;
@@ -74,28 +74,28 @@ static int32_t walk(uint8_t *side, int32_t from, int32_t stop, int32_t dx, int32
     uint8_t *at = side + from;
     const uint8_t *const end = side + stop;
     for (;;) {
-        int32_t q = next_of(&numerator, &quotient, denominator);
+        int32_t q = edge_column(&numerator, &quotient, denominator);
         *at++ = (uint8_t)q;
         sum += q;
         numerator += s0;
         if (at == end) {
             return sum;
         }
-        q = next_of(&numerator, &quotient, denominator);
+        q = edge_column(&numerator, &quotient, denominator);
         *at++ = (uint8_t)q;
         sum += q;
         numerator += s1;
         if (at == end) {
             return sum;
         }
-        q = next_of(&numerator, &quotient, denominator);
+        q = edge_column(&numerator, &quotient, denominator);
         *at++ = (uint8_t)q;
         sum += q;
         numerator += s2;
         if (at == end) {
             return sum;
         }
-        q = next_of(&numerator, &quotient, denominator);
+        q = edge_column(&numerator, &quotient, denominator);
         *at++ = (uint8_t)q;
         sum += q;
         numerator += s3;
@@ -105,7 +105,7 @@ static int32_t walk(uint8_t *side, int32_t from, int32_t stop, int32_t dx, int32
     }
 }
 
-/* An edge between quarters: it is on the left when it goes down. */
+/* Stores an edge's columns between quarters: on the left when it goes down. */
 static int32_t edge(const quarters *at, int32_t ax, int32_t ay, int32_t dx, int32_t dy,
                     int32_t from, int32_t to)
 {
@@ -123,12 +123,12 @@ static int32_t edge(const quarters *at, int32_t ax, int32_t ay, int32_t dx, int3
         side = at->right;
     }
     const int32_t numerator = (ax - offset_x[from & 3]) * dy + (64 * from + 32 - ay) * dx - 1;
-    const int32_t sum = walk(side, from, to, dx, dy, numerator);
+    const int32_t sum = walk_edge(side, from, to, dx, dy, numerator);
     return is_up ? sum : -sum;
 }
 
-/* The rows' quarters that no edge reaches. */
-static void clear(qtri_small_samples *s, int32_t row)
+/* Empties a row, whose quarters edges may not all reach. */
+static void clear_row(qtri_small_samples *s, int32_t row)
 {
     s->left[row] = NO_LEFT;
     s->right[row] = 0;
@@ -148,9 +148,9 @@ static bool set_depth(qtri_small_place *p, qtri_small_samples *s, const qtri_sma
     return true;
 }
 
-/* The rows to the bounds: quarters, of which *row is 4 times what vertex 0's is. False: none. */
-static bool cut_rows(int32_t quarter[3], int32_t *first, int32_t *end, int32_t row,
-                     const qtri_rect *bounds)
+/* Clips quarters, which count from `row`, to the bounds. False: nothing is left. */
+static bool clip_rows(int32_t quarter[3], int32_t *first, int32_t *end, int32_t row,
+                      const qtri_rect *bounds)
 {
     const int32_t least = (bounds->y0 - row) * 4, greatest = (bounds->y1 - row) * 4;
     if (*first >= greatest || *end <= least) {
@@ -208,7 +208,7 @@ qtri_small_found qtri_small_samples_find(qtri_small_place *p, qtri_small_samples
         p->left = bounds->x0 - p->column + QTRI_SMALL_MIDDLE;
         p->right = bounds->x1 - p->column + QTRI_SMALL_MIDDLE;
         p->cut = p->left > 0 || p->right < QTRI_SMALL_ROWS;
-        if (!cut_rows(quarter, &first, &end, row, bounds)) {
+        if (!clip_rows(quarter, &first, &end, row, bounds)) {
             return QTRI_SMALL_NOTHING;
         }
     }
@@ -222,8 +222,8 @@ qtri_small_found qtri_small_samples_find(qtri_small_place *p, qtri_small_samples
     p->dy2 = dy2;
     s->first = p->first + QTRI_SMALL_MIDDLE;
     s->rows = ((end + 3) >> 2) - p->first;
-    clear(s, s->first);
-    clear(s, s->first + s->rows - 1);
+    clear_row(s, s->first);
+    clear_row(s, s->first + s->rows - 1);
     const quarters at = {(uint8_t *)&s->left[QTRI_SMALL_MIDDLE],
                          (uint8_t *)&s->right[QTRI_SMALL_MIDDLE]};
     const int32_t ax = rest_x + 128 + (QTRI_DIVIDE ? 256 * QTRI_SMALL_MIDDLE : 0);
@@ -245,7 +245,7 @@ qtri_small_found qtri_small_samples_find(qtri_small_place *p, qtri_small_samples
                : QTRI_SMALL_IS_LARGE;
 }
 
-/* Each byte between two. */
+/* Clamps each byte of a word. */
 static uint32_t clamp_bytes(uint32_t word, int32_t least, int32_t greatest)
 {
     uint32_t out = 0;
@@ -257,15 +257,15 @@ static uint32_t clamp_bytes(uint32_t word, int32_t least, int32_t greatest)
 
 void qtri_small_samples_cut(qtri_small_samples *s, int32_t left, int32_t right)
 {
-    const int32_t least = qtri_small_clamp(left, 0, 127);
-    const int32_t greatest = qtri_small_clamp(right, 0, 127);
+    const int32_t least = qtri_small_clamp(left, 0, 127),
+                  greatest = qtri_small_clamp(right, 0, 127);
     for (int32_t i = s->first; i < s->first + s->rows; i++) {
         s->left[i] = clamp_bytes(s->left[i], least, greatest);
         s->right[i] = clamp_bytes(s->right[i], least, greatest);
     }
 }
 
-/* All edges where the pixel's centre is: of the third, what the others leave of the area. */
+/* Edge functions at the pixel's centre: the third is what two leave of the area. */
 bool qtri_small_covers_center(const qtri_small_place *p, int32_t column, int32_t row)
 {
     const int32_t x = p->x + 256 * column, y = p->y + 256 * row;

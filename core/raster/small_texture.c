@@ -17,20 +17,20 @@
 
 /* Texture coordinates -------------------------------------------------------------------------- */
 
-typedef enum held {
+typedef enum clamp_result {
     CROSSES, /* an end of the texture */
     INSIDE,
     AT_END
-} held;
+} clamp_result;
 
 /*
  * Clamped coordinates: vertices at an end of the texture, or beyond by 1/128 texel at most, are
- * held 1/32 texel inside, and pixels reach no end then: what is linear lies between the vertices,
- * less what rounding takes of it, 2^-16 of a repeat, and what bends is off by .84 of 1/32 texel at
- * most. Where texels are filtered it is the centres of outer texels that vertices are held to; a
- * pixel that is beyond one by so little has as little of a wrong texel.
+ * clamped 1/32 texel inside, and pixels reach no end then: what is linear lies between the
+ * vertices, less what rounding takes of it, 2^-16 of a repeat, and what bends is off by .84 of 1/32
+ * texel at most. Where texels are filtered it is the centres of outer texels that vertices are
+ * clamped to; a pixel that is beyond one by so little has as little of a wrong texel.
  */
-static held hold_axis(int32_t f[3], uint32_t side_log2, bool bilinear)
+static clamp_result clamp_axis(int32_t f[3], uint32_t side_log2, bool bilinear)
 {
     const int32_t little = (512 >> side_log2) + 1, inside = bilinear ? 0 : (2048 >> side_log2) + 1;
     const int32_t low = bilinear ? 32768 >> side_log2 : 0, high = 65536 - low;
@@ -50,16 +50,17 @@ static held hold_axis(int32_t f[3], uint32_t side_log2, bool bilinear)
     return AT_END;
 }
 
-/* Steps of a needle are less exact; u of a texture one texel wide is 0. */
-static held hold(qtri_small_uv *f, const qtri_small_place *p, const qtri_draw_state *state,
-                 const qtri_options *o)
+/* Clamps both axes. CROSSES also of a needle, whose steps are less exact, and of a texture one
+   texel wide, whose u is 0: the large path clamps them. */
+static clamp_result clamp_uv(qtri_small_uv *f, const qtri_small_place *p,
+                             const qtri_draw_state *state, const qtri_options *o)
 {
-    held u = INSIDE, v = INSIDE;
+    clamp_result u = INSIDE, v = INSIDE;
     if ((state->traits & QTRI_CLAMPS_U) != 0) {
-        u = hold_axis(f->u, qtri_texture_width_log2(o, state), o->bilinear);
+        u = clamp_axis(f->u, qtri_texture_width_log2(o, state), o->bilinear);
     }
     if ((state->traits & QTRI_CLAMPS_V) != 0) {
-        v = hold_axis(f->v, qtri_texture_height_log2(o, state), o->bilinear);
+        v = clamp_axis(f->v, qtri_texture_height_log2(o, state), o->bilinear);
     }
     if (u == CROSSES || v == CROSSES || (state->traits & QTRI_ONE_WIDE) != 0) {
         return CROSSES;
@@ -71,7 +72,7 @@ static held hold(qtri_small_uv *f, const qtri_small_place *p, const qtri_draw_st
 static uint32_t reduce(int32_t f[3], uint32_t bits)
 {
     uint32_t down = 0;
-    while ((qtri_small_about(f[1]) | qtri_small_about(f[2])) >> (bits + down) != 0) {
+    while ((qtri_small_abs(f[1]) | qtri_small_abs(f[2])) >> (bits + down) != 0) {
         down++;
     }
     if (down != 0) { /* rounded */
@@ -81,7 +82,7 @@ static uint32_t reduce(int32_t f[3], uint32_t bits)
     return down;
 }
 
-/* Of any sides and differences. */
+/* Values of u and v for curves or ramps, of any texture and differences. */
 static void set_values(qtri_small_value value[2], qtri_small_uv *uv, uint32_t by,
                        const qtri_small_place *p, const qtri_draw_state *state,
                        const qtri_options *o)
@@ -124,7 +125,7 @@ bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
         return false;
     }
     qtri_small_uv_find(&f, t);
-    if ((t->state->traits != 0 && hold(&f, p, t->state, o) == CROSSES) ||
+    if ((t->state->traits != 0 && clamp_uv(&f, p, t->state, o) == CROSSES) ||
         !qtri_small_is_linear_texture(&f, p, t, o)) {
         return false;
     }
@@ -157,16 +158,16 @@ bool qtri_small_set_curves(qtri_small_curves *curves, qtri_small_division *divis
     qtri_small_value value[2], light;
     qtri_curvature c;
     bool is_near = true, is_lit_near = true;
-    const bool is_held = (t->state->traits & ~QTRI_FEW_TEXELS) != 0;
+    const bool is_clamped = (t->state->traits & ~QTRI_FEW_TEXELS) != 0;
     curves->light_piece = 0;
     curves->is_curved = false;
-    if (is_held && !curved &&
+    if (is_clamped && !curved &&
         qtri_small_set_linear_texture(&curves->linear[0], &curves->linear[1], p, t, o)) {
         return true;
     }
     qtri_small_uv_find(&at, t);
-    if (is_held) {
-        const held found = hold(&at, p, t->state, o);
+    if (is_clamped) {
+        const clamp_result found = clamp_uv(&at, p, t->state, o);
         if (found == CROSSES) {
             return false;
         }
@@ -221,7 +222,9 @@ bool qtri_small_set_curves(qtri_small_curves *curves, qtri_small_division *divis
  * + e) at vertices 1 and 2, so its steps there are those of l: n / size, where n are the numerators
  * of ramps, times 256 a pixel.
  */
-enum { EVEN_Q6 = 5 /* 1/w of vertices 1 and 2 may be this by 64, 1/12.8, off that of vertex 0 */ };
+enum {
+    MAX_CHANGE_Q6 = 5 /* 1/w of vertices 1 and 2 may be this by 64, 1/12.8, off that of vertex 0 */
+};
 
 /* The greatest step of both axes, times size / 256, in 2^-fraction of a texel. */
 static uint32_t step_of(int32_t f[2][2], const int32_t up[2], int32_t fraction,
@@ -231,8 +234,8 @@ static uint32_t step_of(int32_t f[2][2], const int32_t up[2], int32_t fraction,
     for (int i = 0; i < 2; i++) {
         const int32_t f1 = qtri_small_scaled(qtri_shift32(f[i][0], fraction - up[i]), e_q18[0]);
         const int32_t f2 = qtri_small_scaled(qtri_shift32(f[i][1], fraction - up[i]), e_q18[1]);
-        right[i] = qtri_small_about(f2 * p->dy1 - f1 * p->dy2);
-        down[i] = qtri_small_about(f1 * p->dx2 - f2 * p->dx1);
+        right[i] = qtri_small_abs(f2 * p->dy1 - f1 * p->dy2);
+        down[i] = qtri_small_abs(f1 * p->dx2 - f2 * p->dx1);
     }
     const uint32_t across = qtri_step_length(right[0], right[1]);
     const uint32_t along = qtri_step_length(down[0], down[1]);
@@ -259,7 +262,7 @@ static uint32_t level_of(const qtri_small_place *p, const qtri_small *t, const i
     int32_t f[2][2] = {{at.u[1], at.u[2]}, {at.v[1], at.v[2]}};
     for (int i = 0; i < 2; i++) {
         up[i] = 16 - side_log2[i]; /* 6..16: f has so many bits of a texel's fraction */
-        const int32_t zeros = qtri_clz32(qtri_small_about(f[i][0]) | qtri_small_about(f[i][1]));
+        const int32_t zeros = qtri_clz32(qtri_small_abs(f[i][0]) | qtri_small_abs(f[i][1]));
         fraction = qtri_least32(fraction, zeros - 18 + up[i]);
     }
     const uint32_t length = step_of(f, up, fraction, p, e_q18);
@@ -276,9 +279,9 @@ static uint32_t level_of(const qtri_small_place *p, const qtri_small *t, const i
     return level;
 }
 
-static bool is_even(int32_t q, uint32_t inv_w)
+static bool is_nearly_constant(int32_t q, uint32_t inv_w)
 {
-    return qtri_small_about(q) <= (inv_w >> 6) * EVEN_Q6;
+    return qtri_small_abs(q) <= (inv_w >> 6) * MAX_CHANGE_Q6;
 }
 
 bool qtri_small_find_level(const qtri_small_place *p, const qtri_small *t)
@@ -290,10 +293,10 @@ bool qtri_small_find_level(const qtri_small_place *p, const qtri_small *t)
         return true;
     }
     if (!t->state->is_linear) {
-        if (!is_even(p->q1, inv_w) || !is_even(p->q2, inv_w)) {
+        if (!is_nearly_constant(p->q1, inv_w) || !is_nearly_constant(p->q2, inv_w)) {
             return false;
         }
-        qtri_small_find_e(e_q18, p, t);
+        qtri_small_find_inv_w_deltas(e_q18, p, t);
     }
     const uint32_t level = level_of(p, t, e_q18);
     if (level != state->level) {

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Small triangles: the set-up that pipelines do not inline, and rare cases. */
 #include "qtri/body/small_setup.h"
 
 #include "../geometry/lighting.h"
@@ -17,7 +18,7 @@ void qtri_small_ramp_set_at(qtri_small_ramp *r, const qtri_small_place *p, int32
 }
 
 /* 1/w of b in the scale of a, less that of a. */
-static inline int32_t more_of(const qtri_vertex *a, const qtri_vertex *b)
+static inline int32_t inv_w_difference(const qtri_vertex *a, const qtri_vertex *b)
 {
     const uint32_t up = (b->depth_16p8 & 0xFF) - (a->depth_16p8 & 0xFF) + 1;
     if (up > 2) {
@@ -26,18 +27,18 @@ static inline int32_t more_of(const qtri_vertex *a, const qtri_vertex *b)
     return (int32_t)((up == 0 ? b->inv_w >> 1 : b->inv_w << (up - 1)) - a->inv_w);
 }
 
-/* From 3/4 to 3/2 of inv_w with q more. */
-static inline bool is_near(int32_t q, uint32_t inv_w)
+/* Whether inv_w + q is 3/4 to 3/2 of inv_w. */
+static inline bool is_in_range(int32_t q, uint32_t inv_w)
 {
-    return qtri_small_about(q) <= inv_w >> (q < 0 ? 2 : 1);
+    return qtri_small_abs(q) <= inv_w >> (q < 0 ? 2 : 1);
 }
 
 bool qtri_small_find_uneven(int32_t q[2], const qtri_small *t)
 {
     const uint32_t inv_w = t->v[0]->inv_w;
-    q[0] = more_of(t->v[0], t->v[1]);
-    q[1] = more_of(t->v[0], t->v[2]);
-    return is_near(q[0], inv_w) && is_near(q[1], inv_w);
+    q[0] = inv_w_difference(t->v[0], t->v[1]);
+    q[1] = inv_w_difference(t->v[0], t->v[2]);
+    return is_in_range(q[0], inv_w) && is_in_range(q[1], inv_w);
 }
 
 bool qtri_small_turn(qtri_small *t, int32_t size)

@@ -86,13 +86,13 @@ void qtri_small_lit_channels(qtri_small_colors *f, const qtri_small *t, bool tur
 static bool keeps_field(const qtri_small_place *p, int32_t more_x, int32_t more_y)
 {
     const uint32_t most = 0x7000u << 8; /* of 24.8 times n.16 */
-    return qtri_small_about(more_x * p->dx1 + more_y * p->dy1) < most &&
-           qtri_small_about(more_x * p->dx2 + more_y * p->dy2) < most;
+    return qtri_small_abs(more_x * p->dx1 + more_y * p->dy1) < most &&
+           qtri_small_abs(more_x * p->dx2 + more_y * p->dy2) < most;
 }
 
-/* To nearest, or else one or both to the other side. Not needed where all three vertices are 6/10
-   of a step of 31 or more from both ends: over 32 pixels each way steps stray by 1, and half is
-   there. */
+/* Rounds steps to nearest, or else one or both to the other side. Not needed where all three
+   vertices are 6/10 of a step of 31 or more from both ends: over 32 pixels each way steps stray by
+   1, and half is there. */
 bool qtri_small_round_steps(qtri_small_ramp *r, const qtri_small_place *p, int32_t f0, int32_t f1,
                             int32_t f2, int down)
 {
@@ -123,13 +123,14 @@ bool qtri_small_set_colors_565(qtri_small_ramp *c, const qtri_small_place *p, co
            qtri_setup_set_colors_565(c, p, t, &t->state->options, qtri_small_keeps_fields(p));
 }
 
-/* Linear, and near enough for rounded steps of 2^-8: 60 + 60 of them are off by 1/4 at most. */
+/* Finds colours that are linear, of a triangle so small that steps rounded to 2^-8 are off by 1/4
+   at most: 60 + 60 of them. */
 static bool find_packed(qtri_small_colors *f, const qtri_small_place *p, const qtri_small *t)
 {
     return !qtri_small_is_beyond_middle(p) && qtri_small_colors_find(f, p, t, &t->state->options);
 }
 
-/* Red and blue n.(16 - down) in halves of a word, green as it is. */
+/* Sets red and blue, n.(16 - down), in halves of c, and green, n.16, in g. */
 static inline void set_two_words(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
                                  const qtri_small_colors *f, int32_t full, uint32_t half, int down)
 {
@@ -141,8 +142,8 @@ static inline void set_two_words(qtri_small_ramp *c, qtri_small_ramp *g, const q
     c->dx = ((r.dx + round) >> down << 16) + qtri_small_signed_shift(b.dx + round, down);
     c->dy = ((r.dy + round) >> down << 16) + qtri_small_signed_shift(b.dy + round, down);
     qtri_small_channel_set(g, p, f->at.g, f->d1.g, f->d2.g, full, half);
-    qtri_small_set_base(c, p);
-    qtri_small_set_base(g, p);
+    qtri_small_ramp_to_first_row(c, p);
+    qtri_small_ramp_to_first_row(g, p);
 }
 
 bool qtri_small_set_colors_888(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
@@ -175,7 +176,7 @@ bool qtri_small_set_colors_gray(qtri_small_ramp *c, const qtri_small_place *p, c
     }
     qtri_small_channel_set(c, p, qtri_small_luma(&f.at), qtri_small_luma(&f.d1),
                            qtri_small_luma(&f.d2), 255, 0x8000u);
-    qtri_small_set_base(c, p);
+    qtri_small_ramp_to_first_row(c, p);
     return true;
 }
 
@@ -283,7 +284,7 @@ bool qtri_small_set_color_curves(qtri_small_color_curves *k, qtri_small_division
     bool is_near = true;
     /* Packed ones without perspective go in longer runs where they are large: quads of 70 and 100
        pixels take 32 and 40 % less. */
-    if ((is_packed && (t->state->is_linear || p->q_about == 0) && qtri_small_is_beyond_middle(p)) ||
+    if ((is_packed && (t->state->is_linear || p->q_abs == 0) && qtri_small_is_beyond_middle(p)) ||
         !qtri_small_set_curvature(&c, p, t)) {
         return false;
     }
@@ -307,7 +308,7 @@ bool qtri_small_set_color_curves(qtri_small_color_curves *k, qtri_small_division
                    : !textured && divide_colors(k, division, p, &c, value);
 }
 
-/* Fields as state.h and pixel.h have them. */
+/* Packs as qtri_pixel_walk and qtri_smooth_color() have it. */
 void qtri_small_set_color_chord(qtri_small_chord *c, qtri_small_chord *g,
                                 const qtri_small_color_curves *k, const qtri_options *o, uint32_t x)
 {

@@ -25,7 +25,7 @@
 #define qtri_small_divide                narrow_small_divide
 #define qtri_small_end_division          narrow_small_end_division
 #define qtri_small_set_light_along       narrow_small_set_light_along
-#define qtri_small_find_e                narrow_small_find_e
+#define qtri_small_find_inv_w_deltas     narrow_small_find_inv_w_deltas
 #define qtri_small_find_light            narrow_small_find_light
 #define qtri_small_is_near_curve         narrow_small_is_near_curve
 #define qtri_small_set_color_chord       narrow_small_set_color_chord

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A small triangle of a mesh, from its vertices on the screen to its pixels. Internal, part of the
- * pipelines' body (pipeline_make.h).
+ * Draws a small triangle: set-up (small_setup.h), then its rows. Internal, part of the pipelines'
+ * body (pipeline_make.h).
  */
 #ifndef QTRI_BODY_SMALL_H
 #define QTRI_BODY_SMALL_H
@@ -9,7 +9,7 @@
 #include "loop.h"
 #include "small_setup.h"
 
-/* The values that rows begin with. */
+/* The ramps that rows begin with, and step by. */
 typedef struct qtri_small_rows {
     qtri_small_ramp c, g, alpha, u, v;
 } qtri_small_rows;
@@ -78,7 +78,7 @@ QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_body *pixel, 
 #endif
 }
 
-/* Where texture coordinates are in a row, x columns from vertex 0's. */
+/* Sets texture coordinates of the walk, and steps, x columns from vertex 0's. */
 QTRI_BODY void qtri_small_curves_begin(qtri_pixel_walk *w, const qtri_small_curves *curves,
                                        uint32_t x)
 {
@@ -88,8 +88,8 @@ QTRI_BODY void qtri_small_curves_begin(qtri_pixel_walk *w, const qtri_small_curv
     w->v_step = qtri_small_curve_step(&curves->v, x, 1);
 }
 
-/* Light along a chord of its curve, from a multiple of its length on; returns how many pixels are
-   left of that, `count` at most. */
+/* Sets light by the chord of its curve that has column x, as chords begin at multiples of their
+   length; returns how many pixels are left of it, `count` at most. */
 QTRI_BODY uint32_t qtri_small_curves_set_light(qtri_pixel_walk *w, const qtri_small_curves *curves,
                                                uint32_t x, uint32_t count)
 {
@@ -100,7 +100,7 @@ QTRI_BODY uint32_t qtri_small_curves_set_light(qtri_pixel_walk *w, const qtri_sm
     return left < count ? left : count;
 }
 
-/* Colours likewise, packed. */
+/* Sets colours, packed, as qtri_small_curves_set_light() does light. */
 QTRI_BODY uint32_t qtri_small_curves_set_colors(const qtri_options *o, qtri_pixel_walk *w,
                                                 const qtri_small_color_curves *k, uint32_t x,
                                                 uint32_t count)
@@ -148,8 +148,8 @@ QTRI_BODY uint8_t *qtri_small_depths(const qtri_draw_state *state)
 }
 
 /*
- * The walk goes on from the end of a row to the start of the next, so that it alone is stepped.
- * Curved: texture coordinates, or light, are curves.
+ * Draws all rows. From the end of a row the walk moves to the start of the next, so that nothing
+ * else is stepped. Curved: texture coordinates, light or colours follow curves.
  */
 QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
                                const qtri_small_place *p, const qtri_small_rows *rows,
@@ -168,7 +168,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     /* Curved or not: what rows and pieces begin with is read from memory, so that pixels have the
        registers. Texels take more of them than that leaves. */
     const bool shares_loop = !QTRI_SMALL_IN_PLACE && !textured && qtri_is_lit(o);
-    /* By a call, of which the loop of light alone has none. */
+    /* What may be divided: light alone is not, and its loop has no call. */
     const bool divides = textured || o->shade == QTRI_COLORS;
     const ptrdiff_t row = p->row - surface->first_row;
     const ptrdiff_t pitch = surface->pitch, depth_pitch = w->state->depth_pitch;
@@ -300,9 +300,8 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     }
 }
 
-/* The place for a function of the library: where the pipeline has it in registers, a copy, so that
-   it need not be in memory elsewhere. */
-QTRI_BODY const qtri_small_place *qtri_small_kept(qtri_small_place *copy, const qtri_small_place *p)
+/* The set-up for a function of the library: a copy where the original may be in registers. */
+QTRI_BODY const qtri_small_place *qtri_small_copy(qtri_small_place *copy, const qtri_small_place *p)
 {
     if (!QTRI_SMALL_IN_PLACE) {
         return p;
@@ -311,7 +310,7 @@ QTRI_BODY const qtri_small_place *qtri_small_kept(qtri_small_place *copy, const 
     return copy;
 }
 
-/* What is curved has a loop of its own: in one, colours' pieces cost those that have none 6 %. */
+/* Whether curves have a loop of their own: one for all would cost linear colours 6 %. */
 QTRI_BODY bool qtri_small_has_two_loops(const qtri_options *o)
 {
 #ifdef QTRI_PIPELINE_IS_ANY
@@ -330,28 +329,28 @@ QTRI_BODY bool qtri_small_set_rows_colors(const qtri_options *o, qtri_small_rows
     qtri_small_ramp c = {0, 0, 0}, g = {0, 0, 0}; /* copies, so that others need not be in memory */
     bool is_set;
     if (qtri_is_textured(o)) {
-        is_set = qtri_small_set_weights(&c, &g, qtri_small_kept(copy, p), t, qtri_light_half(o));
+        is_set = qtri_small_set_weights(&c, &g, qtri_small_copy(copy, p), t, qtri_light_half(o));
     } else if (qtri_kind_of(o) == QTRI_IN_565) {
         is_set = QTRI_SMALL_IN_PLACE && qtri_small_keeps_fields(p)
                      ? qtri_setup_set_colors_565(&c, p, t, o, true)
-                     : qtri_small_set_colors_565(&c, qtri_small_kept(copy, p), t);
+                     : qtri_small_set_colors_565(&c, qtri_small_copy(copy, p), t);
     } else if (qtri_kind_of(o) == QTRI_IN_GRAY) {
-        is_set = qtri_small_set_colors_gray(&c, qtri_small_kept(copy, p), t);
+        is_set = qtri_small_set_colors_gray(&c, qtri_small_copy(copy, p), t);
     } else {
-        is_set = qtri_small_set_colors_888(&c, &g, qtri_small_kept(copy, p), t);
+        is_set = qtri_small_set_colors_888(&c, &g, qtri_small_copy(copy, p), t);
     }
     rows->c = c;
     rows->g = g;
     return is_set;
 }
 
-/* False: it is large, and nothing was drawn. */
+/* Draws a triangle. False: it is large, and nothing was drawn. */
 QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *pixel,
                                         qtri_small *t)
 {
     uint8_t spans[QTRI_SMALL_SPANS];
     qtri_small_place p, copy;
-    qtri_small_rows rows; /* as options ask */
+    qtri_small_rows rows; /* set as options need them */
     qtri_small_curves curves;
     qtri_small_color_curves colors;
     qtri_small_division division;
@@ -362,7 +361,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
     if (found != QTRI_SMALL_FOUND) {
         return found == QTRI_SMALL_NOTHING;
     }
-    if (o->mipmapped && !qtri_small_set_level(qtri_small_kept(&copy, &p), t)) {
+    if (o->mipmapped && !qtri_small_set_level(qtri_small_copy(&copy, &p), t)) {
         return false;
     }
     qtri_walk_begin(o, &w, state);
@@ -391,7 +390,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
         if (!qtri_small_set_rows_colors(o, &rows, &p, &copy, t)) {
             QTRI_RARELY();
             if (o->per_pixel || /* large ones are lit more closely */
-                !qtri_small_set_color_curves(&colors, &division, qtri_small_kept(&copy, &p), t)) {
+                !qtri_small_set_color_curves(&colors, &division, qtri_small_copy(&copy, &p), t)) {
                 return false;
             }
             has_curve = true;
@@ -402,7 +401,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
     }
     if (o->vertex_alpha) {
         qtri_small_ramp alpha;
-        if (!qtri_small_set_alpha(&alpha, qtri_small_kept(&copy, &p), t)) {
+        if (!qtri_small_set_alpha(&alpha, qtri_small_copy(&copy, &p), t)) {
             return false;
         }
         rows.alpha = alpha;
@@ -410,7 +409,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
     if (has_curve || (qtri_is_textured(o) &&
                       !QTRI_SMALL_SETUP(set_linear_texture)(&rows.u, &rows.v, &p, t, o))) {
         QTRI_RARELY();
-        const qtri_small_place *kept = qtri_small_kept(&copy, &p);
+        const qtri_small_place *kept = qtri_small_copy(&copy, &p);
         if (o->shade == QTRI_COLORS && !qtri_is_textured(o)) {
             is_curved = true;
         } else {

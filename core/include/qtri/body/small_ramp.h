@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Ramps and edges of a small triangle. Internal, part of the pipelines' body (pipeline_make.h).
+ * Linear values ("ramps") and edges of a small triangle. Internal, part of the pipelines' body
+ * (pipeline_make.h).
  */
 #ifndef QTRI_BODY_SMALL_RAMP_H
 #define QTRI_BODY_SMALL_RAMP_H
@@ -15,15 +16,15 @@ extern "C" {
 
 enum {
     QTRI_SMALL_FAR = 256 * QTRI_SMALL_REACH,
-    QTRI_SMALL_NEAR = 1 << 13, /* 32 pixels: within it in all four needs one comparison */
-    QTRI_SMALL_NEEDLE = 4,     /* steps go left by so many bits at most: 1/16 pixel */
-    QTRI_SMALL_STEEP_LOG2 = 18,
-    QTRI_SMALL_STEEP_DOWN = 3,
-    QTRI_SMALL_TEXEL_LOG2 = 4, /* texture coordinates are off by 2^-4 texel at most */
-    QTRI_SMALL_ONE = 1 << 15   /* full light */
+    QTRI_SMALL_NEAR = 1 << 13,  /* 32 pixels: within it in all four needs one comparison */
+    QTRI_SMALL_NEEDLE = 4,      /* steps go left by so many bits at most: 1/16 pixel */
+    QTRI_SMALL_STEEP_LOG2 = 18, /* depths of vertices differ by less than 2^18, 16.8 */
+    QTRI_SMALL_STEEP_DOWN = 3,  /* and by 2^16 or more lose so many bits */
+    QTRI_SMALL_TEXEL_LOG2 = 4,  /* texture coordinates are off by 2^-4 texel at most */
+    QTRI_SMALL_ONE = 1 << 15    /* full light */
 };
 
-/* In place where code need not be small. */
+/* Set-up is inlined where code need not be small. */
 #if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(QTRI_PIPELINE_IS_ANY)
 #define QTRI_SMALL_IN_PLACE    true
 #define QTRI_SMALL_SETUP(name) qtri_setup_##name
@@ -32,7 +33,7 @@ enum {
 #define QTRI_SMALL_SETUP(name) qtri_small_##name
 #endif
 
-/* A ramp: where products are long instructions, no longer than its call. */
+/* A ramp is inlined too where long products are instructions: it is no longer than its call. */
 #if QTRI_LONG_MULTIPLY
 #define QTRI_SMALL_RAMP qtri_setup_ramp_set_at
 #else
@@ -46,7 +47,7 @@ enum {
 #define QTRI_BODY_READ_AGAIN() ((void)0)
 #endif
 
-/* Inlined too, but where code is to be small as the compiler decides. */
+/* Inlined as well; with -Os where the compiler decides so. */
 #ifdef __OPTIMIZE_SIZE__
 #define QTRI_SMALL_PART static inline
 #else
@@ -59,8 +60,8 @@ QTRI_BODY int32_t qtri_small_sign(int32_t x)
     return x >> 31; // cppcheck-suppress shiftTooManyBitsSigned
 }
 
-/* |x| or one less. */
-QTRI_BODY uint32_t qtri_small_about(int32_t x)
+/* |x|; of a negative x one less. */
+QTRI_BODY uint32_t qtri_small_abs(int32_t x)
 {
     return (uint32_t)(x ^ qtri_small_sign(x));
 }
@@ -91,7 +92,7 @@ QTRI_BODY int32_t qtri_small_clamp(int32_t x, int32_t low, int32_t high)
 
 /* Ramps ---------------------------------------------------------------------------------------- */
 
-/* n y / 2^17 / 2^down, rounded down. |n| < 2^30.95, y < 2^16. */
+/* n 2^16 / size by p->inverse, rounded down: see small_setup.h. |n| < 2^30.95. */
 QTRI_BODY int32_t qtri_small_quotient(const qtri_small_place *p, int32_t n)
 {
 #if QTRI_LONG_MULTIPLY
@@ -115,8 +116,8 @@ QTRI_BODY uint32_t qtri_small_along(int32_t gx, int32_t x, int32_t gy, int32_t y
 }
 
 /*
- * A ramp, from x and y of vertex 0 on, that is `value` there, and more by f1 and f2 at vertices 1
- * and 2, in units of 2^(8 + up) of it: |f| <= 2^16, of a wide place 2^15. In small_triangle.c once.
+ * A ramp that begins at x and y from vertex 0, 24.8, is `value` at that vertex, and more by f1 and
+ * f2 at vertices 1 and 2, in units of 2^(8 + up): |f| <= 2^16, of a wide triangle 2^15.
  */
 void qtri_small_ramp_set_at(qtri_small_ramp *r, const qtri_small_place *p, int32_t x, int32_t y,
                             uint32_t value, int32_t f1, int32_t f2, int32_t up);
@@ -132,6 +133,7 @@ QTRI_BODY void qtri_setup_ramp_set_at(qtri_small_ramp *r, const qtri_small_place
     r->dy = (uint32_t)gy << up;
 }
 
+/* A ramp that begins at the base. */
 QTRI_SMALL_PART void qtri_small_ramp_set(qtri_small_ramp *r, const qtri_small_place *p,
                                          uint32_t value, int32_t f1, int32_t f2, int32_t up)
 {
@@ -141,9 +143,9 @@ QTRI_SMALL_PART void qtri_small_ramp_set(qtri_small_ramp *r, const qtri_small_pl
 /* Rows ----------------------------------------------------------------------------------------- */
 
 /*
- * An edge's pixels in rows up to `stop`; returns their sum. Of numerators 32 bits are right: they
- * are a row's column, 2 REACH at most, times the denominator, REACH 256 256 at most, and a part:
- * below 2^30.9.
+ * Stores an edge's columns in rows up to `stop`; returns their sum. 32 bits of numerators are
+ * right: they are a row's column, 2 REACH at most, times the denominator, REACH 256 256 at most,
+ * and a part: below 2^30.9.
  */
 QTRI_SMALL_PART int32_t qtri_small_walk_edge(uint8_t *side, const uint8_t *stop, uint32_t numerator,
                                              int32_t step, int32_t denominator)
@@ -185,8 +187,8 @@ QTRI_BODY uint32_t qtri_small_cross(int32_t x, int32_t y, int32_t dx, int32_t dy
 }
 
 /*
- * An edge between rows `from` and `to`: it is on the left when it goes down. Columns count from
- * REACH left of vertex 0's, with a division, and else from there.
+ * Stores an edge's columns between rows `from` and `to`: on the left when it goes down. Returns
+ * their sum, negative on the right. `cross`: with a division, counted from REACH left of vertex 0.
  */
 QTRI_SMALL_PART int32_t qtri_small_edge(uint8_t *spans, int32_t dx, int32_t dy, uint32_t cross,
                                         int32_t from, int32_t to)

@@ -21,10 +21,10 @@ enum { QTRI_SMALL_ROWS = 2 * QTRI_SMALL_MIDDLE + 1 };
 
 #define QTRI_SMALL_LANES 0x01010101u
 
-/* Columns of rows, and depth at samples 3 and 1 less that at the centre. */
+/* First and end columns of samples by rows, and depth at samples 3 and 1 less the centre's. */
 typedef struct qtri_small_samples {
     uint32_t left[QTRI_SMALL_ROWS], right[QTRI_SMALL_ROWS]; /* sample k: bits 8 k.. */
-    int32_t first, rows;
+    int32_t first, rows; /* index of the first row, and how many */
     uint32_t z_p, z_q;
 } qtri_small_samples;
 
@@ -38,7 +38,7 @@ typedef struct qtri_small_sampled_values {
     qtri_small_sampled c, g, alpha, u, v;
 } qtri_small_sampled_values;
 
-/* In small_samples.c. As qtri_small_find(). */
+/* In small_samples.c: as qtri_small_find(). */
 qtri_small_found qtri_small_samples_find(qtri_small_place *p, qtri_small_samples *s, qtri_small *t);
 /* Cuts rows to the bounds. */
 void qtri_small_samples_cut(qtri_small_samples *s, int32_t left, int32_t right);
@@ -48,15 +48,15 @@ bool qtri_small_covers_center(const qtri_small_place *p, int32_t column, int32_t
 void qtri_small_set_sampled(qtri_small_sampled *r, const qtri_small_place *p, uint32_t value,
                             int32_t f1, int32_t f2, int32_t up);
 
-/* The place moved to the centre, to sample 3 and to sample 1, one after the other. */
-QTRI_BODY void qtri_small_move(qtri_small_place *p, int to)
+/* Moves the base to the centre (0), from there to sample 3 (1), and from there to sample 1 (2). */
+QTRI_BODY void qtri_small_move_place(qtri_small_place *p, int to)
 {
     p->x += to == 1 ? 32 : to == 2 ? 64 : 0;
     p->y += to == 1 ? 96 : to == 2 ? -128 : 0;
 }
 
-/* Takes a ramp that is set at the centre (at 0), at sample 3 (1) or at sample 1 (2), in order. */
-QTRI_BODY void qtri_small_set_more(qtri_small_sampled *r, int at, const qtri_small_ramp *there)
+/* Sets one of three parts by a ramp at the centre (0), at sample 3 (1) or at sample 1 (2). */
+QTRI_BODY void qtri_small_sampled_set(qtri_small_sampled *r, int at, const qtri_small_ramp *there)
 {
     if (at == 0) {
         r->r = *there;
@@ -77,16 +77,17 @@ QTRI_BODY uint32_t qtri_samples_least(uint32_t word)
     return a < b ? a : b;
 }
 
-/* Whether a pixel's colour depends on where in the pixel it is found. */
-QTRI_BODY bool qtri_small_has_places(const qtri_options *o)
+/* Whether colour varies inside a pixel. */
+QTRI_BODY bool qtri_small_varies_in_pixel(const qtri_options *o)
 {
     return qtri_is_textured(o) || qtri_varies(o) || o->vertex_alpha || o->fog ||
            o->fragment != NULL;
 }
 
-/* Where a pixel takes its colour: opposite samples have the centre between them. */
-QTRI_BODY int32_t qtri_small_place_of(const qtri_small_place *p, uint32_t samples, int32_t column,
-                                      int32_t row)
+/* The place where a pixel takes its colour: the centre, as between two opposite samples, or the
+   first sample that is covered. */
+QTRI_BODY int32_t qtri_small_shading_place(const qtri_small_place *p, uint32_t samples,
+                                           int32_t column, int32_t row)
 {
     if ((samples >> 24 & samples & QTRI_SAMPLE_0) != 0 ||
         (samples >> 8 & samples & QTRI_SAMPLE_1) != 0 || samples == 0 ||
@@ -99,33 +100,34 @@ QTRI_BODY int32_t qtri_small_place_of(const qtri_small_place *p, uint32_t sample
                                             : 3;
 }
 
-QTRI_BODY uint32_t qtri_small_more(const qtri_small_sampled *r, int32_t place)
+/* A value at a place less that at the centre. */
+QTRI_BODY uint32_t qtri_small_sampled_offset(const qtri_small_sampled *r, int32_t place)
 {
     return qtri_samples_more(place, r->p, r->q);
 }
 
-/* Moves what is linear on the screen from the centre to a place, or back. */
-QTRI_BODY void qtri_small_go(const qtri_options *o, qtri_pixel_walk *w,
-                             const qtri_small_sampled_values *v, int32_t place, bool with_uv,
-                             bool with_c)
+/* Moves linear values of the walk from the centre to a place, or back by the opposite one. */
+QTRI_BODY void qtri_small_move_walk(const qtri_options *o, qtri_pixel_walk *w,
+                                    const qtri_small_sampled_values *v, int32_t place, bool with_uv,
+                                    bool with_c)
 {
     w->z_place = qtri_samples_more(place, w->z_p, w->z_q);
     if (with_uv) {
-        w->u += qtri_small_more(&v->u, place);
-        w->v += qtri_small_more(&v->v, place);
+        w->u += qtri_small_sampled_offset(&v->u, place);
+        w->v += qtri_small_sampled_offset(&v->v, place);
     }
     if (with_c) {
-        w->c += qtri_small_more(&v->c, place);
+        w->c += qtri_small_sampled_offset(&v->c, place);
     }
     if (qtri_has_two_words(o)) {
-        w->g += qtri_small_more(&v->g, place);
+        w->g += qtri_small_sampled_offset(&v->g, place);
     }
     if (o->vertex_alpha) {
-        w->alpha += qtri_small_more(&v->alpha, place);
+        w->alpha += qtri_small_sampled_offset(&v->alpha, place);
     }
 }
 
-/* The sample on the other side of the centre, where a ramp differs from it by as much less. */
+/* The sample on the other side of the centre, where a linear value differs by as much less. */
 QTRI_BODY int32_t qtri_small_opposite(int32_t place)
 {
     return 3 - place;
@@ -139,25 +141,25 @@ QTRI_BODY void qtri_small_set_fog(const qtri_options *o, qtri_pixel_walk *w)
     }
 }
 
-/* A pixel, then the walk goes on to the next. */
+/* Draws the walk's pixel with its colour at a place, and moves to the next. */
 QTRI_BODY void qtri_small_samples_pixel(const qtri_options *o, qtri_pixel_body *pixel,
                                         qtri_pixel_walk *w, const qtri_small_sampled_values *v,
                                         int32_t place, bool with_uv, bool with_c)
 {
-    const bool away = qtri_small_has_places(o) && place != QTRI_CENTER;
+    const bool away = qtri_small_varies_in_pixel(o) && place != QTRI_CENTER;
     if (away) {
-        qtri_small_go(o, w, v, place, with_uv, with_c);
+        qtri_small_move_walk(o, w, v, place, with_uv, with_c);
     }
     qtri_small_set_fog(o, w);
     pixel(w, false, w->pixel, w->depth);
     qtri_walk_move(o, w, 1);
     if (away) {
-        qtri_small_go(o, w, v, qtri_small_opposite(place), with_uv, with_c);
+        qtri_small_move_walk(o, w, v, qtri_small_opposite(place), with_uv, with_c);
         w->z_place = 0;
     }
 }
 
-/* Pointers and place at the base of the first row. */
+/* Sets pointers and position of the walk, at the base of the first row. */
 QTRI_BODY void qtri_small_samples_begin(const qtri_options *o, qtri_pixel_walk *w,
                                         const qtri_small_place *p, const qtri_small_samples *s)
 {
@@ -176,7 +178,7 @@ QTRI_BODY void qtri_small_samples_begin(const qtri_options *o, qtri_pixel_walk *
     w->fog_step = 0;
 }
 
-/* Over columns that are not drawn, 0 or less than none. */
+/* Moves the walk by columns, also back. */
 QTRI_BODY void qtri_small_samples_skip(const qtri_options *o, qtri_pixel_walk *w, int32_t columns)
 {
     qtri_small_step(o, w, (uint32_t)columns, true);
@@ -186,7 +188,7 @@ QTRI_BODY void qtri_small_samples_skip(const qtri_options *o, qtri_pixel_walk *w
     }
 }
 
-/* A curve at a place of a pixel, x columns from vertex 0's: along its slopes there. */
+/* A curve's value at a place of the pixel x columns from vertex 0's, by its slopes there. */
 QTRI_BODY uint32_t qtri_small_curve_at_place(const qtri_small_curve *c, uint32_t x, int32_t place)
 {
     const int32_t dx = (int32_t)(c->dx + 2 * x * c->xx) >> 1;
@@ -237,8 +239,8 @@ QTRI_BODY void qtri_small_samples_fill(const qtri_options *o, qtri_pixel_body *p
                 const uint32_t x = (uint32_t)(at - QTRI_SMALL_MIDDLE);
                 w->samples = in & ~out & QTRI_SAMPLES_ALL;
                 int32_t place = QTRI_CENTER;
-                if (qtri_small_has_places(o) && w->samples != QTRI_SAMPLES_ALL) {
-                    place = qtri_small_place_of(p, w->samples, (int32_t)x, y);
+                if (qtri_small_varies_in_pixel(o) && w->samples != QTRI_SAMPLES_ALL) {
+                    place = qtri_small_shading_place(p, w->samples, (int32_t)x, y);
                 }
                 if (curved && textured) {
                     w->u = qtri_small_curve_at_place(&curves->u, x, place);
@@ -286,15 +288,15 @@ QTRI_BODY bool qtri_small_samples_colors(const qtri_options *o, qtri_small_sampl
     qtri_small_place at = *p;
     for (int i = 0; i < 3; i++) {
         qtri_small_ramp c, g = {0, 0, 0};
-        qtri_small_move(&at, i);
+        qtri_small_move_place(&at, i);
         if (!(qtri_is_textured(o) ? qtri_small_set_weights(&c, &g, &at, t, qtri_light_half(o))
               : qtri_kind_of(o) == QTRI_IN_565  ? qtri_small_set_colors_565(&c, &at, t)
               : qtri_kind_of(o) == QTRI_IN_GRAY ? qtri_small_set_colors_gray(&c, &at, t)
                                                 : qtri_small_set_colors_888(&c, &g, &at, t))) {
             return false;
         }
-        qtri_small_set_more(&v->c, i, &c);
-        qtri_small_set_more(&v->g, i, &g);
+        qtri_small_sampled_set(&v->c, i, &c);
+        qtri_small_sampled_set(&v->g, i, &g);
     }
     return true;
 }
@@ -305,23 +307,23 @@ QTRI_BODY bool qtri_small_samples_alpha(qtri_small_sampled_values *v, const qtri
     qtri_small_place at = *p;
     for (int i = 0; i < 3; i++) {
         qtri_small_ramp alpha;
-        qtri_small_move(&at, i);
+        qtri_small_move_place(&at, i);
         if (!qtri_small_set_alpha(&alpha, &at, t)) {
             return false;
         }
-        qtri_small_set_more(&v->alpha, i, &alpha);
+        qtri_small_sampled_set(&v->alpha, i, &alpha);
     }
     return true;
 }
 
-/* False: they bend too much. */
+/* Sets curves, or texture coordinates that are linear. False: they bend too much. */
 QTRI_BODY bool qtri_small_samples_curves(const qtri_options *o, qtri_small_sampled_values *v,
                                          qtri_small_curves *curves, const qtri_small_place *p,
                                          const qtri_small *t, bool has_light)
 {
     qtri_small_place at = *p;
     for (int i = 0; i < 3; i++) {
-        qtri_small_move(&at, i);
+        qtri_small_move_place(&at, i);
         if (!(qtri_is_textured(o)
                   ? qtri_small_set_curves(curves, (qtri_small_division *)0, &at, t, o, has_light)
                   : qtri_small_set_light_curve(curves, &at, t, o))) {
@@ -330,13 +332,13 @@ QTRI_BODY bool qtri_small_samples_curves(const qtri_options *o, qtri_small_sampl
         if (curves->is_curved || !qtri_is_textured(o)) { /* light alone is, as compilers see so */
             return true;
         }
-        qtri_small_set_more(&v->u, i, &curves->linear[0]);
-        qtri_small_set_more(&v->v, i, &curves->linear[1]);
+        qtri_small_sampled_set(&v->u, i, &curves->linear[0]);
+        qtri_small_sampled_set(&v->v, i, &curves->linear[1]);
     }
     return true;
 }
 
-/* False: it is large, and nothing was drawn. */
+/* Draws a triangle. False: it is large, and nothing was drawn. */
 QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_pixel_body *pixel, qtri_small *t)
 {
     qtri_small_samples s;
@@ -399,7 +401,7 @@ QTRI_BODY bool qtri_small_samples_draw(const qtri_options *o, qtri_pixel_body *p
     return true;
 }
 
-/* A small triangle, of any options. */
+/* Draws a small triangle with or without samples, as qtri_pipeline.small. */
 QTRI_BODY bool qtri_small_instance_draw(const qtri_options *o, qtri_pixel_body *pixel,
                                         qtri_small *t)
 {

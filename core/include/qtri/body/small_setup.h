@@ -41,8 +41,8 @@ QTRI_BODY bool qtri_small_set_inverse(qtri_small_place *p, uint32_t size)
     return p->up <= QTRI_SMALL_NEEDLE;
 }
 
-/* What depth has more at vertices 1 and 2, as a ramp takes it, and how many bits it lost. False:
-   depth is so steep that the snap of vertices shows. */
+/* Depth of vertices 1 and 2 less that of vertex 0, 16.8, less *up bits where it is steep. False: so
+   steep that the snap of vertices shows. */
 QTRI_BODY bool qtri_small_find_depth(int32_t *z1, int32_t *z2, int32_t *up,
                                      const qtri_small_place *p, const qtri_small *t)
 {
@@ -50,7 +50,7 @@ QTRI_BODY bool qtri_small_find_depth(int32_t *z1, int32_t *z2, int32_t *up,
     *z1 = (int32_t)((t->v[1]->depth_16p8 >> 8) - z0);
     *z2 = (int32_t)((t->v[2]->depth_16p8 >> 8) - z0);
     *up = 0;
-    const uint32_t about = qtri_small_about(*z1) | qtri_small_about(*z2);
+    const uint32_t about = qtri_small_abs(*z1) | qtri_small_abs(*z2);
     if (about >> (p->wide ? 15 : 16) != 0) {
         QTRI_RARELY();
         if (about >> QTRI_SMALL_STEEP_LOG2 != 0) {
@@ -101,17 +101,15 @@ QTRI_BODY bool qtri_small_is_lit_by_vertex(const qtri_small_place *p, const qtri
            (!qtri_small_is_beyond_middle(p) && t->state->has_linear_light(t));
 }
 
-/* What 1/w has more at vertices 1 and 2. False: too much. */
+/* Sets q1, q2 and q_abs. False: 1/w changes too much. */
 QTRI_BODY bool qtri_small_set_q(qtri_small_place *p, const qtri_small *t)
 {
-    const qtri_vertex *a = t->v[0];
-    const qtri_vertex *b = t->v[1];
-    const qtri_vertex *c = t->v[2];
+    const qtri_vertex *a = t->v[0], *b = t->v[1], *c = t->v[2];
     const uint32_t exponents = (a->depth_16p8 ^ b->depth_16p8) | (a->depth_16p8 ^ c->depth_16p8);
     p->q1 = (int32_t)(b->inv_w - a->inv_w);
     p->q2 = (int32_t)(c->inv_w - a->inv_w);
-    p->q_about = qtri_small_about(p->q1) | qtri_small_about(p->q2);
-    if (((exponents & 0xFF) | p->q_about >> 27) != 0) {
+    p->q_abs = qtri_small_abs(p->q1) | qtri_small_abs(p->q2);
+    if (((exponents & 0xFF) | p->q_abs >> 27) != 0) {
         int32_t q[2];
         QTRI_RARELY();
         if (!qtri_small_find_uneven(q, t)) {
@@ -119,25 +117,21 @@ QTRI_BODY bool qtri_small_set_q(qtri_small_place *p, const qtri_small *t)
         }
         p->q1 = q[0];
         p->q2 = q[1];
-        p->q_about = qtri_small_about(q[0]) | qtri_small_about(q[1]);
+        p->q_abs = qtri_small_abs(q[0]) | qtri_small_abs(q[1]);
     }
     return true;
 }
 
+/* See qtri_small_find(). */
 QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QTRI_SMALL_SPANS],
                                            qtri_small *t)
 {
-    const qtri_vertex *a = t->v[0];
-    const qtri_vertex *b = t->v[1];
-    const qtri_vertex *c = t->v[2];
+    const qtri_vertex *a = t->v[0], *b = t->v[1], *c = t->v[2];
     uint32_t near = QTRI_SMALL_NEAR;
     QTRI_BODY_BARRIER(near); /* GCC 12 would make it anew each time on a Cortex-M0+ */
-    const int32_t x0 = a->at.x_24p8;
-    const int32_t y0 = a->at.y_24p8;
-    int32_t dx1 = b->at.x_24p8 - x0;
-    int32_t dy1 = b->at.y_24p8 - y0;
-    int32_t dx2 = c->at.x_24p8 - x0;
-    int32_t dy2 = c->at.y_24p8 - y0;
+    const int32_t x0 = a->at.x_24p8, y0 = a->at.y_24p8;
+    int32_t dx1 = b->at.x_24p8 - x0, dy1 = b->at.y_24p8 - y0;
+    int32_t dx2 = c->at.x_24p8 - x0, dy2 = c->at.y_24p8 - y0;
     p->wide = false;
     p->turned = false;
     if ((((uint32_t)dx1 + near) | ((uint32_t)dy1 + near) | ((uint32_t)dx2 + near) |
@@ -151,8 +145,7 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
     }
     int32_t size = dx2 * dy1 - dx1 * dy2;
     if (size <= 0) {
-        const int32_t dx = dx1;
-        const int32_t dy = dy1;
+        const int32_t dx = dx1, dy = dy1;
         QTRI_RARELY();
         if (!qtri_small_turn(t, size)) {
             return QTRI_SMALL_NOTHING;
@@ -166,10 +159,8 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
     const int32_t rest = row & 255;
     row >>= 8;
     int32_t a_row = 0;
-    int32_t b_row = (rest + dy1) >> 8;
-    int32_t c_row = (rest + dy2) >> 8;
-    int32_t first = qtri_small_min0(b_row, c_row);
-    int32_t end = qtri_small_max0(b_row, c_row);
+    int32_t b_row = (rest + dy1) >> 8, c_row = (rest + dy2) >> 8;
+    int32_t first = qtri_small_min0(b_row, c_row), end = qtri_small_max0(b_row, c_row);
     if (first == end) {
         return QTRI_SMALL_NOTHING;
     }
@@ -190,8 +181,7 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
                      (x0 + qtri_small_max0(dx1, dx2)) >> 8 >= bounds->x1;
         }
         if (row + first < bounds->y0 || row + end > bounds->y1) {
-            const int32_t least = bounds->y0 - row;
-            const int32_t greatest = bounds->y1 - row;
+            const int32_t least = bounds->y0 - row, greatest = bounds->y1 - row;
             if (first >= greatest || end <= least) {
                 return QTRI_SMALL_NOTHING;
             }
@@ -218,8 +208,7 @@ QTRI_BODY qtri_small_found qtri_setup_find(qtri_small_place *p, uint8_t spans[QT
     middle[2 * end] = QTRI_SMALL_STOP;
     middle[2 * end + 1] = QTRI_SMALL_STOP; /* read, and of no effect: nothing ends after a stop */
     QTRI_BODY_READ_AGAIN();
-    const int32_t dx = dx2 - dx1;
-    const int32_t dy = dy2 - dy1;
+    const int32_t dx = dx2 - dx1, dy = dy2 - dy1;
     int32_t pixels =
         qtri_small_edge(middle, dx1, dy1, qtri_small_cross(ax, y, dx1, dy1), a_row, b_row);
     pixels +=
@@ -261,8 +250,8 @@ QTRI_BODY uint32_t qtri_small_curve_part_of(const qtri_options *o)
 QTRI_BODY bool qtri_small_is_linear(const qtri_small_place *p, const qtri_small *t, int32_t f1,
                                     int32_t f2, uint32_t part)
 {
-    const uint32_t sum = qtri_small_about(f1) + qtri_small_about(f2) + 2;
-    if (sum * ((p->q_about >> 15) + 1) <= (uint32_t)3 << (29 - part)) {
+    const uint32_t sum = qtri_small_abs(f1) + qtri_small_abs(f2) + 2;
+    if (sum * ((p->q_abs >> 15) + 1) <= (uint32_t)3 << (29 - part)) {
         return true;
     }
     const uint32_t q_min = t->v[0]->inv_w + (uint32_t)qtri_small_min0(p->q1, p->q2);
@@ -339,14 +328,14 @@ QTRI_BODY bool qtri_small_colors_find(qtri_small_colors *f, const qtri_small_pla
 {
     const uint32_t part = qtri_small_part_of(o);
     qtri_small_colors_of(f, p, t);
-    if (t->state->is_linear || p->q_about >> (30 - part) == 0) {
+    if (t->state->is_linear || p->q_abs >> (30 - part) == 0) {
         return true;
     }
     const int32_t differences[6] = {f->d1.r, f->d2.r, f->d1.g, f->d2.g, f->d1.b, f->d2.b};
     return qtri_small_are_linear(differences, t->v[0]->inv_w, p->q1, p->q2, part);
 }
 
-/* n.16 from 0 to full, from the pixel of vertex 0 on. */
+/* A ramp of a channel, Q15 at the vertices, to n.16 from 0 to `full`, in vertex 0's row. */
 QTRI_SMALL_PART void qtri_small_channel_set(qtri_small_ramp *r, const qtri_small_place *p,
                                             int32_t f0, int32_t f1, int32_t f2, int32_t full,
                                             uint32_t half)
@@ -355,8 +344,8 @@ QTRI_SMALL_PART void qtri_small_channel_set(qtri_small_ramp *r, const qtri_small
                            (f1 * full) >> 8, (f2 * full) >> 8, 1);
 }
 
-/* Back to the base: what is packed steps in rounded steps. */
-QTRI_BODY void qtri_small_set_base(qtri_small_ramp *r, const qtri_small_place *p)
+/* Moves a ramp from vertex 0's row to the first, by steps that packing has rounded. */
+QTRI_BODY void qtri_small_ramp_to_first_row(qtri_small_ramp *r, const qtri_small_place *p)
 {
     r->at += (uint32_t)p->first * r->dy;
 }
@@ -434,7 +423,7 @@ QTRI_BODY bool qtri_setup_set_colors_565(qtri_small_ramp *c, const qtri_small_pl
         return false;
     }
     qtri_small_pack_green_565(c, &g);
-    qtri_small_set_base(c, p);
+    qtri_small_ramp_to_first_row(c, p);
     return true;
 }
 
@@ -495,8 +484,8 @@ QTRI_BODY bool qtri_small_is_linear_texture(const qtri_small_uv *f, const qtri_s
 {
     const uint32_t width_log2 = qtri_texture_width_log2(o, t->state);
     const uint32_t height_log2 = qtri_texture_height_log2(o, t->state);
-    const uint32_t u1 = qtri_small_about(f->u[1]), u2 = qtri_small_about(f->u[2]);
-    const uint32_t v1 = qtri_small_about(f->v[1]), v2 = qtri_small_about(f->v[2]);
+    const uint32_t u1 = qtri_small_abs(f->u[1]), u2 = qtri_small_abs(f->u[2]);
+    const uint32_t v1 = qtri_small_abs(f->v[1]), v2 = qtri_small_abs(f->v[2]);
     if ((u1 | u2 | v1 | v2) >> (p->wide ? 15 : 16) != 0) {
         return false;
     }
@@ -504,7 +493,7 @@ QTRI_BODY bool qtri_small_is_linear_texture(const qtri_small_uv *f, const qtri_s
         const uint32_t side_log2 = width_log2 > height_log2 ? width_log2 : height_log2;
         const uint32_t most = ((u1 + u2 + v1 + v2 + 4) >> (10 - side_log2)) + 1; /* < 2^18.1 */
         const uint32_t greatest = (uint32_t)3 << (10 + 8 - QTRI_SMALL_TEXEL_LOG2);
-        if (most * ((p->q_about >> 17) + 1) > greatest) {
+        if (most * ((p->q_abs >> 17) + 1) > greatest) {
             QTRI_RARELY();
             return !qtri_small_is_texture_curved(f, p, t, o);
         }
@@ -512,7 +501,7 @@ QTRI_BODY bool qtri_small_is_linear_texture(const qtri_small_uv *f, const qtri_s
     return true;
 }
 
-/* What is linear of simple coordinates, and found at once. */
+/* Finds coordinates of a plain texture, nearest and repeating. False: not plain, or not linear. */
 QTRI_BODY bool qtri_small_find_linear_texture(qtri_small_uv *f, const qtri_small_place *p,
                                               const qtri_small *t, const qtri_options *o)
 {
@@ -523,7 +512,7 @@ QTRI_BODY bool qtri_small_find_linear_texture(qtri_small_uv *f, const qtri_small
     return qtri_small_is_linear_texture(f, p, t, o);
 }
 
-/* These at vertex 0: values on a texel's edge, give or take an error, go up. */
+/* The walk's u and v at vertex 0, plus 2^-11 texel: what lies on a texel's edge goes up. */
 QTRI_BODY uint32_t qtri_small_linear_u(const qtri_small_uv *f, uint32_t width_log2)
 {
     return ((uint32_t)f->u[0] << 16) + ((uint32_t)1 << (21 - width_log2));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A small triangle of a mesh: where it is, and what varies over it. Internal, part of the
+ * Structs and functions of the small-triangle path: input, set-up, curves. Internal, part of the
  * pipelines' body (pipeline_make.h).
  *
  * Small is a triangle less than 120 pixels high, whose vertices 1 and 2 are within 120 pixels of
@@ -53,18 +53,18 @@ typedef struct qtri_small_ramp {
     uint32_t at, dx, dy;
 } qtri_small_ramp;
 
-/* Where it is. The base is vertex 0's column; spans count from QTRI_SMALL_REACH left of it. */
+/* Triangle set-up. The base: vertex 0's column, first row; spans count from REACH left of it. */
 typedef struct qtri_small_place {
-    bool turned;                /* a back face: vertices 1 and 2 have changed places */
-    bool cut;                   /* rows may reach past the bounds */
-    bool wide;                  /* differences of attributes are to be below 2^15, not 2^16 */
+    bool turned; /* a back face: vertices 1 and 2 have changed places */
+    bool cut;    /* rows may reach past the bounds */
+    bool wide;   /* more than 32 pixels: differences of attributes are below 2^15, not 2^16 */
     int32_t dx1, dy1, dx2, dy2; /* vertices 1 and 2 from vertex 0, 24.8 */
     int32_t x, y;               /* from vertex 0 to the centre of the base in the first row, 24.8 */
-    int32_t first;              /* rows from that pixel's to the first */
-    int32_t column, row;        /* of the frame: of the base, of the first row */
+    int32_t first;              /* the first row less vertex 0's */
+    int32_t column, row;        /* of the base, in the frame */
     int32_t inverse, down, up;  /* 1 / area: see qtri_small_ramp_set() */
-    int32_t q1, q2;             /* what 1/w has more at vertices 1 and 2, in vertex 0's scale */
-    uint32_t q_about;           /* their magnitudes, or-ed */
+    int32_t q1, q2;             /* 1/w at vertices 1 and 2 less that at vertex 0, in its scale */
+    uint32_t q_abs;             /* their magnitudes, or-ed */
     uint8_t *span;              /* of each row the first pixel and the one after the last */
     int32_t left, right;        /* of the bounds, as spans count */
     qtri_small_ramp z;          /* 16.16 */
@@ -77,7 +77,7 @@ typedef struct qtri_small_curve {
     uint32_t at, dx, dy, xx, xy, yy;
 } qtri_small_curve;
 
-/* Its value x columns from vertex 0's; and its step over the n pixels from there on. */
+/* A curve x columns from vertex 0's, and its step over the n pixels from there on. */
 QTRI_BODY uint32_t qtri_small_curve_at(const qtri_small_curve *c, uint32_t x)
 {
     return c->at + x * (c->dx + x * c->xx);
@@ -93,8 +93,8 @@ typedef struct qtri_small_chord {
     uint32_t at, step;
 } qtri_small_chord;
 
-/* Of n pixels, a power of two, from a multiple of n on: x columns from vertex 0's, in units of
-   2^down of a ramp's, as what is packed has them. Where a chord begins the value may be out of
+/* The chord over n pixels, a power of two, from a multiple of n on, that has column x from vertex
+   0's: in units of 2^down of a ramp's, for packing. Where a chord begins the value may be out of
    range, so of `at`, which is 0 or more, the lowest 29 - down bits are right. */
 QTRI_BODY qtri_small_chord qtri_small_chord_of(const qtri_small_curve *c, uint32_t x, uint32_t n,
                                                uint32_t down)
@@ -107,7 +107,7 @@ QTRI_BODY qtri_small_chord qtri_small_chord_of(const qtri_small_curve *c, uint32
     return chord;
 }
 
-/* In a ramp's units, with all bits right. */
+/* The chord in a ramp's units, all bits of `at` right. */
 QTRI_BODY qtri_small_chord qtri_small_whole_chord_of(const qtri_small_curve *c, uint32_t x,
                                                      uint32_t n)
 {
@@ -123,10 +123,10 @@ QTRI_BODY void qtri_small_curve_next_row(qtri_small_curve *c)
     c->dx += c->xy;
 }
 
-/* What bends more than a curve does: exact at points a power of two columns apart, by a division,
-   and parabolas between them. See small_division.c. */
+/* A value that bends more than a curve: exact at points a power of two columns apart, by a
+   division, and parabolas between them. See small_division.c. */
 typedef struct qtri_small_divided {
-    uint8_t at_left, at_right, step_left, step_right, bend_left, bend_right;
+    uint8_t at_left, at_right, step_left, step_right, bend_left, bend_right; /* shifts */
     int8_t up;               /* of s to units of the value */
     qtri_small_curve *curve; /* up to the next point */
     qtri_small_ramp s;       /* what it has more than at vertex 0, times 1 + q */
@@ -135,7 +135,7 @@ typedef struct qtri_small_divided {
     uint32_t bend;           /* of light and colours: the most along a chord of a pixel; else 0 */
 } qtri_small_divided;
 
-/* What is asked once a row is a word, which Armv6-M reads from the stack by one instruction. */
+/* Division of a triangle's values. What each row reads is a word: one load on Armv6-M. */
 typedef struct qtri_small_division {
     uint32_t log2;        /* of columns from point to point; 0: nothing is divided */
     uint32_t goes_on;     /* not 0: along the row, from the last point on */
@@ -144,7 +144,7 @@ typedef struct qtri_small_division {
     int32_t reciprocal;   /* 1 / (1 + q) at the last point, Q16 */
     qtri_small_ramp q;    /* 1/w by that of vertex 0, less 1: Q24 */
     uint32_t *piece;      /* pixels of a chord of light and colours, set with each stretch */
-    int32_t count;
+    int32_t count;        /* of values */
     qtri_small_divided a[3];
 } qtri_small_division;
 
@@ -169,7 +169,7 @@ typedef enum qtri_small_found {
     QTRI_SMALL_FOUND
 } qtri_small_found;
 
-/* In small_triangle.c: place and depth. Back faces that are drawn become front faces. */
+/* In small_triangle.c: sets p and spans. Back faces that are drawn become front faces. */
 qtri_small_found qtri_small_find(qtri_small_place *p, uint8_t spans[QTRI_SMALL_SPANS],
                                  qtri_small *t);
 
@@ -179,13 +179,13 @@ bool qtri_small_cut(uint8_t *span, int32_t left, int32_t right);
 /* Turns a back face round. False: it is culled, or has no area. */
 bool qtri_small_turn(qtri_small *t, int32_t size);
 
-/* What 1/w has more at vertices 1 and 2, where exponents differ or it is much. False: too much. */
+/* p->q1 and q2, where exponents differ or 1/w changes much. False: too much. */
 bool qtri_small_find_uneven(int32_t q[2], const qtri_small *t);
 
 /* state->color, or the mesh's of the provoking vertex, in the triangle's light. */
 uint32_t qtri_small_color(const qtri_small *t);
 
-/* In small_values.c. False: perspective of it could be seen; the triangle is large. */
+/* In small_values.c: values linear on the screen. False: the lack of perspective would show. */
 bool qtri_small_light_is_linear(const qtri_small_place *p, const qtri_small *t,
                                 const qtri_options *o);
 bool qtri_small_is_linear_by_range(uint32_t range, uint32_t q_range, uint32_t q_part);
@@ -205,12 +205,12 @@ bool qtri_small_set_weights(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_s
    varies too much for one; the triangle is large. */
 bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t);
 
-/* In small_texture.c. False: they are not as simple, or follow perspective; nothing was set. */
+/* In small_texture.c: texture coordinates. False: they are not linear; nothing was set. */
 bool qtri_small_set_linear_texture(qtri_small_ramp *u, qtri_small_ramp *v,
                                    const qtri_small_place *p, const qtri_small *t,
                                    const qtri_options *o);
-/* False: they bend too much; the triangle is large. Curved: light, if it varies, is a curve, or
-   colours are. Division: NULL with samples, which have no rows that begin anew. */
+/* Sets curves, or curves->linear. False: they bend too much; the triangle is large. Curved: light
+   or colours are. Division: NULL with samples, which have no rows that begin anew. */
 bool qtri_small_set_curves(qtri_small_curves *curves, qtri_small_division *division,
                            const qtri_small_place *p, const qtri_small *t, const qtri_options *o,
                            bool curved);
@@ -231,7 +231,7 @@ void qtri_small_set_color_chord(qtri_small_chord *c, qtri_small_chord *g,
                                 uint32_t x);
 void qtri_small_color_curves_next_row(qtri_small_color_curves *k);
 
-/* Fog along a row of `count` pixels, from a share to another: the step. */
+/* The step of fog along a row of `count` pixels, between its shares at the first and the last. */
 uint32_t qtri_small_fog_step(uint32_t from, uint32_t to, int32_t count);
 
 #ifdef __cplusplus
