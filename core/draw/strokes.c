@@ -304,7 +304,7 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
         }
         place.end[0] = v->at;
         place.end[1] = v->at;
-        qtri_stroke_look_set_level(&stroker.look, v->depth_16p8, &corners[i].color);
+        qtri_stroke_look_set_constant(&stroker.look, v->depth_16p8, &corners[i].color);
         if (stroke->in_space) {
             place.radius_24p8 = radius_in_space(&job, &corners[i].position, &half, &v->at);
         }

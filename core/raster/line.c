@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
+/* Lines one pixel wide: clipped to the bounds, and cut into runs of a chunk. */
 #include "line.h"
 
 #include <string.h>
 
 #include "../bits/bits.h"
-#include "draw_state.h"
 #include "large_setup.h"
 #include "line_path.h"
 
@@ -19,14 +19,12 @@ void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_ve
     }
 }
 
-/* Pixels begin..end - 1 of a path are inside along the major axis, these on the minor one. */
+/* Bounds of a path: pixels begin..end - 1 on the major axis, minor_count from `minor` on. */
 typedef struct limits {
-    int32_t begin, end;
-    int32_t minor;
+    int32_t begin, end, minor;
     uint32_t minor_count;
 } limits;
 
-/* What of a line is inside of the bounds. */
 static limits limits_of(const qtri_line_job *job, const qtri_line_path *l)
 {
     const qtri_rect *b = &job->to->state.bounds;
@@ -38,7 +36,7 @@ static limits limits_of(const qtri_line_job *job, const qtri_line_path *l)
 }
 
 /* Moves w to the first pixel inside; returns how many follow that are, of those before `end`. */
-static int32_t cut(qtri_line_walk *w, const limits *in, int32_t end)
+static int32_t clip(qtri_line_walk *w, const limits *in, int32_t end)
 {
     end = qtri_least32(end, in->end);
     while (w->k < end &&
@@ -54,13 +52,13 @@ static int32_t cut(qtri_line_walk *w, const limits *in, int32_t end)
     return k - w->k;
 }
 
-int32_t qtri_line_cut_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l)
+int32_t qtri_line_clip_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l)
 {
     const limits in = limits_of(job, l);
-    return cut(w, &in, l->count);
+    return clip(w, &in, l->count);
 }
 
-/* At pixel `start`, with which a chunk begins. */
+/* A ramp along a line from pixel `start`, with which a chunk begins. */
 QTRI_NOINLINE static void ramp_init(qtri_line_ramp *r, int32_t from, int32_t to, int32_t along,
                                     const qtri_divider *by, int32_t start)
 {
@@ -112,8 +110,8 @@ void qtri_line_look(qtri_stroke_look *look, const qtri_line_job *job, const qtri
     end[1].depth_16p8 = b->depth_16p8 & job->depth_mask;
     if (color == NULL && qtri_line_has_table(job)) {
         qtri_stroke_look_set_depth(look, end[0].depth_16p8, end[1].depth_16p8);
-        look->is_level = look->is_even = false;
-        look->tints = job->to->state.table;
+        look->is_constant = look->has_one_color = false;
+        look->light_table = job->to->state.table;
         look->light_q29 = (int32_t)((uint32_t)a->intensity_q15 << 14);
         look->light_step = (int32_t)b->intensity_q15 - (int32_t)a->intensity_q15;
         return;
@@ -130,13 +128,12 @@ QTRI_NOINLINE static void set_colors(qtri_line_run *run, const qtri_line_job *jo
                                      const qtri_line_color *color)
 {
     qtri_line_color lit[2];
-    uint32_t from[3];
-    uint32_t to[3];
+    uint32_t from[3], to[3];
     bool turned = l->turned;
     color = colors_of(lit, job, l->first, l->last, color, &turned);
     job->packing->channels(from, (const uint32_t *)color[turned]);
     job->packing->channels(to, (const uint32_t *)color[!turned]);
-    run->is_even = true;
+    run->has_one_color = true;
     for (int i = 0; i < 3; i++) {
         const int32_t half = 0x8000; /* rounds */
         run->color[i].value = from[i] + (uint32_t)half;
@@ -144,12 +141,12 @@ QTRI_NOINLINE static void set_colors(qtri_line_run *run, const qtri_line_job *jo
         if (from[i] != to[i]) {
             ramp_init(&run->color[i], (int32_t)from[i] + half, (int32_t)to[i] + half, l->along, by,
                       start);
-            run->is_even = false;
+            run->has_one_color = false;
         }
     }
 }
 
-/* Draws a run. Four samples a pixel are as one. */
+/* Draws a run; pixels of four samples one by one. */
 static void draw_run(qtri_stroke_target *to, const qtri_line_run *run, qtri_line_runs draw)
 {
     if (to->samples == NULL) {
@@ -174,7 +171,7 @@ static void draw_run(qtri_stroke_target *to, const qtri_line_run *run, qtri_line
     }
 }
 
-/* A line of more than a chunk. */
+/* Draws a line of more than a chunk, by chunks. */
 QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_path *l,
                                     const qtri_line_color *color, qtri_line_runs draw)
 {
@@ -197,7 +194,7 @@ QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_pa
         run.walk.k = k;
         qtri_dda_init(&run.walk.minor, l->minor, l->delta, l->length, l->along + 256 * k, 0);
         k = qtri_least32(count, start + QTRI_LINE_CHUNK);
-        run.count = cut(&run.walk, &in, k);
+        run.count = clip(&run.walk, &in, k);
         if (run.count > 0) {
             ramp_init(&run.z, qtri_line_depth(job, l->first), qtri_line_depth(job, l->last),
                       l->along, &by, start);
@@ -220,7 +217,7 @@ void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_v
     qtri_line_run run;
     qtri_divider by;
     qtri_line_walk_short(&run.walk, &l);
-    run.count = qtri_line_is_inside(job, &l) ? l.count : qtri_line_cut_short(&run.walk, job, &l);
+    run.count = qtri_line_is_inside(job, &l) ? l.count : qtri_line_clip_short(&run.walk, job, &l);
     if (run.count <= 0) {
         return;
     }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Lines of one draw call: what they share is prepared once. Internal.
+ * Lines of one draw call, which share a job. Internal.
  *
- * The ends of a line are vertices after the vertex stage. Of them count the place and the depth,
- * and the intensity of the light where lines are tinted.
+ * The ends of a line are vertices after the vertex stage, of which position, depth and, without
+ * colours, the intensity of light are read.
  */
 #ifndef QTRI_RASTER_LINE_H
 #define QTRI_RASTER_LINE_H
@@ -15,7 +15,7 @@
 
 struct qtri_line_run;
 
-/* Colours of the two ends of a line, or of a chain of lines: red green blue, 0..255.0. */
+/* The colour of an end of a line: red green blue, 8.16, 0..255.0. */
 typedef int32_t qtri_line_color[3];
 
 typedef struct qtri_line_job qtri_line_job;
@@ -43,25 +43,25 @@ typedef struct qtri_stroke_line {
 
 #define QTRI_STROKE_LINE_RADIUS 256 /* 24.8: two pixels of width */
 
-/* Draws runs by the options of a job. */
+/* Draws the pixels of a run, by the options of a pipeline. */
 typedef void (*qtri_line_runs)(const struct qtri_line_run *run);
 
-/* A line of a job, as qtri_line_draws says, of runs. */
+/* A qtri_line_draws but for `draw`: cuts the line into runs, which `draw` draws. */
 void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
                     const qtri_line_color *color, qtri_line_runs draw);
 
 struct qtri_line_job {
     qtri_line_draws draw;
     qtri_stroke_target *to;
-    int32_t left_24p8, top_24p8;              /* of the bounds */
+    int32_t left_24p8, top_24p8;              /* the bounds of the surface */
     uint32_t width_24p8, height_24p8;         /* 0, 0 when they are empty */
-    uint32_t depth_mask;                      /* what of depth_16p8 is depth */
-    const struct qtri_large_packing *packing; /* of colours: as large triangles have them */
-    const qtri_stroke_line *smooth;           /* what `draw` is stroke_line.c for */
-    void *wide;                               /* and what it is strokes.c for */
+    uint32_t depth_mask;                      /* the bits of depth_16p8 that are depth */
+    const struct qtri_large_packing *packing; /* which channels are stepped */
+    const qtri_stroke_line *smooth;           /* set if `draw` is in stroke_line.c */
+    void *wide;                               /* set if `draw` is in strokes.c */
 };
 
-/* `to` is initialised for lines of surface and material, and is there as long as the job. */
+/* Initialises job and `to`, which the job needs as long as it lives. */
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material, qtri_stroke_target *to);
 
@@ -72,10 +72,10 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
  */
 bool qtri_line_has_table(const qtri_line_job *job);
 
-/* A vertex of any coordinates as an end, its depth within depth_16p8, and its colour. */
+/* Sets an end and its colour from a vertex of any coordinates, clamped. */
 void qtri_line_end(qtri_vertex *end, qtri_line_color color, const qtri_screen_vertex *v);
 
-/* A colour in a light, 0..1. */
+/* A colour in a light of 0..2^15. */
 static inline void qtri_line_color_set(qtri_line_color out, const qtri_rgb *rgb, uint32_t light_q15)
 {
     const int32_t light = (int32_t)light_q15 * 2;
@@ -93,13 +93,12 @@ void qtri_line_look(qtri_stroke_look *look, const qtri_line_job *job, const qtri
 static inline bool qtri_line_misses(const qtri_line_job *job, int32_t y0_24p8, int32_t y1_24p8,
                                     int32_t y2_24p8)
 {
-    const int32_t above = job->top_24p8;
-    const int32_t below = above + (int32_t)job->height_24p8;
+    const int32_t above = job->top_24p8, below = above + (int32_t)job->height_24p8;
     return (y0_24p8 < above && y1_24p8 < above && y2_24p8 < above) ||
            (y0_24p8 >= below && y1_24p8 >= below && y2_24p8 >= below);
 }
 
-/* A corner lies at most sqrt(2) radii from an end. */
+/* How far smooth lines reach beyond their ends: corners sqrt(2) radii. */
 #define QTRI_STROKE_LINE_REACH 512 /* 24.8 */
 
 /* Makes a job of surface and material draw smooth lines of a style. As their corners lie beyond the

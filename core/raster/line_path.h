@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Lines one pixel wide, one pixel in each column or, of a steep line, in each row: from their ends
- * to their pixels, which the pipelines' body writes. Internal.
+ * Lines one pixel wide: one pixel in each column or, of a steep line, in each row. From their ends
+ * to runs of pixels, which the pipelines' body draws. Internal.
  *
  * The options are those of triangles in one colour (QTRI_FLAT), which each pixel sets; with shares
  * of the material's colour those of QTRI_LIGHT, where that has a table.
@@ -32,24 +32,22 @@ typedef struct qtri_line_run {
     const qtri_draw_state *state;
     int32_t x, y, count; /* the first pixel; count > 0 */
     bool is_steep;
-    bool is_lit;  /* color[0] is light, 8.16, of the state's table */
-    bool is_even; /* one colour */
+    bool is_lit;        /* color[0] is light, 8.16, of the state's table */
+    bool has_one_color; /* one colour */
     qtri_line_walk walk;
     qtri_line_ramp z;        /* 16.16 */
     qtri_line_ramp color[3]; /* red, green, blue, or luma, n.16 of their kind with the half that
                                 rounds */
 } qtri_line_run;
 
-/* What draws runs, by the draw state's options. */
+/* Pipelines that draw lines. */
 extern const qtri_pipeline *const qtri_line_pipelines[];
-extern const qtri_pipeline qtri_line_any; /* its last: by options that are read for each pixel */
+extern const qtri_pipeline qtri_line_any; /* the last: generic */
 
 QTRI_BODY uint32_t qtri_line_run_color(const qtri_options *o, const qtri_surface *surface,
                                        const qtri_line_ramp color[3])
 {
-    const uint32_t c = color[0].value >> 16;
-    const uint32_t g = color[1].value >> 16;
-    const uint32_t b = color[2].value >> 16;
+    const uint32_t c = color[0].value >> 16, g = color[1].value >> 16, b = color[2].value >> 16;
     const qtri_color_kind kind = qtri_kind_of(o);
     const uint32_t word = kind == QTRI_IN_GRAY  ? c
                           : kind == QTRI_IN_565 ? c << 11 | g << 5 | b
@@ -65,7 +63,7 @@ QTRI_BODY void qtri_line_run_draw(const qtri_options *o, const qtri_line_run *ru
     const ptrdiff_t bytes = (ptrdiff_t)qtri_pixel_bytes(o);
     const ptrdiff_t depth_bytes = (ptrdiff_t)qtri_depth_size(o, surface);
     const ptrdiff_t row = run->y - surface->first_row;
-    const bool is_steep = run->is_steep, is_even = run->is_even;
+    const bool is_steep = run->is_steep, has_one_color = run->has_one_color;
     const int32_t slope = run->walk.minor.step;
     const int32_t rest_step = (int32_t)run->walk.minor.remainder_step;
     const ptrdiff_t across = is_steep ? bytes : surface->pitch;
@@ -129,7 +127,7 @@ QTRI_BODY void qtri_line_run_draw(const qtri_options *o, const qtri_line_run *ru
                 w.y += !is_steep;
             }
         }
-        if (!qtri_is_lit(o) && !is_even) {
+        if (!qtri_is_lit(o) && !has_one_color) {
             for (int i = 0; i < 3; i++) {
                 color[i].value += color[i].step;
             }
@@ -152,7 +150,7 @@ enum { QTRI_LINE_CHUNK = 128 };
  */
 typedef struct qtri_line_path {
     const qtri_vertex *first, *last; /* by increasing major coordinate */
-    bool turned;                     /* the first is b */
+    bool turned;                     /* `first` is b */
     bool steep;                      /* the major axis is y */
     int32_t minor;                   /* of the first end, 1/256 pixel */
     int32_t length, delta;           /* to the last: 0 <= |delta| <= length <= 2^23 */
@@ -163,14 +161,11 @@ typedef struct qtri_line_path {
 
 QTRI_INLINE void qtri_line_path_init(qtri_line_path *l, const qtri_vertex *a, const qtri_vertex *b)
 {
-    int32_t major = a->at.x_24p8;
-    int32_t minor = a->at.y_24p8;
-    int32_t length = b->at.x_24p8 - major;
-    int32_t delta = b->at.y_24p8 - minor;
+    int32_t major = a->at.x_24p8, minor = a->at.y_24p8;
+    int32_t length = b->at.x_24p8 - major, delta = b->at.y_24p8 - minor;
     bool steep = false;
     if (qtri_magnitude32(delta) > qtri_magnitude32(length)) {
-        int32_t x = major;
-        int32_t width = length;
+        int32_t x = major, width = length;
         major = minor;
         length = delta;
         minor = x;
@@ -198,7 +193,7 @@ QTRI_INLINE void qtri_line_path_init(qtri_line_path *l, const qtri_vertex *a, co
     l->count = ((major + length + 127) >> 8) - l->position;
 }
 
-/* To pixel 0 of a short line: one of a single chunk, length < 2^15 + 2^8. */
+/* Sets a walk to pixel 0 of a short line: of a single chunk, length < 2^15 + 2^8. */
 QTRI_INLINE void qtri_line_walk_short(qtri_line_walk *w, const qtri_line_path *l)
 {
     const int32_t denominator = l->length * 256;
@@ -227,7 +222,7 @@ QTRI_INLINE void qtri_line_walk_short(qtri_line_walk *w, const qtri_line_path *l
     w->minor.denominator = (uint32_t)denominator;
 }
 
-/* Whether both ends are. */
+/* Whether both ends are inside the bounds. */
 QTRI_INLINE bool qtri_line_is_inside(const qtri_line_job *job, const qtri_line_path *l)
 {
     return (uint32_t)(l->first->at.x_24p8 - job->left_24p8) < job->width_24p8 &&
@@ -237,9 +232,10 @@ QTRI_INLINE bool qtri_line_is_inside(const qtri_line_job *job, const qtri_line_p
 }
 
 /* Moves w to the first pixel inside of a short line; returns how many follow that are. */
-int32_t qtri_line_cut_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l);
+int32_t qtri_line_clip_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l);
 
-/* From a line's ends, at pixel 0, `along` from the first; `by`: its length. */
+/* A ramp between values of a short line's ends, at pixel 0, `along` from the first; `by`: length.
+ */
 QTRI_INLINE void qtri_line_ramp_short(qtri_line_ramp *r, int32_t from, int32_t to, int32_t along,
                                       const qtri_divider *by)
 {
@@ -266,7 +262,7 @@ QTRI_INLINE void qtri_line_run_light(qtri_line_run *run, const qtri_line_path *l
     const int32_t step = qtri_divide((to - from) * 256, by);
     run->color[0].value = (uint32_t)(from + ((step * l->along) >> 8)) << 2;
     run->color[0].step = (uint32_t)step << 2;
-    run->is_lit = run->is_even = true;
+    run->is_lit = run->has_one_color = true;
 }
 
 /* Depth of an end, 0..65535.0 in 16.15: differences fit 32 bits. */
@@ -275,7 +271,7 @@ QTRI_INLINE int32_t qtri_line_depth(const qtri_line_job *job, const qtri_vertex 
     return (int32_t)((end->depth_16p8 & job->depth_mask) >> 1);
 }
 
-/* The divider of a short line's ramps, and that of depth, if it counts. */
+/* Sets the divider of a short line's ramps, and run->z, 0 without depth. */
 QTRI_INLINE void qtri_line_run_depth(qtri_line_run *run, qtri_divider *by, const qtri_line_job *job,
                                      const qtri_line_path *l, bool has_depth)
 {
@@ -288,8 +284,8 @@ QTRI_INLINE void qtri_line_run_depth(qtri_line_run *run, qtri_divider *by, const
 }
 
 /*
- * Where the walk's pixels are, of the chunk of a line that begins at pixel `start`, where depth is
- * 16.15 and with colours set.
+ * Sets position and start values of a run from its walk; depth, 16.15, and colours are set for
+ * pixel `start`, with which the chunk begins.
  */
 QTRI_INLINE void qtri_line_run_place(qtri_line_run *run, const qtri_line_job *job,
                                      const qtri_line_path *l, int32_t start)

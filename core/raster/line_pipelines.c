@@ -7,7 +7,7 @@
 #include "large_setup.h"
 #include "line_path.h"
 
-/* In place where the line is short and lit by the table, by `o`: most of a wireframe. `draw` is for
+/* Fast case, inlined for `o`: a short line, lit by the table, as most of a wireframe. `draw` draws
    others. */
 QTRI_BODY void draw_lit(const qtri_options *o, const qtri_line_job *job, const qtri_vertex *a,
                         const qtri_vertex *b, const qtri_line_color *color, qtri_line_runs draw)
@@ -19,7 +19,7 @@ QTRI_BODY void draw_lit(const qtri_options *o, const qtri_line_job *job, const q
         return;
     }
     if (!job->to->state.has_table) {
-        (void)qtri_line_has_table(job); /* it has one then */
+        (void)qtri_line_has_table(job); /* which makes it */
     }
     qtri_line_run run;
     qtri_divider by;
@@ -28,7 +28,7 @@ QTRI_BODY void draw_lit(const qtri_options *o, const qtri_line_job *job, const q
     if (!qtri_line_is_inside(job, &l)) {
         const qtri_line_path path = l; /* copies: these need not be in memory */
         qtri_line_walk first = run.walk;
-        run.count = qtri_line_cut_short(&first, job, &path);
+        run.count = qtri_line_clip_short(&first, job, &path);
         run.walk = first;
         if (run.count <= 0) {
             return;
@@ -40,7 +40,7 @@ QTRI_BODY void draw_lit(const qtri_options *o, const qtri_line_job *job, const q
     qtri_line_run_draw(o, &run);
 }
 
-/* Lines that `draw_lit` draws for the options. */
+/* A pipeline of lines by draw_lit(). */
 #define LIT_LINE(name, ...)                                                                        \
     static void name##_run(const qtri_line_run *run)                                               \
     {                                                                                              \
@@ -61,7 +61,7 @@ LIT_LINE(line_over, .format = QTRI_RGB565)
 /* With depth: any comparison, written or read only. */
 #define DEPTH .depth = QTRI_LINEAR16, .compare = QTRI_ANY, .read_only = QTRI_ANY
 
-/* Lines of which only the pixels are made for the options, for 140 to 520 bytes each at -Os. */
+/* A pipeline of which only the loop over pixels is its own: 140 to 520 bytes each at -Os. */
 #define LINE(name, ...)                                                                            \
     static void name##_run(const qtri_line_run *run)                                               \
     {                                                                                              \
@@ -90,7 +90,7 @@ const qtri_pipeline *const qtri_line_pipelines[] = {
     &line_less, &line_over,      &line_depth,    &line_swapped, &line_swapped_over,
     &line_gray, &line_gray_over, &qtri_line_any, NULL};
 
-/* Spans: smooth or hard, of 500 to 800 bytes each at -Os, for a third of the generic one's time. */
+/* A pipeline of spans: 500 to 800 bytes each at -Os, for a third of the generic one's time. */
 #define SPAN(name, ...)                                                                            \
     static void name##_draw(const qtri_stroke_span *span)                                          \
     {                                                                                              \
@@ -108,7 +108,7 @@ SPAN(span_gray, .format = QTRI_GRAY8, DEPTH, .covered = 1)
 const qtri_pipeline *const qtri_stroke_pipelines[] = {
     &span_depth, &span_hard, &span_over, &span_swapped, &span_gray, &qtri_stroke_any, NULL};
 
-/* What chooses from the list of lines: calls lead from here to line.c and never back. */
+/* The choice of a line's pipeline: calls lead from here to line.c and never back. */
 
 void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
                         const qtri_material *material, qtri_stroke_target *to)

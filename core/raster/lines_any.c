@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Spans of strokes, and lines, with options that are read for every pixel. */
+/* The generic pipelines of strokes' spans and of lines: options are read for every pixel. */
 #define QTRI_PIPELINE_IS_ANY
 #define QTRI_PIXEL_IS_ALONE
 #include "line_path.h"
@@ -7,7 +7,7 @@
 static qtri_options options_of(const qtri_draw_state *state, bool is_lit)
 {
     qtri_options o = state->options;
-    o.texel = QTRI_NO_TEXEL; /* constants, for the compiler to leave out what they need */
+    o.texel = QTRI_NO_TEXEL; /* constants: the compiler removes what these options need */
     o.shade = is_lit ? QTRI_LIGHT : QTRI_FLAT;
     o.fragment = NULL;
     o.vertex_alpha = o.bilinear = o.key = o.alpha_test = o.large_texture = 0;

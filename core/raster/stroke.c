@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
+/* Strokes: strips, rows and windows; which part gives each pixel its colour; polylines. */
 #include "stroke.h"
 
 #include <string.h>
 
 #include "checked_material.h"
 
-enum { MIN_WIDTH = 4 }; /* of windows that are made narrower for their shapes */
+enum { MIN_WIDTH = 4 }; /* columns of a window, halved where a row has too many shapes */
 
 /* Half of a width in 24.8; 0: nothing is drawn. */
 static int32_t radius_of(q16 width)
@@ -31,7 +32,7 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
 
 /* Rows ----------------------------------------------------------------------------------------- */
 
-/* Hard edges: pixels whose centres lie inside. */
+/* Hard edges: covers pixels whose centres lie inside. */
 static void cover_hard(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;
@@ -67,8 +68,7 @@ static void cover_hard(qtri_stroker *stroker)
 static void find_parts(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;
-    uint32_t touched = 0;
-    uint32_t count = 0;
+    uint32_t touched = 0, count = 0;
     w->shared = 0;
     for (qtri_stroke_shape *s = NULL; (s = qtri_stroker_next(stroker, s, &count)) != NULL;) {
         if (s->min_x >= w->coverage.end * 256 || s->max_x <= w->coverage.x * 256) {
@@ -93,7 +93,7 @@ static void draw_span(qtri_stroker *stroker, const qtri_stroke_shape *s, int32_t
     const int32_t row = stroker->window.row;
     const qtri_stroke_span span = {
         &stroker->to.state, &stroker->look, first, row, end - first, 1, weight, share};
-    if (!stroker->look.is_level) {
+    if (!stroker->look.is_constant) {
         qtri_stroke_shape_shares(s, first, row, end - first, share);
     }
     qtri_stroke_target_draw(&stroker->to, &span);
@@ -120,7 +120,7 @@ QTRI_NOINLINE static void find_nearest(qtri_stroker *stroker)
     }
 }
 
-/* Runs of pixels with colours of one part, of columns first .. end-1 of the window. */
+/* Draws columns first .. end-1 of the window in runs that have the colours of one part. */
 QTRI_NOINLINE static void draw_looks(qtri_stroker *stroker, int32_t first, int32_t end,
                                      const uint16_t *weight)
 {
@@ -142,14 +142,14 @@ QTRI_NOINLINE static void draw_looks(qtri_stroker *stroker, int32_t first, int32
         while (i < end && weight[i - first] != 0 && w->part[i] == part) {
             i++;
         }
-        (void)qtri_stroker_find(stroker, part, &place, ends);
+        (void)qtri_stroker_find_part(stroker, part, &place, ends);
         qtri_stroke_look_init(&stroker->look, ends);
         draw_span(stroker, qtri_stroker_shape(stroker, part), w->coverage.x + from,
                   w->coverage.x + i, weight + (from - first));
     }
 }
 
-/* What lies in the window of a row, whose shapes are known. */
+/* Covers and draws the window's columns in its row, whose shapes are known. */
 static void draw_window(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;
@@ -186,14 +186,14 @@ static void draw_window(qtri_stroker *stroker)
     }
 }
 
-/* Columns of the strip from x on, in windows that are narrow enough for their shapes. */
+/* Draws a row of the strip from x on, in windows narrow enough for their shapes. */
 static void draw_row(qtri_stroker *stroker, int32_t x)
 {
     qtri_stroke_window *w = &stroker->window;
     const int32_t end = x + QTRI_COVERAGE_WINDOW;
     int32_t width = QTRI_COVERAGE_WINDOW;
     while (x < end) {
-        if (w->row >= w->same_end || w->coverage.x != x) { /* so is the row where it narrows */
+        if (w->row >= w->same_end || w->coverage.x != x) { /* or the window narrows */
             w->coverage.x = x;
             w->coverage.end = x + width;
             qtri_stroker_find_shapes(stroker);
@@ -211,11 +211,10 @@ static void draw_row(qtri_stroker *stroker, int32_t x)
     }
 }
 
-/* Rows y0 .. y1-1 of the strip from column x on, of the parts that are listed. */
+/* Draws rows y0 .. y1-1 of the strip from column x on, whose parts are listed. */
 static void draw_strip(qtri_stroker *stroker, int32_t x, int32_t y0, int32_t y1)
 {
-    int32_t first = y1;
-    int32_t end = y0;
+    int32_t first = y1, end = y0;
     for (uint32_t i = 0; i < stroker->near_count; i++) {
         first = qtri_least32(first, stroker->near[i].box.y0);
         end = qtri_greatest32(end, stroker->near[i].box.y1);
@@ -273,7 +272,7 @@ void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *plac
     }
 }
 
-/* Whether all parts have one colour and depth, which the stroker's look has then. */
+/* Whether all parts have one colour and depth, which then become stroker->look. */
 static bool find_look(qtri_stroker *stroker)
 {
     bool is_first = true;
@@ -289,7 +288,7 @@ static bool find_look(qtri_stroker *stroker)
             stroker->look = look;
             is_first = false;
         }
-        if (!look.is_level || look.z_16p16 != stroker->look.z_16p16 ||
+        if (!look.is_constant || look.z_16p16 != stroker->look.z_16p16 ||
             look.color_8p8[0] != stroker->look.color_8p8[0] ||
             look.color_8p8[1] != stroker->look.color_8p8[1] ||
             look.color_8p8[2] != stroker->look.color_8p8[2]) {
@@ -313,7 +312,7 @@ void qtri_stroker_draw(qtri_stroker *stroker, qtri_stroke_source source, const v
     if (stroker->count == 1) {
         qtri_stroke_place place;
         qtri_stroke_end end[2];
-        if (qtri_stroker_find(stroker, 0, &place, end)) {
+        if (qtri_stroker_find_part(stroker, 0, &place, end)) {
             qtri_stroke_look_init(&stroker->look, end);
             qtri_stroker_draw_part(stroker, &place);
         }
@@ -328,7 +327,7 @@ void qtri_stroker_draw(qtri_stroker *stroker, qtri_stroke_source source, const v
             const int32_t end = qtri_least32(y + height, all.y1);
             const qtri_stroke_box strip = {(int16_t)x, (int16_t)y,
                                            (int16_t)(x + QTRI_COVERAGE_WINDOW), (int16_t)end};
-            if (!qtri_stroker_list(stroker, &strip) && height > 1) {
+            if (!qtri_stroker_list_parts(stroker, &strip) && height > 1) {
                 height = (height + 1) >> 1; /* fewer rows, fewer parts */
                 continue;
             }
@@ -340,7 +339,7 @@ void qtri_stroker_draw(qtri_stroker *stroker, qtri_stroke_source source, const v
 
 /* On the screen -------------------------------------------------------------------------------- */
 
-/* A polyline on the screen. */
+/* A polyline on the screen, and the qtri_stroke_source of its parts. */
 typedef struct polyline {
     const qtri_screen_vertex *v;
     uint32_t count;

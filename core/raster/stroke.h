@@ -19,13 +19,13 @@
 #include "stroke_shape.h"
 
 enum {
-    QTRI_STROKE_SHAPES = 6, /* kept */
+    QTRI_STROKE_SHAPES = 6, /* in the cache */
     QTRI_STROKE_NEAR = 24,  /* parts of a strip that are listed */
-    QTRI_STROKE_BLOCKS = 8  /* of parts that follow each other, with their boxes */
+    QTRI_STROKE_BLOCKS = 8  /* groups of consecutive parts, with a box each */
 };
 
-/* Where a part of a line is and, if `end` is not NULL, what its ends look like; false: it is not to
-   be seen. */
+/* Finds the ends of part `part` and, if `end` is not NULL, their depth and colour; false: it is
+   clipped away. */
 typedef bool (*qtri_stroke_source)(const void *from, uint32_t part, qtri_point at[2],
                                    qtri_stroke_end end[2]);
 
@@ -34,13 +34,13 @@ typedef struct qtri_stroke_box {
     int16_t x0, y0, x1, y1;
 } qtri_stroke_box;
 
-/* A part that meets the strip, and pixels that it may touch. */
+/* A part that overlaps the strip, and the box of its pixels. */
 typedef struct qtri_stroke_near {
     uint32_t part;
     qtri_stroke_box box;
 } qtri_stroke_near;
 
-/* Columns of a row. */
+/* Up to 32 columns of a row, with the shapes that cover them. */
 typedef struct qtri_stroke_window {
     qtri_coverage coverage; /* its columns; all sums are 0 between rows */
     int32_t row;
@@ -49,22 +49,22 @@ typedef struct qtri_stroke_window {
     uint32_t part[QTRI_COVERAGE_WINDOW]; /* and whose colours they have */
     qtri_stroke_shape *shape[QTRI_STROKE_SHAPES];
     uint32_t shape_count;
-    bool is_complete; /* these are all that the row has, or there are none here, */
-    int32_t same_end; /* and all that rows up to this have */
+    bool is_complete; /* all shapes of the row are in `shape`; else none is */
+    int32_t same_end; /* they are those of all rows before this one, too */
 } qtri_stroke_window;
 
-/* What the points of one size share; see stroke_point.c. */
+/* Constants of points of one radius; see stroke_point.c. */
 typedef struct qtri_stroke_disc {
     uint16_t radius;      /* 24.8; 0: not set */
     uint16_t down;        /* 2^-down: from the square times 2^-16 to an area */
     uint32_t inverse_q30; /* of the radius: 2^30 / radius */
     uint32_t square;      /* of the radius, with 16 bits */
-    int32_t area;         /* of a quarter */
+    int32_t area;         /* of a quarter of the disc */
 } qtri_stroke_disc;
 
 #define QTRI_STROKE_POINT_RADIUS 4096 /* 24.8: of points that are drawn without a union */
 
-/* Pixels, from the point's centre to their left and upper sides: 24.8. */
+/* A block of pixels; x, y: its left upper corner less the point's centre, 24.8. */
 typedef struct qtri_stroke_block {
     int32_t x, y, count, rows;
     int32_t radius;
@@ -87,17 +87,18 @@ typedef struct qtri_stroker {
     uint32_t next_shape; /* the one to be replaced where all are in use */
     qtri_stroke_near near[QTRI_STROKE_NEAR];
     uint32_t near_count;
-    uint32_t others; /* from this part on there may be more of them; QTRI_STROKE_NONE: none */
+    uint32_t others; /* the first part that was not listed, for lack of room, or QTRI_STROKE_NONE */
     qtri_stroke_box block[QTRI_STROKE_BLOCKS];
-    uint32_t block_parts; /* of one */
+    uint32_t block_parts; /* parts in a block */
     qtri_stroke_window window;
 } qtri_stroker;
 
+/* The functions of smooth edges; hard ones have none. */
 struct qtri_stroke_edges {
     void (*set_ring)(qtri_stroke_ring *ring, int32_t radius);
     /* Adds what the row's shapes cover together to the window. */
     void (*cover)(qtri_stroker *stroker);
-    /* What a point covers of a block, row by row. The disc is of any point before it. */
+    /* Weights of a block of a point, row by row. `disc` is kept for points of its radius. */
     void (*cover_point)(qtri_stroke_disc *disc, const qtri_stroke_block *block, uint32_t alpha_q16,
                         uint16_t *weight);
     qtri_line_draws line; /* thin ones, each by itself: see line.h */
@@ -107,14 +108,14 @@ struct qtri_stroke_edges {
 bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                        const qtri_material *material, const qtri_stroke *stroke, bool in_space);
 
-/* The line through `points` points, at least one. */
+/* Draws the line through `points` points, at least one. */
 void qtri_stroker_draw(qtri_stroker *stroker, qtri_stroke_source source, const void *from,
                        uint32_t points, bool closed);
 
-/* One part by itself, of stroker->look. */
+/* Draws one part by itself, with stroker->look. */
 void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *place);
 
-/* stroke_point.c: a disc or a square of at most QTRI_STROKE_POINT_RADIUS, of stroker->look. */
+/* stroke_point.c: a disc or a square of at most QTRI_STROKE_POINT_RADIUS, with stroker->look. */
 void qtri_stroker_draw_point(qtri_stroker *stroker, const qtri_point *center, int32_t radius,
                              bool is_round);
 void qtri_stroke_point_cover(qtri_stroke_disc *disc, const qtri_stroke_block *block,
@@ -122,21 +123,23 @@ void qtri_stroke_point_cover(qtri_stroke_disc *disc, const qtri_stroke_block *bl
 
 #define QTRI_STROKE_NONE UINT32_MAX
 
-/* stroke_parts.c: as a source does. The disc of a joint may be a part. */
-bool qtri_stroker_find(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place,
-                       qtri_stroke_end end[2]);
+/* stroke_parts.c: finds a part's place and ends; false: it is not drawn. Behind the source's parts
+   there may be discs of joints. */
+bool qtri_stroker_find_part(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place,
+                            qtri_stroke_end end[2]);
 
 /* Pixels that a part may touch. */
 qtri_stroke_box qtri_stroke_box_of(const qtri_stroke_place *place);
 
-/* Finds boxes of blocks of parts; returns that of all, empty where no part is seen. */
+/* Finds the boxes of all blocks; returns their union, empty where no part is drawn. */
 qtri_stroke_box qtri_stroker_find_blocks(qtri_stroker *stroker);
 
-/* Lists the parts that meet a box; false: there are more than there is room for. */
-bool qtri_stroker_list(qtri_stroker *stroker, const qtri_stroke_box *box);
+/* Lists the parts that overlap a box; false: there are more than there is room for. */
+bool qtri_stroker_list_parts(qtri_stroker *stroker, const qtri_stroke_box *box);
 
 void qtri_stroker_init_shape(qtri_stroker *stroker, qtri_stroke_shape *shape,
                              const qtri_stroke_place *place);
+/* A part's shape, from the cache or made. */
 qtri_stroke_shape *qtri_stroker_shape(qtri_stroker *stroker, uint32_t part);
 
 /* Finds the shapes of the window's columns in its row. */
@@ -145,8 +148,8 @@ void qtri_stroker_find_shapes(qtri_stroker *stroker);
 /* The shape of the row's next part from `part` on, where there is no room for all; NULL: none. */
 qtri_stroke_shape *qtri_stroker_find_next(qtri_stroker *stroker, uint32_t part);
 
-/* The row's shape after `shape`, NULL before the first, which is there until the next; *count, 0 at
-   first, counts them. NULL behind the last. */
+/* Iterates over shapes of the row: the one after `shape`, NULL at first, or NULL. *count is 0 at
+   first. Each is valid until the next call. */
 static inline qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker,
                                                    const qtri_stroke_shape *shape, uint32_t *count)
 {
@@ -161,8 +164,7 @@ static inline qtri_stroke_shape *qtri_stroker_next(qtri_stroker *stroker,
 /* Adds columns of the window that lie from x0 to x1 to those that are covered. */
 static inline void qtri_stroke_window_add(qtri_stroke_window *w, int32_t x0, int32_t x1)
 {
-    const int32_t first = (x0 >> 8) - w->coverage.x;
-    const int32_t end = ((x1 + 255) >> 8) - w->coverage.x;
+    const int32_t first = (x0 >> 8) - w->coverage.x, end = ((x1 + 255) >> 8) - w->coverage.x;
     w->first = qtri_least32(w->first, qtri_greatest32(first, 0));
     w->end = qtri_greatest32(w->end, qtri_least32(end, w->coverage.end - w->coverage.x));
 }

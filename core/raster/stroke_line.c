@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
+/* Smooth lines of up to two pixels: exact coverage, column by column. */
 #include "line.h"
 
 #include "../bits/bits.h"
-#include "../filter/mix.h"
 #include "line_path.h"
 #include "stroke_shape.h"
 
-enum { LEAST = QTRI_COVERAGE_FULL / 64 }; /* less is nothing: it would not change RGB565 */
+enum { MIN_COVER = QTRI_COVERAGE_FULL / 64 }; /* less would not change RGB565 */
 
 enum { CELLS = 8 }; /* of a column, with what follows the last */
 
@@ -22,9 +22,9 @@ typedef struct cells {
  * end less the offset, on the near side, and at the end plus the offset, on the far one:
  * (offset_x, -offset_y) from it. 24.8 where nothing else is said.
  */
-typedef struct wire {
+typedef struct thin_line {
     const qtri_line_job *job;
-    void (*draw)(const struct wire *w, const cells *c); /* the pixels of a column */
+    void (*draw)(const struct thin_line *w, const cells *c); /* the pixels of a column */
     int32_t x[2], y[2];         /* of the ends, along and across; x[0] < x[1] */
     int32_t origin_x, origin_y; /* of the first end, without a cap */
     int32_t slope_q16;          /* across for along: -1..1 */
@@ -33,17 +33,17 @@ typedef struct wire {
     int32_t offset_x, offset_y; /* |offset_x| <= offset_y <= radius */
     int32_t half_q16;           /* of its extent across, in a column: <= sqrt(2) pixels */
     int32_t first, end;         /* columns */
-    int32_t inner, inner_end;   /* those where it has no end */
+    int32_t inner, inner_end;   /* columns that touch no end */
     int32_t bounds[4];          /* pixels inside: along from, to; across from, to */
     bool inside;                /* all of it lies in them */
     int32_t share_step;         /* Q24 of its length a column; at most 2^28 */
-    int32_t share_across;       /* the same for a pixel across */
+    int32_t share_across;       /* of its length a pixel across */
     qtri_stroke_look look;
     bool steep; /* along is y */
     /* Where pixels are stored as they are found: row 0 of the frame, and bytes. */
     uint8_t *pixels, *depths;
     ptrdiff_t pixel_along, pixel_across, depth_along, depth_across;
-} wire;
+} thin_line;
 
 /*
  * Adds the area on the far side of a side that goes from `ya` to `yb`, 1/256 pixel behind the
@@ -76,18 +76,16 @@ QTRI_INLINE void add_side(int32_t *cell, int32_t dx, int32_t ya, int32_t yb, int
 }
 
 /* An end of the rectangle, near to far corner, in the column at x, whose cell 0 is at `first`. */
-QTRI_INLINE void add_end(int32_t *cell, const wire *w, int end, int32_t x, int32_t first)
+QTRI_INLINE void add_end(int32_t *cell, const thin_line *w, int end, int32_t x, int32_t first)
 {
-    const int32_t near_x = w->x[end] + w->offset_x;
-    const int32_t far_x = w->x[end] - w->offset_x;
+    const int32_t near_x = w->x[end] + w->offset_x, far_x = w->x[end] - w->offset_x;
     const bool forwards = far_x > near_x;
     const int32_t left = qtri_greatest32(forwards ? near_x : far_x, x);
     const int32_t right = qtri_least32(forwards ? far_x : near_x, x + 256);
     if (left >= right) {
         return;
     }
-    const int32_t near_y = w->y[end] - w->offset_y - first;
-    const int32_t far_y = w->y[end] + w->offset_y - first;
+    const int32_t near_y = w->y[end] - w->offset_y - first, far_y = w->y[end] + w->offset_y - first;
     const int32_t from = forwards ? left - near_x : near_x - right; /* < 2^9 */
     const int32_t to = forwards ? right - near_x : near_x - left;
     const int32_t ya = qtri_least32(near_y + ((from * w->inverse_q8) >> 8), far_y);
@@ -97,7 +95,8 @@ QTRI_INLINE void add_end(int32_t *cell, const wire *w, int end, int32_t x, int32
 }
 
 /* A long side, near (sign 1) or far (-1), in a column where the line ends; y: at x, in cell 0. */
-QTRI_INLINE void add_long_side(int32_t *cell, const wire *w, int32_t sign, int32_t x, int32_t y)
+QTRI_INLINE void add_long_side(int32_t *cell, const thin_line *w, int32_t sign, int32_t x,
+                               int32_t y)
 {
     const int32_t offset = sign * w->offset_x;
     const int32_t left = qtri_greatest32(w->x[0] + offset, x);
@@ -109,7 +108,7 @@ QTRI_INLINE void add_long_side(int32_t *cell, const wire *w, int32_t sign, int32
 }
 
 /* All sides in a column where the line ends; y: the near side at its start, in cell 0. */
-QTRI_NOINLINE static void add_end_column(int32_t *cell, const wire *w, int32_t column,
+QTRI_NOINLINE static void add_end_column(int32_t *cell, const thin_line *w, int32_t column,
                                          int32_t first, int32_t y, int32_t wide)
 {
     const int32_t x = column * 256;
@@ -123,8 +122,8 @@ QTRI_NOINLINE static void add_end_column(int32_t *cell, const wire *w, int32_t c
     }
 }
 
-/* Leaves out cells outside of the bounds. */
-static void clip_cells(const wire *w, cells *c)
+/* Clips cells to the bounds. */
+static void clip_cells(const thin_line *w, cells *c)
 {
     for (; c->across < w->bounds[2] && c->cell != c->end; c->across++) {
         c->sum += *c->cell++;
@@ -136,20 +135,18 @@ static void clip_cells(const wire *w, cells *c)
     }
 }
 
-/* Pixels of a column for any format. */
-static void draw_any(const wire *w, const cells *c)
+/* Draws a column in any format. */
+static void draw_any(const thin_line *w, const cells *c)
 {
     qtri_stroke_target *to = w->job->to;
-    uint16_t weight[CELLS];
-    uint16_t share_q16[CELLS];
-    int32_t share_q24 = c->share;
-    int32_t sum = c->sum;
+    uint16_t weight[CELLS], share_q16[CELLS];
+    int32_t share_q24 = c->share, sum = c->sum;
     int32_t count = 0;
     for (const int32_t *cell = c->cell; cell != c->end; cell++, share_q24 += w->share_across) {
         sum += *cell;
         const uint32_t cover = (uint32_t)qtri_hold32(sum, 0, QTRI_COVERAGE_FULL);
-        weight[count] = (uint16_t)(sum < LEAST ? 0 : qtri_stroke_weight(cover, to->alpha_q16));
-        share_q16[count] = qtri_stroke_held_share(share_q24);
+        weight[count] = (uint16_t)(sum < MIN_COVER ? 0 : qtri_stroke_weight(cover, to->alpha_q16));
+        share_q16[count] = qtri_stroke_clamped_share(share_q24);
         count++;
     }
     const qtri_stroke_span span = {&to->state,
@@ -163,27 +160,26 @@ static void draw_any(const wire *w, const cells *c)
     qtri_stroke_target_draw(to, &span);
 }
 
-/* Pixels of a column, RGB565 with a table of tints. */
-QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
+/* Draws a column in RGB565, opaque, its colours from the table of light. */
+QTRI_INLINE void draw_pixels(const thin_line *w, const cells *c, bool has_depth)
 {
     const int32_t *cell = c->cell;
     const int32_t *const end = c->end;
     uint8_t *pixel = w->pixels + c->along * w->pixel_along + c->across * w->pixel_across;
     uint8_t *depth =
         has_depth ? w->depths + c->along * w->depth_along + c->across * w->depth_across : NULL;
-    int32_t share_q24 = c->share;
-    int32_t sum = c->sum;
+    int32_t share_q24 = c->share, sum = c->sum;
     do {
         sum += *cell++;
-        if (sum >= LEAST) {
-            const uint32_t share = qtri_stroke_share(qtri_stroke_held_share(share_q24));
+        if (sum >= MIN_COVER) {
+            const uint32_t share = qtri_stroke_share(qtri_stroke_clamped_share(share_q24));
             uint16_t *at = (uint16_t *)(void *)depth;
             const uint32_t z = (qtri_stroke_depth_at(&w->look, share) + 0x8000u) >> 16;
             if (!has_depth || z < *at) {
                 uint16_t *to = (uint16_t *)(void *)pixel;
                 const uint32_t cover = (uint32_t)qtri_least32(sum, QTRI_COVERAGE_FULL);
                 const uint32_t weight = qtri_stroke_weight(cover, 65536) & 0x1FFu;
-                const uint32_t word = qtri_stroke_tint_at(&w->look, share);
+                const uint32_t word = qtri_stroke_lit_color_at(&w->look, share);
                 if (has_depth && sum >= QTRI_COVERAGE_FULL / 2) {
                     *at = (uint16_t)z;
                 }
@@ -198,18 +194,18 @@ QTRI_INLINE void draw_pixels(const wire *w, const cells *c, bool has_depth)
     } while (cell != end);
 }
 
-static void draw_over(const wire *w, const cells *c)
+static void draw_over(const thin_line *w, const cells *c)
 {
     draw_pixels(w, c, false);
 }
 
-static void draw_nearer(const wire *w, const cells *c)
+static void draw_nearer(const thin_line *w, const cells *c)
 {
     draw_pixels(w, c, true);
 }
 
-/* Columns from `column` to `end`, which are of one chunk; `low` is the near side at the first. */
-static void walk(const wire *w, int32_t column, int32_t end, int32_t low_q16, int32_t share)
+/* Draws columns `column` to before `end` of one chunk; low_q16: the near side at the first. */
+static void walk(const thin_line *w, int32_t column, int32_t end, int32_t low_q16, int32_t share)
 {
     int32_t cell[CELLS];
     const int32_t slope = w->slope_q16;
@@ -221,8 +217,7 @@ static void walk(const wire *w, int32_t column, int32_t end, int32_t low_q16, in
         /* 1/32 less, for corners that were rounded. */
         const int32_t base = ((slope < 0 ? low_q16 + slope : low_q16) - 0x800) >> 16;
         const int32_t first = base * 256;
-        const int32_t near_a = (low_q16 >> 8) - first;
-        const int32_t near_b = ((low_q16 + slope) >> 8) - first;
+        const int32_t near_a = (low_q16 >> 8) - first, near_b = ((low_q16 + slope) >> 8) - first;
         if (c.along >= w->inner && c.along < w->inner_end) {
             add_side(cell, 256, near_a, near_b, w->inverse_q8);
             add_side(cell, -256, near_a + wide, near_b + wide, w->inverse_q8);
@@ -250,7 +245,7 @@ static void walk(const wire *w, int32_t column, int32_t end, int32_t low_q16, in
  * Direction and what follows from it, of a line that is `length` along and `delta` across. Its
  * cosine is 1 / sqrt(1 + slope^2), within 2^-12 of itself.
  */
-static void set_direction(wire *w, int32_t length, int32_t delta, int32_t radius)
+static void set_direction(thin_line *w, int32_t length, int32_t delta, int32_t radius)
 {
     const int32_t zeros = qtri_clz32((uint32_t)length); /* 8..31 */
     const uint32_t reciprocal = qtri_reciprocal_near((uint32_t)length << zeros);
@@ -280,8 +275,8 @@ static void set_direction(wire *w, int32_t length, int32_t delta, int32_t radius
     w->share_across = delta < 0 ? -w->share_across : w->share_across;
 }
 
-/* Ends and what they bring, by the longer axis. False: nothing is covered. */
-static bool set_ends(wire *w, const qtri_line_job *job, const qtri_line_path *l)
+/* Sets ends, direction and columns. False: the line misses the bounds. */
+static bool set_ends(thin_line *w, const qtri_line_job *job, const qtri_line_path *l)
 {
     w->job = job;
     w->x[0] = l->steep ? l->first->at.y_24p8 : l->first->at.x_24p8;
@@ -316,14 +311,14 @@ static bool set_ends(wire *w, const qtri_line_job *job, const qtri_line_path *l)
            low <= w->bounds[3];
 }
 
-/* What draws its pixels. */
-static void set_draw(wire *w)
+/* Chooses how columns are drawn. */
+static void set_draw(thin_line *w)
 {
     const qtri_stroke_target *to = w->job->to;
     const qtri_surface *surface = to->state.surface;
     const qtri_options *o = &to->state.options;
     const bool nearer = o->depth == QTRI_LINEAR16 && o->compare == QTRI_LESS && !o->read_only;
-    if (w->look.tints == NULL || to->alpha_q16 != 65536 || to->samples != NULL ||
+    if (w->look.light_table == NULL || to->alpha_q16 != 65536 || to->samples != NULL ||
         o->format != QTRI_RGB565 || o->keep || (qtri_tests_depth(o) && !nearer)) {
         w->draw = draw_any;
         return;
@@ -345,7 +340,7 @@ static void set_draw(wire *w)
 void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
                            const qtri_line_color *color)
 {
-    wire w;
+    thin_line w;
     qtri_line_path l;
     qtri_line_path_init(&l, a, b);
     if (job->width_24p8 == 0 || l.length == 0 || !set_ends(&w, job, &l)) {

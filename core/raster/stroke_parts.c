@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Parts of a stroke: where they are, which of them meet a strip and a row, and their shapes.
+ * Parts of a stroke: their ends and caps, boxes, lists by strip and row, and the cache of shapes.
  */
 #include "stroke.h"
 
-/* Whether a disc around one end may reach out of the other one. */
+/* Whether a part is so short that the disc around one end may reach beyond the other end. */
 static bool is_short(const qtri_stroke_place *place)
 {
     const uint32_t dx = qtri_magnitude32(place->end[1].x_24p8 - place->end[0].x_24p8);
@@ -23,8 +23,8 @@ static uint32_t count_of(const qtri_stroker *stroker)
     return stroker->count + (has_discs ? 2 : 0);
 }
 
-bool qtri_stroker_find(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place,
-                       qtri_stroke_end end[2])
+bool qtri_stroker_find_part(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place,
+                            qtri_stroke_end end[2])
 {
     const uint32_t last = stroker->count - 1;
     const uint32_t owner = part <= last ? part : part == last + 1 ? 0 : last;
@@ -59,7 +59,7 @@ static void set_joints(const qtri_stroker *stroker, uint32_t part, qtri_stroke_p
             place->caps[place->caps[0] == QTRI_CAP_ROUND ? 0 : 1] = QTRI_CAP_BUTT;
         }
     } else if (place->caps[0] == QTRI_CAP_ROUND && part > 0 &&
-               qtri_stroker_find(stroker, part - 1, &before, NULL) &&
+               qtri_stroker_find_part(stroker, part - 1, &before, NULL) &&
                before.end[1].x_24p8 == place->end[0].x_24p8 &&
                before.end[1].y_24p8 == place->end[0].y_24p8) {
         place->caps[0] = QTRI_CAP_BUTT;
@@ -72,8 +72,7 @@ qtri_stroke_box qtri_stroke_box_of(const qtri_stroke_place *place)
     const bool has_corners = place->caps[0] == QTRI_CAP_SQUARE || place->caps[1] == QTRI_CAP_SQUARE;
     const int32_t radius = place->radius_24p8;
     const int32_t reach = radius + (radius >> (has_corners ? 1 : 4)) + 2;
-    const qtri_point *a = &place->end[0];
-    const qtri_point *b = &place->end[1];
+    const qtri_point *a = &place->end[0], *b = &place->end[1];
     const qtri_stroke_box box = {
         (int16_t)((qtri_least32(a->x_24p8, b->x_24p8) - reach) >> 8),
         (int16_t)((qtri_least32(a->y_24p8, b->y_24p8) - reach) >> 8),
@@ -82,7 +81,7 @@ qtri_stroke_box qtri_stroke_box_of(const qtri_stroke_place *place)
     return box;
 }
 
-static inline bool do_meet(const qtri_stroke_box *a, const qtri_stroke_box *b)
+static inline bool do_overlap(const qtri_stroke_box *a, const qtri_stroke_box *b)
 {
     return a->y0 < b->y1 && b->y0 < a->y1 && a->x0 < b->x1 && b->x0 < a->x1;
 }
@@ -108,7 +107,7 @@ qtri_stroke_box qtri_stroker_find_blocks(qtri_stroker *stroker)
         *block = none;
         for (; part < end; part++) {
             qtri_stroke_place place;
-            if (qtri_stroker_find(stroker, part, &place, NULL)) {
+            if (qtri_stroker_find_part(stroker, part, &place, NULL)) {
                 const qtri_stroke_box box = qtri_stroke_box_of(&place);
                 add_box(block, &box);
             }
@@ -118,7 +117,7 @@ qtri_stroke_box qtri_stroker_find_blocks(qtri_stroker *stroker)
     return all;
 }
 
-/* The next part from `part` on that meets the box; QTRI_STROKE_NONE: there is none. */
+/* The next part from `part` on that overlaps the box, and its own box, or QTRI_STROKE_NONE. */
 static uint32_t next_near(const qtri_stroker *stroker, uint32_t part, const qtri_stroke_box *box,
                           qtri_stroke_box *own)
 {
@@ -126,14 +125,14 @@ static uint32_t next_near(const qtri_stroker *stroker, uint32_t part, const qtri
     while (part < count) {
         const uint32_t block = part / stroker->block_parts;
         const uint32_t end = (block + 1) * stroker->block_parts;
-        if (!do_meet(&stroker->block[block], box)) {
+        if (!do_overlap(&stroker->block[block], box)) {
             part = end;
         }
         for (; part < end && part < count; part++) {
             qtri_stroke_place place;
-            if (qtri_stroker_find(stroker, part, &place, NULL)) {
+            if (qtri_stroker_find_part(stroker, part, &place, NULL)) {
                 *own = qtri_stroke_box_of(&place);
-                if (do_meet(own, box)) {
+                if (do_overlap(own, box)) {
                     return part;
                 }
             }
@@ -156,7 +155,7 @@ void qtri_stroker_init_shape(qtri_stroker *stroker, qtri_stroke_shape *shape,
     shape->max_x = INT32_MAX;
 }
 
-/* Whether the row has it, as far as these are known. */
+/* Whether the window has this shape in use. */
 static bool is_in_row(const qtri_stroke_window *w, const qtri_stroke_shape *shape)
 {
     for (uint32_t i = 0; i < w->shape_count; i++) {
@@ -167,7 +166,7 @@ static bool is_in_row(const qtri_stroke_window *w, const qtri_stroke_shape *shap
     return false;
 }
 
-/* Room for another shape: best that of one which ends above the row. */
+/* An entry of the cache for another shape: free, of a shape above the row, or not of the window. */
 static qtri_stroke_shape *free_shape(qtri_stroker *stroker)
 {
     const qtri_stroke_window *w = &stroker->window;
@@ -194,14 +193,14 @@ qtri_stroke_shape *qtri_stroker_shape(qtri_stroker *stroker, uint32_t part)
     }
     qtri_stroke_place place;
     qtri_stroke_shape *shape = free_shape(stroker);
-    (void)qtri_stroker_find(stroker, part, &place, NULL);
+    (void)qtri_stroker_find_part(stroker, part, &place, NULL);
     set_joints(stroker, part, &place);
     qtri_stroker_init_shape(stroker, shape, &place);
     shape->part = part;
     return shape;
 }
 
-bool qtri_stroker_list(qtri_stroker *stroker, const qtri_stroke_box *box)
+bool qtri_stroker_list_parts(qtri_stroker *stroker, const qtri_stroke_box *box)
 {
     qtri_stroke_box own;
     stroker->near_count = 0;
@@ -232,7 +231,7 @@ qtri_stroke_shape *qtri_stroker_find_next(qtri_stroker *stroker, uint32_t part)
     qtri_stroke_box own;
     for (uint32_t i = 0; i < stroker->near_count; i++) {
         const qtri_stroke_near *near = &stroker->near[i];
-        if (near->part >= part && do_meet(&near->box, &box)) {
+        if (near->part >= part && do_overlap(&near->box, &box)) {
             return qtri_stroker_shape(stroker, near->part);
         }
     }
@@ -241,7 +240,7 @@ qtri_stroke_shape *qtri_stroker_find_next(qtri_stroker *stroker, uint32_t part)
     return part != QTRI_STROKE_NONE ? qtri_stroker_shape(stroker, part) : NULL;
 }
 
-/* Adds a part's shape if it is in the row; false: the last room is for those to come. */
+/* Adds a part's shape if it is in the row; false: the window has no room for another one. */
 static bool add_shape(qtri_stroker *stroker, uint32_t part)
 {
     qtri_stroke_window *w = &stroker->window;
@@ -256,8 +255,8 @@ static bool add_shape(qtri_stroker *stroker, uint32_t part)
     return w->shape_count < QTRI_STROKE_SHAPES;
 }
 
-/* Whether there is room for all shapes of the row, as there is most often: nothing is looked up
-   again then, in rows that have the same ones neither. */
+/* Lists all shapes of the window; false: there is no room. Mostly there is, and neither this row
+   nor rows with the same shapes look one up again. */
 static bool find_all(qtri_stroker *stroker)
 {
     qtri_stroke_window *w = &stroker->window;
@@ -269,7 +268,7 @@ static bool find_all(qtri_stroker *stroker)
         const qtri_stroke_near *near = &stroker->near[i];
         if (near->box.y0 > w->row) {
             w->same_end = qtri_least32(w->same_end, near->box.y0);
-        } else if (do_meet(&near->box, &box) && !add_shape(stroker, near->part)) {
+        } else if (do_overlap(&near->box, &box) && !add_shape(stroker, near->part)) {
             return false;
         }
     }

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Targets of strokes: the draw state, and pixels of four samples, drawn as one. */
 #include "draw_state.h"
 #include "samples.h"
 #include "stroke_pixels.h"
@@ -28,7 +29,7 @@ bool qtri_stroke_target_init(qtri_stroke_target *to, const qtri_surface *surface
 void qtri_stroke_look_init(qtri_stroke_look *look, const qtri_stroke_end end[2])
 {
     int32_t differ = 0;
-    look->tints = NULL;
+    look->light_table = NULL;
     qtri_stroke_look_set_depth(look, end[0].depth_16p8, end[1].depth_16p8);
     for (int i = 0; i < 3; i++) {
         const int32_t from = (end[0].color_8p16[i] + 128) >> 8; /* <= 65280 */
@@ -36,13 +37,13 @@ void qtri_stroke_look_init(qtri_stroke_look *look, const qtri_stroke_end end[2])
         look->color_delta[i] = ((end[1].color_8p16[i] + 128) >> 8) - from;
         differ |= look->color_delta[i];
     }
-    look->is_even = differ == 0;
-    look->is_level = look->is_even && (look->z_low | (uint32_t)look->z_high) == 0;
+    look->has_one_color = differ == 0;
+    look->is_constant = look->has_one_color && (look->z_low | (uint32_t)look->z_high) == 0;
 }
 
 /*
- * Four samples a pixel are as one: their mean takes what the stroke covers, and all become that.
- * Each pixel is drawn into memory of its own, in the column of four that a pattern asks for.
+ * A pixel of four samples is drawn as one: their mean goes to a pixel in memory, which the stroke
+ * is drawn to, in the column of four that a pattern needs; all samples become the result.
  */
 void qtri_stroke_sample_begin(qtri_stroke_sample *sample, qtri_stroke_target *to, int32_t x,
                               int32_t y)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Pixels of a row that one part of a stroke colours: written by the pipelines' body, each with what
- * the stroke covers of it. Internal.
+ * Spans of a stroke: pixels with the colours of one part and a weight each, drawn by the pipelines'
+ * body. Internal.
  *
  * Depth and colour are linear along a part: a pixel has a share of its length, from which both
  * follow. The options are those of triangles in one colour (QTRI_FLAT), which each pixel sets, and
@@ -14,7 +14,7 @@
 
 #include "../paint/coverage.h"
 
-/* What an end of a part looks like. */
+/* Depth and colour at an end of a part. */
 typedef struct qtri_stroke_end {
     uint32_t depth_16p8; /* 0..65535.0 */
     int32_t color_8p16[3];
@@ -24,12 +24,12 @@ typedef struct qtri_stroke_end {
 typedef struct qtri_stroke_look {
     uint32_t z_16p16, z_low; /* the difference: z_high 2^16 + z_low, 0 <= z_low < 2^16 */
     int32_t z_high;
-    int32_t color_8p8[3], color_delta[3];
-    bool is_even;  /* one colour */
-    bool is_level; /* and one depth */
+    int32_t color_8p8[3], color_delta[3]; /* at the first end, and the difference */
+    bool has_one_color;                   /* one colour */
+    bool is_constant;                     /* and one depth */
     /* Not NULL: 129 RGB565 colours by light, in place of those above; light at the first end, Q29,
        and the difference of that at the last, Q15. */
-    const uint16_t *tints;
+    const uint16_t *light_table;
     int32_t light_q29, light_step;
 } qtri_stroke_look;
 
@@ -39,55 +39,54 @@ typedef struct qtri_stroke_look {
 typedef struct qtri_stroke_span {
     const qtri_draw_state *state;
     const qtri_stroke_look *look;
-    int32_t x, y, count, rows; /* inside the state's bounds; row by row: */
-    const uint16_t *weight;    /* 256: all of a pixel; 0: nothing of it is drawn */
-    const uint16_t *share;     /* of a level part it is not read */
+    int32_t x, y, count, rows; /* inside the state's bounds; of each pixel: */
+    const uint16_t *weight;    /* 0..256, 0 is skipped, and QTRI_STROKE_WRITES */
+    const uint16_t *share;     /* not read where the look is constant */
 } qtri_stroke_span;
 
-/* What a pixel takes of a stroke: see qtri_stroke_span and QTRI_COVERAGE_FULL. Less than a half of
-   1/256 is nothing. */
+/* The weight of a pixel by its coverage, 0..QTRI_COVERAGE_FULL, and alpha: to nearest, so that less
+   than a half of 1/256 is 0. */
 static inline uint32_t qtri_stroke_weight(uint32_t cover, uint32_t alpha_q16)
 {
     const uint32_t weight = ((cover >> 2) * alpha_q16 + ((uint32_t)1 << 22)) >> 23; /* < 2^32 */
     return cover >= QTRI_COVERAGE_FULL / 2 ? weight | QTRI_STROKE_WRITES : weight;
 }
 
-/* Where strokes of one draw call are drawn to, and how. */
+/* The draw state of strokes of a draw call, and surfaces of samples. */
 typedef struct qtri_stroke_target {
     qtri_draw_state state;
-    qtri_material material;      /* what of the draw call's counts */
+    qtri_material material;      /* the draw call's, without fragment function and alphas */
     const qtri_surface *samples; /* of four a pixel; NULL: the state's surface is the target */
-    qtri_surface pixel;          /* one of its pixels */
+    qtri_surface pixel;          /* a pixel of it, with one sample, in a qtri_stroke_sample */
     uint32_t alpha_q16;          /* 2^16: opaque */
 } qtri_stroke_target;
 
-/* False: nothing can be drawn. `alpha` 1..255; not `is_smooth`: pixels are covered wholly. */
+/* False: nothing can be drawn. `alpha`: 1..255. Not `is_smooth`: coverage is 0 or full. */
 bool qtri_stroke_target_init(qtri_stroke_target *to, const qtri_surface *surface,
                              const qtri_material *material, const qtri_pipeline *const *pipelines,
                              uint8_t alpha, bool is_smooth);
 
-/* A pixel of samples, while it is drawn: in column x and row y of the state's surface. */
+/* A pixel of samples, while it is drawn as column x of to->pixel, the state's surface. */
 typedef struct qtri_stroke_sample {
     uint32_t words[4];
-    uint8_t *record;
-    uint32_t before;
-    int32_t x; /* 0..3 */
+    uint8_t *record; /* on the surface of samples */
+    uint32_t before; /* the mean of its samples */
+    int32_t x;       /* 0..3 */
 } qtri_stroke_sample;
 
 void qtri_stroke_sample_begin(qtri_stroke_sample *sample, qtri_stroke_target *to, int32_t x,
                               int32_t y);
 void qtri_stroke_sample_end(const qtri_stroke_sample *sample, const qtri_stroke_target *to);
 
-/* span->state is the target's. */
+/* Draws a span whose state is the target's. */
 void qtri_stroke_target_draw(qtri_stroke_target *to, const qtri_stroke_span *span);
 
-/* Sets the look of a part with these ends. */
+/* Sets depth and colour along a part with these ends. */
 void qtri_stroke_look_init(qtri_stroke_look *look, const qtri_stroke_end end[2]);
 
-/* Strokes whose pixels are covered in part, or wholly: what draws them, by the draw state's
- * options. */
+/* Pipelines that draw spans of strokes. */
 extern const qtri_pipeline *const qtri_stroke_pipelines[];
-extern const qtri_pipeline qtri_stroke_any; /* its last: by options that are read for each pixel */
+extern const qtri_pipeline qtri_stroke_any; /* the last: generic */
 
 static inline void qtri_stroke_look_set_depth(qtri_stroke_look *look, uint32_t from, uint32_t to)
 {
@@ -96,16 +95,16 @@ static inline void qtri_stroke_look_set_depth(qtri_stroke_look *look, uint32_t f
     look->z_high = (int32_t)((to >> 16) - (from >> 16)) - ((to & 0xFFFFu) < (from & 0xFFFFu));
 }
 
-/* One colour and depth. */
-static inline void qtri_stroke_look_set_level(qtri_stroke_look *look, uint32_t depth_16p16,
-                                              const qtri_rgb *color)
+/* Sets one colour and depth. */
+static inline void qtri_stroke_look_set_constant(qtri_stroke_look *look, uint32_t depth_16p16,
+                                                 const qtri_rgb *color)
 {
     look->z_16p16 = depth_16p16;
     look->color_8p8[0] = color->r << 8;
     look->color_8p8[1] = color->g << 8;
     look->color_8p8[2] = color->b << 8;
-    look->is_even = look->is_level = true;
-    look->tints = NULL;
+    look->has_one_color = look->is_constant = true;
+    look->light_table = NULL;
 }
 
 /* A share 0..65535 as 0..2^16, so that the last end has all of its own depth and colour. */
@@ -137,28 +136,28 @@ QTRI_BODY uint32_t qtri_stroke_color_at(const qtri_stroke_look *look, uint32_t s
 }
 
 /* RGB565 at a share, by the light there. */
-QTRI_BODY uint32_t qtri_stroke_tint_at(const qtri_stroke_look *look, uint32_t share_q16)
+QTRI_BODY uint32_t qtri_stroke_lit_color_at(const qtri_stroke_look *look, uint32_t share_q16)
 {
     const int32_t light = look->light_q29 + look->light_step * (int32_t)(share_q16 >> 2);
-    return look->tints[((uint32_t)light + ((uint32_t)1 << 21)) >> 22];
+    return look->light_table[((uint32_t)light + ((uint32_t)1 << 21)) >> 22];
 }
 
-/* Depth and colour of a pixel whose part is not level. */
+/* Sets the walk's colour at a share, and returns the depth there. */
 QTRI_BODY uint32_t qtri_stroke_pixel_look(const qtri_options *o, qtri_pixel_walk *w,
                                           const qtri_stroke_look *look, uint32_t share_q16)
 {
     const uint32_t at = qtri_stroke_share(share_q16);
-    if (look->tints != NULL) {
-        w->color = qtri_stroke_tint_at(look, at);
-    } else if (!look->is_even) {
+    if (look->light_table != NULL) {
+        w->color = qtri_stroke_lit_color_at(look, at);
+    } else if (!look->has_one_color) {
         w->color = qtri_walk_color(o, w->state->surface, qtri_stroke_color_at(look, at));
     }
     return qtri_stroke_depth_at(look, at);
 }
 
-/* From the walk's pixel on. A pipeline has a loop of its own for parts that are level. */
+/* Draws rows from the walk's pixel on. Pipelines have a loop of their own for a constant look. */
 QTRI_BODY void qtri_stroke_rows(const qtri_options *o, qtri_pixel_walk *w,
-                                const qtri_stroke_span *span, bool is_level)
+                                const qtri_stroke_span *span, bool is_constant)
 {
     const qtri_draw_state *state = span->state;
     const qtri_stroke_look *look = span->look;
@@ -171,7 +170,7 @@ QTRI_BODY void qtri_stroke_rows(const qtri_options *o, qtri_pixel_walk *w,
         const uint16_t *const end = weight + span->count;
         for (; weight != end; weight++) {
             if (*weight != 0) {
-                if (!is_level) {
+                if (!is_constant) {
                     z = qtri_stroke_pixel_look(o, w, look, *share);
                 }
                 if (qtri_needs_depth(o)) {
@@ -188,7 +187,7 @@ QTRI_BODY void qtri_stroke_rows(const qtri_options *o, qtri_pixel_walk *w,
             } else {
                 w->x++;
             }
-            share += !is_level;
+            share += !is_constant;
             w->pixel += step;
             if (qtri_tests_depth(o)) {
                 w->depth += depth_step;
@@ -219,16 +218,16 @@ QTRI_BODY void qtri_stroke_span_draw(const qtri_options *o, const qtri_stroke_sp
     }
     w.x = span->x;
     w.y = span->y;
-    if (look->is_even) {
+    if (look->has_one_color) {
         w.color = qtri_walk_color(o, surface, qtri_stroke_color_at(look, 0));
     }
 #if !defined(QTRI_PIPELINE_IS_ANY)
-    if (look->is_level) {
+    if (look->is_constant) {
         qtri_stroke_rows(o, &w, span, true);
         return;
     }
 #endif
-    qtri_stroke_rows(o, &w, span, look->is_level);
+    qtri_stroke_rows(o, &w, span, look->is_constant);
 }
 
 #endif

@@ -24,12 +24,12 @@ enum {
     WEIGHTS = 200 /* of a block: all of a point of 13 pixels */
 };
 
-/* Where a row or a column begins, from the centre. */
+/* A line between columns, from the centre, and the corner where it crosses a row's. */
 typedef struct corner {
     int32_t x;      /* held to the radius */
     int32_t square; /* of x */
     int32_t area;   /* S(|x|), 2^-16 */
-    int32_t above;  /* what A of the line above grows by from the column before */
+    int32_t above;  /* A at the line above, less A there of the column before */
 } corner;
 
 /* S of the unit disc, 2^-16: in 128ths, and from 7/8 on in 512ths. */
@@ -81,7 +81,7 @@ static void disc_init(qtri_stroke_disc *disc, int32_t radius)
     /* NOLINTEND(clang-analyzer-core.UndefinedBinaryOperatorResult) */
 }
 
-/* A line between rows: where it is, and what it asks of corners. */
+/* A line between rows, from the centre. */
 typedef struct line {
     int32_t y;    /* held to the radius */
     int32_t rest; /* corners whose square is not greater are inside */
@@ -172,8 +172,7 @@ void qtri_stroker_draw_point(qtri_stroker *stroker, const qtri_point *center, in
                              bool is_round)
 {
     const qtri_rect *bounds = &stroker->to.state.bounds;
-    const int32_t x = center->x_24p8;
-    const int32_t y = center->y_24p8;
+    const int32_t x = center->x_24p8, y = center->y_24p8;
     const int32_t x0 = qtri_greatest32((x - radius) >> 8, bounds->x0);
     const int32_t y0 = qtri_greatest32((y - radius) >> 8, bounds->y0);
     const int32_t x1 = qtri_least32((x + radius + 255) >> 8, bounds->x1);

@@ -27,7 +27,7 @@ static int32_t half_chord(int32_t radius, int32_t down)
 enum { REGULAR = 3 };
 static const int16_t regular_radius[REGULAR] = {160, 400, 800};
 
-/* The n-th: from the top to the side, in 2^-14 of the radius. */
+/* Sets half chords of the n-th, from the top to the side, from a table in 2^-14 of the radius. */
 static int32_t set_regular(qtri_stroke_ring *ring, int32_t n)
 {
     static const uint16_t side[REGULAR][5] = {
@@ -138,7 +138,7 @@ static uint8_t cut_of(int64_t slope_q32)
     return (uint8_t)qtri_greatest32(qtri_clz32(whole) - 18, 0);
 }
 
-/* From ends, which of them are round, and `out`, radius times direction from a to b. */
+/* Sets offset, slope, top and bottom from the ends and `out`, radius times direction, a to b. */
 static void set_outline(qtri_stroke_shape *s, int32_t out_x, int32_t out_y)
 {
     const int32_t reach = s->ring != NULL ? ring_up(s->ring, 0) : s->radius;
@@ -197,7 +197,7 @@ static int32_t side_x(int32_t from_x, int32_t down, int64_t slope_q32)
     return from_x + whole + (int32_t)((rest + ((uint32_t)1 << 31)) >> 32);
 }
 
-/* The piece at y of a side from level `top` to `bottom`. */
+/* Sets the piece at y of a side from level `top` to `bottom`. */
 static void set_side(qtri_stroke_piece *p, int32_t x, int32_t top, int32_t bottom,
                      int64_t slope_q32, int cut, int32_t y)
 {
@@ -208,7 +208,7 @@ static void set_side(qtri_stroke_piece *p, int32_t x, int32_t top, int32_t botto
     p->slope_q16 = cut == 0 ? 0 : (int32_t)((slope_q32 + 0x8000) >> 16); /* < 2^29 */
 }
 
-/* The piece of a disc's bound at y; sign: -1 for the left one. */
+/* Sets the piece at y of a disc's bound; sign: -1 for the left one. */
 static void set_arc(qtri_stroke_piece *p, const qtri_stroke_ring *ring, const qtri_point *center,
                     int32_t sign, int32_t y)
 {
@@ -240,7 +240,7 @@ static void set_arc(qtri_stroke_piece *p, const qtri_stroke_ring *ring, const qt
     }
 }
 
-/* Leaves of a piece what lies from `top` to `bottom`. */
+/* Clips a piece to levels `top` to `bottom`. */
 static void cut_piece(qtri_stroke_piece *p, int32_t top, int32_t bottom)
 {
     if (bottom < p->bottom) {
@@ -253,7 +253,7 @@ static void cut_piece(qtri_stroke_piece *p, int32_t top, int32_t bottom)
     }
 }
 
-/* Around an end from `top` to `bottom`. */
+/* Sets the piece at y of the bound around an end, from `top` to `bottom`. */
 static void set_end(qtri_stroke_shape *s, int side, bool is_upper, int32_t top, int32_t bottom,
                     int32_t y)
 {
@@ -304,7 +304,7 @@ static void to_pixel(const qtri_stroke_shape *s, int32_t x, int32_t y, int32_t t
     to[1] = y * 256 + 128 - s->origin.y_24p8;
 }
 
-/* A share of the length a unit, of a part of a pixel or more: at most 2^30. */
+/* share_x or share_y in Q38, of a part at least a pixel long: at most 2^30. */
 static int32_t share_q38(int32_t share, int32_t shift)
 {
     return shift >= 14 ? share >> (shift - 14) : share * ((int32_t)1 << (14 - shift));
@@ -336,9 +336,9 @@ void qtri_stroke_shape_shares(const qtri_stroke_shape *s, int32_t x, int32_t y, 
                  s->share_shift; /* < 2^56 */
     at += skip * step;
     for (int32_t i = 0; i < count; i++, at += step) {
-        share_q16[i] = qtri_stroke_held_share((int32_t)(at < -most  ? -most
-                                                        : at > most ? most
-                                                                    : at));
+        share_q16[i] = qtri_stroke_clamped_share((int32_t)(at < -most  ? -most
+                                                           : at > most ? most
+                                                                       : at));
     }
 }
 
@@ -348,8 +348,7 @@ uint64_t qtri_stroke_shape_distance(const qtri_stroke_shape *s, int32_t x, int32
     int32_t to[2];
     to_pixel(s, x, y, to);
     if (qtri_magnitude32(to[0]) < NEAR && qtri_magnitude32(to[1]) < NEAR) {
-        const int32_t x_q15 = s->along_x_q30 >> 15;
-        const int32_t y_q15 = s->along_y_q30 >> 15;
+        const int32_t x_q15 = s->along_x_q30 >> 15, y_q15 = s->along_y_q30 >> 15;
         const int32_t far = (to[0] * x_q15 + to[1] * y_q15) >> 15;
         const int32_t across = (to[1] * x_q15 - to[0] * y_q15) >> 15; /* < 2^14.5 */
         const int32_t beyond = far < 0 ? far : far > s->length_24p8 ? far - s->length_24p8 : 0;
@@ -362,7 +361,6 @@ uint64_t qtri_stroke_shape_distance(const qtri_stroke_shape *s, int32_t x, int32
         (int32_t)((qtri_mul_s32(to[1], s->along_x_q30) - qtri_mul_s32(to[0], s->along_y_q30)) >>
                   30);
     const int32_t beyond = along < 0 ? along : along > s->length_24p8 ? along - s->length_24p8 : 0;
-    const int32_t dx = qtri_hold32(beyond, -most, most);
-    const int32_t dy = qtri_hold32(across, -most, most);
+    const int32_t dx = qtri_hold32(beyond, -most, most), dy = qtri_hold32(across, -most, most);
     return (uint64_t)qtri_mul_s32(dx, dx) + (uint64_t)qtri_mul_s32(dy, dy);
 }

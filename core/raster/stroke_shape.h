@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * One part of a stroke: the convex shape that it is, and where along its length pixels are.
- * Internal.
+ * The convex shape of one part of a stroke: its left and right bounds by row, and shares of its
+ * length at pixels. Internal.
  *
- * A bound of the shape, its left or its right one, leads around the upper end, along a side of the
+ * A bound of the shape, the left or the right one, leads around the upper end, along a side of the
  * rectangle, and around the lower end. It is asked for in pieces, which are straight: an end is
  * flat, or an arc of a polygon around the disc.
  */
@@ -34,7 +34,7 @@ typedef struct qtri_stroke_ring {
     int32_t last; /* the vertex at the side */
     bool is_regular;
     uint16_t half[QTRI_STROKE_RING];     /* of the chord there, 1/256 pixel */
-    int32_t slope_q16[QTRI_STROKE_RING]; /* of half, down from here to the next */
+    int32_t slope_q16[QTRI_STROKE_RING]; /* of `half`, from here down to the next vertex */
 } qtri_stroke_ring;
 
 void qtri_stroke_ring_init(qtri_stroke_ring *ring, int32_t radius);
@@ -44,12 +44,12 @@ typedef struct qtri_stroke_piece {
     int32_t top, bottom;
     int32_t x0, x1; /* at its top, and at its bottom */
     int32_t slope_q16;
-    int32_t vertex; /* of an arc: the ring's next one above */
+    int32_t vertex; /* of an arc: index of the ring's vertex that begins it */
 } qtri_stroke_piece;
 
 /*
- * A part made ready. a is its upper end, a cap included. The rectangle's corners are a and b plus
- * and minus `offset`.
+ * The set-up of a part. a is its upper end, a square cap included. The rectangle's corners are a
+ * and b plus and minus `offset`.
  */
 typedef struct qtri_stroke_shape {
     uint32_t part;                /* UINT32_MAX: none */
@@ -59,11 +59,11 @@ typedef struct qtri_stroke_shape {
     int32_t offset_x, offset_y; /* offset_y >= 0 */
     int32_t top, bottom;
     int64_t slope_q32; /* x for y along the long sides */
-    uint8_t cut;       /* and their pieces' height, 2^cut */
+    uint8_t cut;       /* their pieces are 2^cut high */
     bool round_a, round_b;
     bool is_left;               /* a + offset is on the left bound, a - offset on the right one */
     qtri_stroke_piece piece[2]; /* of the left bound and of the right one, found last */
-    int32_t min_x, max_x;       /* of what it covers of the row */
+    int32_t min_x, max_x;       /* of the row: columns covered, 24.8 */
     uint8_t share_shift;        /* 6..31 */
     qtri_point origin;          /* the first end without a cap; along the part: */
     int32_t along_x_q30, along_y_q30; /* direction */
@@ -95,8 +95,8 @@ static inline int32_t qtri_stroke_piece_x(const qtri_stroke_piece *piece, int32_
                : piece->x0 + ((piece->slope_q16 * (y - piece->top) + 0x8000) >> 16); /* < 2^31 */
 }
 
-/* A share of the part's length, held to the part. */
-static inline uint16_t qtri_stroke_held_share(int32_t share_q24)
+/* A share of the part's length, clamped to 0..1: Q24 to 16 bits. */
+static inline uint16_t qtri_stroke_clamped_share(int32_t share_q24)
 {
     return (uint16_t)(qtri_hold32(share_q24, 0, (1 << 24) - 1) >> 8);
 }
@@ -105,7 +105,8 @@ static inline uint16_t qtri_stroke_held_share(int32_t share_q24)
 void qtri_stroke_shape_shares(const qtri_stroke_shape *shape, int32_t x, int32_t y, int32_t count,
                               uint16_t *share_q16);
 
-/* The square of the distance from a pixel's centre to the part's line, far away taken as 2^22. */
+/* The square of the distance from a pixel's centre to the part's segment, 24.8, of which each
+   component is 2^22 at most. */
 uint64_t qtri_stroke_shape_distance(const qtri_stroke_shape *shape, int32_t x, int32_t y);
 
 #endif

@@ -8,10 +8,10 @@
  */
 #include "stroke.h"
 
-/* What lies between two sides of a slice, each at its upper and at its lower level. */
+/* The columns between two sides of a slice, 24.8 at its upper and at its lower level. */
 typedef struct span {
     int32_t left[2], right[2];
-    int32_t left_sum, right_sum; /* of both: twice what they are at the middle */
+    int32_t left_sum, right_sum; /* of both levels: twice the middle */
 } span;
 
 /* A slice's spans are disjoint and sorted. Windows with more parts are a few columns wide. */
@@ -45,8 +45,7 @@ static inline void widen(span *s, const span *by)
  */
 QTRI_NOINLINE static int32_t crossing(const int32_t a[2], const int32_t b[2], int32_t height)
 {
-    uint32_t d0 = qtri_magnitude32(a[0] - b[0]);
-    uint32_t d1 = qtri_magnitude32(a[1] - b[1]);
+    uint32_t d0 = qtri_magnitude32(a[0] - b[0]), d1 = qtri_magnitude32(a[1] - b[1]);
     if ((d0 < d1 ? d0 : d1) * (uint32_t)height <= 2048) { /* < 2^24 2^8 */
         return height;
     }
@@ -141,8 +140,7 @@ static int32_t next_level(qtri_stroker *stroker, int32_t y, int32_t bottom)
 QTRI_INLINE bool set_span(span *out, spans *all, qtri_stroke_shape *s, const qtri_coverage *c,
                           int32_t y0, int32_t y1)
 {
-    const qtri_stroke_piece *left = &s->piece[0];
-    const qtri_stroke_piece *right = &s->piece[1];
+    const qtri_stroke_piece *left = &s->piece[0], *right = &s->piece[1];
     out->left[0] = qtri_stroke_piece_x(left, y0);
     out->left[1] = qtri_stroke_piece_x(left, y1);
     out->right[0] = qtri_stroke_piece_x(right, y0);
@@ -172,14 +170,14 @@ static int32_t find_spans(spans *all, qtri_stroker *stroker, int32_t y0, int32_t
             continue;
         }
         if (!stroker->window.is_complete) {
-            (void)slice_end(s, y0, y1); /* made ready anew since next_level() */
+            (void)slice_end(s, y0, y1); /* another shape may have replaced it since next_level() */
         }
         if (!set_span(&more, all, s, &stroker->window.coverage, y0, y1)) {
             continue;
         }
         const int32_t height = height_to_crossings(all, &more, y1 - y0);
         if (height < y1 - y0) {
-            y1 = y0 + height; /* sides are others: once more */
+            y1 = y0 + height; /* sides differ in a lower slice: start again */
             all->count = 0;
             count = 0;
             s = NULL;
