@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What a material or a texture names by its address: pipelines know it by these numbers. Internal.
+ * The structs that materials, textures and views point to: blend, filter, shading, depth shift; and
+ * the pipelines and laws that they bring. Internal.
  */
 #ifndef QTRI_RASTER_DESCRIPTIONS_H
 #define QTRI_RASTER_DESCRIPTIONS_H
@@ -21,7 +22,7 @@ struct qtri_blend {
     uint8_t kind;                          /* QTRI_ALPHA and the like, of material.h */
     bool by_vertex;                        /* alpha varies between the vertices */
     const qtri_pipeline *const *pipelines; /* NULL: none */
-    /* Sets what it asks for: options, and alpha and channels of the state. */
+    /* Sets its options, and alpha and channel mask of the state. */
     void (*begin)(qtri_draw_state *state, const qtri_material *material);
 };
 
@@ -86,7 +87,7 @@ typedef int64_t (*qtri_fog_law)(q16 z, q16 a, q16 b);
 void qtri_fog_set(qtri_fog *fog, qtri_fog_range range, q16 z0, q16 z1, qtri_fog_law share, q16 a,
                   q16 b);
 
-/* Of a material. */
+/* A material's shading, &qtri_flat_last if it names none. */
 static inline const qtri_shading *qtri_shading_of(const qtri_material *material)
 {
     return material->shading != NULL ? material->shading : &qtri_flat_last;
@@ -102,13 +103,13 @@ static inline int qtri_provoking_of(const qtri_material *material)
     return qtri_shading_of(material)->provoking;
 }
 
-/* The length of a step, of the magnitudes of both its parts: .97 to 1.07 of it. */
+/* The length of a step from the magnitudes of its components: .97 to 1.07 of it. */
 static inline uint32_t qtri_step_length(uint32_t a, uint32_t b)
 {
     return a > b ? a + (3 * (b >> 3)) : b + (3 * (a >> 3));
 }
 
-/* Of texture->width_log2 or height_log2, 0..10. */
+/* texture->width_log2 or height_log2, 10 at most. */
 static inline uint8_t qtri_side_log2(uint8_t log2)
 {
     return log2 > 10 ? 10 : log2;

@@ -9,7 +9,7 @@
 #include "samples.h"
 
 enum {
-    NEAR = 33 * 256 /* of a small triangle that is not wide from its first vertex, and a pixel */
+    NEAR = 33 * 256 /* 24.8: reach of a small triangle that is not wide, and a pixel */
 };
 
 static bool is_usable(const qtri_texture *texture)
@@ -69,8 +69,8 @@ static uint8_t shade_of(const qtri_options *o, const qtri_material *material, in
     return (uint8_t)(shade == QTRI_FLAT ? QTRI_TINT : shade);
 }
 
-/* A description with memory of its own is another, whatever it was copied from. */
-static void want_format(qtri_options *o, const qtri_format *format)
+/* A copy of a known format whose pixels have other bytes is user-defined. */
+static void set_format(qtri_options *o, const qtri_format *format)
 {
     const qtri_sampling *samples = format->samples;
     const uint8_t bytes = (samples != NULL ? samples->format : format)->pixels->bytes;
@@ -81,14 +81,14 @@ static void want_format(qtri_options *o, const qtri_format *format)
     }
 }
 
-/* Options, all of which are 0 yet, and the texture. */
-static void want(qtri_draw_state *state, const qtri_texture *texture, int shade)
+/* Sets options, all of which are 0 before, and the texture. */
+static void set_options(qtri_draw_state *state, const qtri_texture *texture, int shade)
 {
     qtri_options *o = &state->options;
     const qtri_surface *surface = state->surface;
     const qtri_material *material = state->material;
     const qtri_depth_format *depth = surface->depth_format;
-    want_format(o, surface->format);
+    set_format(o, surface->format);
     if (surface->depth != NULL && material->depth_compare != QTRI_DEPTH_OFF) {
         o->depth = depth == NULL || depth->ops == NULL ? QTRI_LINEAR16
                    : depth->kind != QTRI_NO_DEPTH      ? depth->kind
@@ -115,7 +115,7 @@ static void want(qtri_draw_state *state, const qtri_texture *texture, int shade)
     }
 }
 
-/* All but formats of the application's own. */
+/* Whether a pipeline's options are these, or any; formats of the application are not compared. */
 static bool are_equal(const qtri_options *of_pipeline, const qtri_options *wanted)
 {
     const uint8_t *x = (const uint8_t *)of_pipeline;
@@ -127,7 +127,7 @@ static bool are_equal(const qtri_options *of_pipeline, const qtri_options *wante
     return i == offsetof(qtri_options, pixel_bytes);
 }
 
-/* Formats of the application's own are known by their addresses, where a pipeline names them. */
+/* User-defined formats are compared by their addresses, where a pipeline names them. */
 static bool fits(const qtri_pipeline *pipeline, const qtri_draw_state *state)
 {
     const qtri_options *o = &pipeline->options;
@@ -150,7 +150,7 @@ static const qtri_pipeline *find(const qtri_pipeline *const *list, const qtri_dr
     return list != NULL ? *list : NULL;
 }
 
-/* What the surface's depth format and the material's blend, fog and filter bring. */
+/* One of the lists of the surface's depth format and the material's blend, fog and filter. */
 static const qtri_pipeline *find_brought(const qtri_pipeline *pipeline, qtri_draw_state *state)
 {
     (void)pipeline;
@@ -177,7 +177,8 @@ static const qtri_pipeline *chosen_by(const qtri_pipeline *pipeline, qtri_draw_s
     return pipeline->choose != NULL ? pipeline->choose(pipeline, state) : pipeline;
 }
 
-/* What draws a pixel of samples is reached through its format, unless a view names it. */
+/* The pipeline for a state, NULL if none fits. The generic one for samples is reached through the
+   format, as views list the other. */
 static const qtri_pipeline *find_all(const qtri_pipeline *const *list, qtri_draw_state *state)
 {
     const qtri_pipeline *found = NULL;
@@ -250,7 +251,7 @@ void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level)
     set_traits(state, (uint32_t)texture->width_log2 + texture->height_log2);
 }
 
-/* Mipmapped: only what names such a filter links what these call. */
+/* Mipmapped: called through the filter, so that only programs that name one link it. */
 bool qtri_small_set_level(const qtri_small_place *p, const qtri_small *t)
 {
     return t->state->texture->filter->levels->set_small(p, t);
@@ -266,7 +267,7 @@ int32_t qtri_large_next_levels(qtri_large *t)
     return t->state->texture->filter->levels->next(t);
 }
 
-/* What no pipeline draws. */
+/* A pipeline that draws nothing. */
 static void draw_nothing(const struct qtri_large_input *triangle)
 {
     (void)triangle;
@@ -313,7 +314,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
         (surface->depth != NULL && material->depth_compare == QTRI_NEVER)) {
         return;
     }
-    want(state, texture, shade);
+    set_options(state, texture, shade);
     state->alpha = 256;
     state->keep = 0;
     if (material->blend != NULL) {
@@ -334,8 +335,7 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
     }
     set_pipeline(state, found);
     if (found->options.format != QTRI_ANY) {
-        const uint8_t read_only = state->options.read_only;
-        const uint8_t compare = state->options.compare;
+        const uint8_t read_only = state->options.read_only, compare = state->options.compare;
         state->options = found->options;
         state->options.read_only = read_only;
         state->options.compare = compare;

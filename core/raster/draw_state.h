@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What a draw call's triangles have in common, from surface and material; and the choice of a
- * pipeline. Internal.
+ * Sets up the state of a draw call from surface and material, and chooses its pipeline. Internal.
  */
 #ifndef QTRI_RASTER_DRAW_STATE_H
 #define QTRI_RASTER_DRAW_STATE_H
@@ -10,7 +9,7 @@
 
 enum {
     QTRI_BY_PIXEL = QTRI_COLORS + 1,
-    QTRI_COVERED = 16 /* added to `shade`: pixels are covered in part */
+    QTRI_COVERED = 16 /* or-ed to `shade`: strokes may cover pixels in part */
 };
 
 /* A material's comparison; a number that is none is QTRI_ALWAYS. Enums may be signed. */
@@ -31,11 +30,10 @@ void qtri_draw_state_init(qtri_draw_state *state, const qtri_surface *surface,
                           const qtri_pipeline *const *pipelines, const qtri_material *material,
                           const qtri_texture *texture, int shade);
 
-/* For qtri_pipeline.choose of the generic ones: finds the state's options.asks; returns `generic`.
- */
+/* qtri_pipeline.choose of generic pipelines: sets options.asks of the state; returns `generic`. */
 const qtri_pipeline *qtri_draw_state_ask(const qtri_pipeline *generic, qtri_draw_state *state);
 
-/* Where the generic pipeline was chosen: takes one of this list that fits, if there is any. */
+/* Replaces the generic pipeline, if it was chosen, by one of this list that fits, if any does. */
 void qtri_draw_state_prefer(qtri_draw_state *state, const qtri_pipeline *const *pipelines);
 
 #endif

@@ -18,7 +18,7 @@ static uint64_t quotient(uint64_t n, uint64_t divisor, int32_t more)
     return qtri_divide64(n, divisor, more, &half);
 }
 
-/* Where depths of 0 and 1 are: at least 1, and beyond that. */
+/* Distances of the planes, Q16: near_z >= 1, far_z > near_z. */
 typedef struct fog_planes {
     uint64_t near_z, far_z;
 } fog_planes;
@@ -51,7 +51,7 @@ static q16 distance_at(qtri_fog_range range, uint64_t t)
     return qtri_saturate32((int64_t)quotient(p.near_z * p.far_z, p.near_z + beyond, 0));
 }
 
-/* What the depth is less there. */
+/* t, the depth's difference to 65535.0, at distance z: WHOLE at the near plane, 0 at the far. */
 static uint32_t t_of(qtri_fog_range range, q16 z)
 {
     const fog_planes p = planes_of(range);
@@ -87,8 +87,7 @@ static void set_shares(qtri_fog *fog, qtri_fog_range range, qtri_fog_law share, 
 void qtri_fog_set(qtri_fog *fog, qtri_fog_range range, q16 z0, q16 z1, qtri_fog_law share, q16 a,
                   q16 b)
 {
-    const uint32_t t0 = t_of(range, z1);
-    const uint32_t t1 = t_of(range, z0);
+    const uint32_t t0 = t_of(range, z1), t1 = t_of(range, z0);
     fog->is_set = true;
     fog->first = t0;
     fog->step_bits = 0;
@@ -116,7 +115,7 @@ typedef struct fog_step {
     int32_t base, slope; /* base + that times the slope is 1024 2^PART_BITS where all is clear */
 } fog_step;
 
-/* Between two shares, over 2^bits of t: 2^12 of 2^17, the rise being so, is below 2^30. */
+/* From a share to the next over 2^bits of t: 2^12 times a rise of at most 2^17 is below 2^30. */
 static void set_step(fog_step *s, int32_t low, int32_t high, uint32_t bits)
 {
     const int32_t less = (int32_t)bits - PART_BITS;

@@ -35,7 +35,7 @@ void qtri_lit_set_corner(qtri_lit_triangle *p, int i, const qtri_lit_point *poin
     }
 }
 
-/* Places in one scale, that of the farthest. */
+/* Brings positions to one exponent, that of the farthest; sets one_color. */
 static void align_corners(qtri_lit_triangle *p)
 {
     qtri_lit_corner *c = p->corner;
@@ -53,19 +53,18 @@ static void align_corners(qtri_lit_triangle *p)
                    c[0].color.g == c[2].color.g && c[0].color.b == c[2].color.b;
 }
 
-/* Places in one scale, that of the farthest, and what corners 1 and 2 differ in from corner 0. */
+/* Brings positions to one exponent, and sets corners 1 and 2 less corner 0. */
 static void set_corners(qtri_lit_triangle *p)
 {
     const qtri_lit_corner *c = p->corner;
-    uint32_t all = 1;
-    uint32_t turns = 0;
+    uint32_t all = 1, turns = 0;
     align_corners(p);
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 2; i++) { /* places are within 2^29 of 0, directions within 2^14.1 */
             p->across[i][k] = c[i + 1].place[k] - c[0].place[k];
-            p->turn_q14[i][k] = c[i + 1].normal_q14[k] - c[0].normal_q14[k];
+            p->normal_delta_q14[i][k] = c[i + 1].normal_q14[k] - c[0].normal_q14[k];
             all |= qtri_magnitude32(p->across[i][k]);
-            turns |= (uint32_t)p->turn_q14[i][k];
+            turns |= (uint32_t)p->normal_delta_q14[i][k];
         }
     }
     p->up = qtri_greatest32(qtri_clz32(all) - 2, 0);
@@ -76,7 +75,8 @@ static void set_corners(qtri_lit_triangle *p)
     p->one_normal = turns == 0;
 }
 
-/* Products are of an element within 2^30 and shares whose sum is less than 1. */
+/* The position with these shares of corners 1 and 2. Products are of an element within 2^30 and
+   shares whose sum is less than 1. */
 static void set_place(qtri_lit_point *point, const qtri_lit_triangle *p, const int32_t b_q30[2])
 {
     point->exponent = p->corner[0].exponent;
@@ -108,13 +108,12 @@ static void normalize(int32_t n[3])
 
 static void set_normal(qtri_lit_point *point, const qtri_lit_triangle *p, const int32_t b_q30[2])
 {
-    const int32_t b1 = b_q30[0] >> 15;
-    const int32_t b2 = b_q30[1] >> 15;
+    const int32_t b1 = b_q30[0] >> 15, b2 = b_q30[1] >> 15;
     int32_t *n = point->normal_q14;
     for (int k = 0; k < 3; k++) {
         n[k] = p->corner[0].normal_q14[k];
         if (!p->one_normal) { /* two unit vectors differ by 2^15.01, so that sums fit */
-            n[k] += (p->turn_q14[0][k] * b1 + p->turn_q14[1][k] * b2) >> 15;
+            n[k] += (p->normal_delta_q14[0][k] * b1 + p->normal_delta_q14[1][k] * b2) >> 15;
         }
     }
     if (!p->one_normal) {
@@ -145,7 +144,7 @@ static uint32_t color_8p8(const qtri_lit_triangle *p, uint8_t c0, uint8_t c1, ui
     return (uint32_t)((c0 << 8) + (more >> 8));
 }
 
-/* What a point shows, of the shares whose colour it has. */
+/* The lit colour of a point, whose own colour is that of these shares of corners 1 and 2. */
 static void light_point(uint32_t color_8p16[3], qtri_lit_point *point, const qtri_lit_triangle *p,
                         const int32_t b_q30[2])
 {
@@ -163,7 +162,7 @@ static void light_point(uint32_t color_8p16[3], qtri_lit_point *point, const qtr
                                    by->specular.b);
 }
 
-/* Halfway between two corners, i below j. */
+/* The lit colour halfway between corners i and j, i < j. */
 static void light_middle(uint32_t color_8p16[3], const qtri_lit_triangle *p, int i, int j)
 {
     const int32_t half = QTRI_LIT_ONE_Q30 / 2;
@@ -179,7 +178,7 @@ static void light_middle(uint32_t color_8p16[3], const qtri_lit_triangle *p, int
     light_point(color_8p16, &point, p, b_q30);
 }
 
-/* |k| < 2^17, so that products fit. */
+/* A channel by its polynomial. |k| < 2^17, so that products fit. */
 static uint32_t quadratic_8p16(const int32_t k[6], int32_t b1_q13, int32_t b2_q13,
                                const int32_t square_q13[3])
 {
@@ -303,7 +302,7 @@ static inline qtri_large_light *light_of(const qtri_large *t)
 
 /* The triangle --------------------------------------------------------------------------------- */
 
-/* 1/w of the vertices with one exponent. False: it is the same. */
+/* 1/w of the vertices with one exponent, in q. False: all are equal. */
 static bool align_q(uint32_t q[3], const qtri_large_vertex v[3])
 {
     const int32_t most = qtri_greatest32(v[0].inv_w_exponent,
@@ -388,7 +387,7 @@ static void find_sample(qtri_light_sample *out, const qtri_large_light *l, int32
     out->x = x;
 }
 
-/* Whether what lies halfway between a and b is on the line between them: within half of D. */
+/* Whether the sample `middle` is on the line from a to b, within half of D. */
 static bool is_straight(const qtri_large_light *l, const qtri_light_sample *a,
                         const qtri_light_sample *middle, const qtri_light_sample *b)
 {
@@ -442,7 +441,7 @@ static bool may_bend(const qtri_large_light *l, const qtri_light_sample *a,
 
 /* The row -------------------------------------------------------------------------------------- */
 
-/* The span's next sample; that at x, its last one, again. */
+/* The sample of the span after `at`; after its last one, that again. */
 static void next_sample(qtri_light_sample *out, const qtri_large_light *l,
                         const qtri_light_sample *at)
 {
@@ -464,7 +463,7 @@ static void move_planes(qtri_large_light *l, int32_t y)
     }
 }
 
-/* The block that has the first pixel that is drawn: not one that only begins with the last. */
+/* Finds the block of the first pixel that is drawn, not one that begins at the span's last. */
 static void begin_row(const qtri_large *t, qtri_large_light *l)
 {
     const int32_t left = t->row_left;
@@ -496,7 +495,7 @@ static inline uint8_t after(uint8_t sample)
     return sample == 2 ? 0 : (uint8_t)(sample + 1);
 }
 
-/* Colours from a to before b, and b itself where it is the last of its span. */
+/* Sets walk.piece: colours from a to before b, or to b where it ends the span. */
 static void set_piece(qtri_large_light *l, const qtri_light_sample *a, const qtri_light_sample *b)
 {
     const int32_t length = b->x - a->x;
@@ -512,7 +511,7 @@ static void set_piece(qtri_large_light *l, const qtri_light_sample *a, const qtr
     l->walk.packing->pack(&l->walk.piece, c, step, l->piece_end - a->x);
 }
 
-/* The next block: a piece where it is straight, and else what is to be halved. */
+/* The next block: a piece if it is straight, or the first of the parts to be halved. */
 static void next_block(qtri_large_light *l)
 {
     const qtri_light_sample *from = &l->sample[l->from];
@@ -540,8 +539,8 @@ static void next_block(qtri_large_light *l)
 }
 
 /*
- * Halves of what is not straight, from left to right. Part n is at most 2^(DULL_LOG2 - n) long, so
- * the last that there is room for is a pixel.
+ * Sets the piece that has pixel l->x: halves what is not straight, from left to right. Part n is at
+ * most 2^(DULL_LOG2 - n) long, so the last that there is room for is a pixel.
  */
 static void next_piece(qtri_large_light *l)
 {
@@ -569,7 +568,7 @@ static void next_piece(qtri_large_light *l)
     } while (l->piece_end <= l->x);
 }
 
-/* A pixel by itself. */
+/* Sets a piece of one pixel. */
 static void set_pixel(qtri_large_light *l)
 {
     qtri_light_sample *at = &l->sample[0];

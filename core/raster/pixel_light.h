@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Light by pixel, along rows of large triangles: what a pipeline's loop over pixels asks for
- * colours. Internal.
+ * Per-pixel light: colours along rows of large triangles, for a pipeline's loop over pixels.
+ * Internal.
  *
  * Reached through a draw call's state, so that what does not name &qtri_per_pixel does not link it.
  */
@@ -15,11 +15,10 @@
 
 #define QTRI_LIT_ONE_Q30 ((int32_t)1 << 30)
 
-/* A corner of a triangle of a mesh, before it is clipped. Direction and place are local. */
+/* A vertex of a triangle of a mesh before clipping, in local coordinates. */
 typedef struct qtri_lit_corner {
     int32_t normal_q14[3];
-    int32_t place[3];
-    int32_t exponent; /* of the place */
+    int32_t place[3], exponent; /* the position, see qtri_lit_point */
     qtri_rgb color;
 } qtri_lit_corner;
 
@@ -28,9 +27,9 @@ typedef struct qtri_lit_triangle {
     bool one_normal, one_color;
     qtri_lit_corner corner[3];
     /* Corners 1 and 2 less corner 0. */
-    int32_t across[2][3]; /* places, times 2^up: below 2^30 */
+    int32_t across[2][3]; /* positions, times 2^up: below 2^30 */
     int32_t up;
-    int32_t turn_q14[2][3]; /* normals */
+    int32_t normal_delta_q14[2][3];
     /* The triangle of the mesh whose corners these are, or NULL. Small ones may have: a channel, in
        2^-7, is k[0] + k[1] b1 + k[2] b2 + k[3] b1^2 + k[4] b2^2 + k[5] b1 b2 of their shares b. */
     const void *indices;
@@ -38,25 +37,26 @@ typedef struct qtri_lit_triangle {
     int32_t k[3][6];
 } qtri_lit_triangle;
 
-/* Corner i, as the point and colour are that light falls on. */
+/* Sets corner i: position and normal of `point`, and its colour before light. */
 void qtri_lit_set_corner(qtri_lit_triangle *p, int i, const qtri_lit_point *point,
                          const qtri_rgb *color);
 
 enum { QTRI_LIGHT_BLOCK_LOG2 = 4 /* pixels from sample to sample, at most */ };
 
-/* What a pixel shows, as it is stepped: see qtri_large_packing. */
+/* A lit colour in column x, in the channels that qtri_large_packing steps. */
 typedef struct qtri_light_sample {
     int32_t x;
     uint32_t c[3];
 } qtri_light_sample;
 
-/* Light on the triangles of a draw call, and where it is along a row. */
+/* Per-pixel light of a draw call: of the current triangle, row and block. */
 typedef struct qtri_large_light {
-    qtri_light_walk walk; /* first: what the body has a pointer to */
+    qtri_light_walk walk; /* first: the state points to it */
     qtri_lit_triangle lit;
     uint8_t block_log2; /* pixels from sample to sample */
 
-    /* The triangle: shares of corners 1 and 2, 2^30 is 1; divided: times q = 1/w, 2^31 at most. */
+    /* The triangle: shares (barycentric) of corners 1 and 2, 2^30 is 1; divided: times q = 1/w,
+       2^31 at most. */
     bool divided;
     int32_t plane_y; /* of the planes' row */
     qtri_large_plane share[2], q;
@@ -65,16 +65,17 @@ typedef struct qtri_large_light {
 
     /* The row: its span, which a scissor does not change; the first pixel and the next one. */
     int32_t y, left, last, x0, x;
-    bool is_alone; /* each pixel: at edges of what has samples there are few in a row */
+    bool is_alone; /* pixels are lit one by one: at edges with four samples few follow */
     qtri_light_sample sample[3]; /* of a block: from, to, and the one after */
-    uint8_t from;                /* its place in these */
-    bool bends;                  /* at `from` */
+    uint8_t from;                /* index of the first */
+    bool bends;                  /* light is not straight at it */
 
-    /* What is left of the block: parts, from `at` to end[count - 1] and on. */
+    /* The rest of a block that is halved: a stack of parts, from `at` to end[count - 1], and on to
+       end[0]; whether they are to be halved again. */
     qtri_light_sample at, end[QTRI_LIGHT_BLOCK_LOG2 + 1];
     bool bent[QTRI_LIGHT_BLOCK_LOG2 + 1];
     uint8_t count;
-    int32_t piece_x, piece_end; /* what walk.piece starts at, and the pixel after it */
+    int32_t piece_x, piece_end; /* columns where walk.piece starts, and after it */
 } qtri_large_light;
 
 /*

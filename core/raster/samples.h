@@ -15,10 +15,10 @@
 
 #include "../frame/pixel.h"
 
-/* What a format with samples names. */
+/* What a format of four samples a pixel points to. */
 struct qtri_sampling {
     const qtri_format *format; /* of resolved pixels */
-    /* Where a view's list has nothing but the generic pipeline that fits; the last one fits. */
+    /* For surfaces for which a view's list has only the generic pipeline; the last one fits any. */
     const qtri_pipeline *const *pipelines;
 };
 
@@ -27,7 +27,7 @@ struct qtri_sampling {
 extern const qtri_pipeline qtri_pipeline_any_x4;
 extern const qtri_pipeline *const qtri_pipelines_x4[], *const qtri_pipelines_rgb565_x4[];
 
-/* NULL: one a pixel. */
+/* NULL: one sample a pixel. */
 static inline const qtri_sampling *qtri_sampling_of(const qtri_format *format)
 {
     return format != NULL ? format->samples : NULL;
@@ -35,7 +35,7 @@ static inline const qtri_sampling *qtri_sampling_of(const qtri_format *format)
 
 enum {
     QTRI_SAMPLES = 4,
-    QTRI_SAMPLE_DEPTHS = 6 /* bytes after the colours; then a record may be filled up */
+    QTRI_SAMPLE_DEPTHS = 6 /* bytes of depths after the colours; padding may follow */
 };
 
 /* The mean of a record as a stored pixel. */
@@ -64,7 +64,7 @@ static inline uint16_t *qtri_sample_depth(uint8_t *record, int32_t bytes, int32_
     return (uint16_t *)(void *)(record + QTRI_SAMPLES * bytes) + (k - 1);
 }
 
-/* What qtri_pixels asks, of records of `size` bytes: all samples of a pixel alike. */
+/* As in qtri_pixels, for records of `size` bytes: all samples of a pixel get one colour. */
 void qtri_samples_fill(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t count, int32_t size);
 void qtri_samples_store(uint8_t *pixel, const uint32_t *stored, uint32_t mask, int32_t count,
                         int32_t size);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Records of samples: written alike, cleared, and resolved.
+ * Surfaces of four samples a pixel: stores all samples of a pixel, clears, and resolves to means.
  */
 #include <string.h>
 
@@ -89,10 +89,8 @@ static void clear_565(uint8_t *record, int32_t count, uint32_t stored)
         record += QTRI_RGB565_X4_BYTES;
         count--;
     }
-    const uint32_t colors = two[0];
-    const uint32_t depths = two[2];
-    const uint32_t depth_color = two[3];
-    const uint32_t color_depth = two[5];
+    const uint32_t colors = two[0], depths = two[2];
+    const uint32_t depth_color = two[3], color_depth = two[5];
     for (; count >= 2; count -= 2, record += PAIR) {
         qtri_word *to = (qtri_word *)(void *)record;
         to[0] = colors;
@@ -106,7 +104,7 @@ static void clear_565(uint8_t *record, int32_t count, uint32_t stored)
     clear_any(record, count, stored, QTRI_RGB565_BYTES, QTRI_RGB565_X4_BYTES);
 }
 
-/* The depths of sample 0, as those of a surface without pixels. */
+/* A surface without pixels that has the depths of sample 0. */
 static qtri_surface first_depths(const qtri_surface *surface)
 {
     qtri_surface plain = *surface;
@@ -196,7 +194,7 @@ static void resolve_565(const uint8_t *record, uint16_t *to, int32_t count)
     }
 }
 
-/* Pixels are made where records are not needed any more: a row's begin where its records do. */
+/* In place: the pixels of a row are written over its records, from the row's start on. */
 enum qtri_error qtri_samples_resolve(const qtri_surface *samples, qtri_surface *out)
 {
     QTRI_ASSERT(samples != NULL);
@@ -208,8 +206,7 @@ enum qtri_error qtri_samples_resolve(const qtri_surface *samples, qtri_surface *
     const qtri_surface from = *samples;
     const qtri_format *format = sampling->format;
     const qtri_rect bounds = qtri_surface_bounds(&from);
-    const int32_t size = from.format->pixels->bytes;
-    const int32_t bytes = format->pixels->bytes;
+    const int32_t size = from.format->pixels->bytes, bytes = format->pixels->bytes;
     *out = from;
     out->format = format;
     out->depth = NULL;
