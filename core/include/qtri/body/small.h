@@ -198,8 +198,6 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     w->alpha = o->vertex_alpha ? rows->alpha.at : 0;
     w->alpha_step = o->vertex_alpha ? rows->alpha.dx : 0;
     /* NOLINTEND(clang-analyzer-core.uninitialized.Assign) */
-    w->fog = 0;
-    w->fog_step = 0;
     for (;;) {
         uint32_t x = span[0], end = span[1];
         span += 2;

@@ -174,8 +174,6 @@ QTRI_BODY void qtri_small_samples_begin(const qtri_options *o, qtri_pixel_walk *
     w->y = p->row;
     w->z_p = s->z_p;
     w->z_q = s->z_q;
-    w->z_place = 0;
-    w->fog_step = 0;
 }
 
 /* Moves the walk by columns, also back. */
