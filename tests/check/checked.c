@@ -229,7 +229,7 @@ static void wrong_numbers(void)
     STOPS("format != NULL", (texture.format = NULL, draw_all()));
     STOPS("count % each == 0", qtri_draw_triangles(&surface, &view, &pose, corners, 4, &material));
     STOPS("count % each == 0", qtri_draw_lines(&surface, &view, &pose, corners, 3, &material));
-    STOPS("is_zero(pose)", (memset(&pose, 0, sizeof pose), draw_all()));
+    STOPS("has_zero_w(pose)", (memset(&pose, 0, sizeof pose), draw_all()));
     STOPS("view->camera", (memset(&view.camera, 0, sizeof view.camera), draw_all()));
     STOPS("viewport->width", (view.viewport.width = Q16(320), draw_all()));
     STOPS("viewport->width", (view.viewport.width = 0, draw_all()));

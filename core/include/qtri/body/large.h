@@ -123,11 +123,11 @@ typedef struct qtri_large_attribute {
     uint32_t f[3];         /* of the vertices */
     uint32_t range;        /* of colours: 8.16, f counts from the least */
     uint32_t start;        /* what is added where pieces start: the least, the half that rounds */
-    int8_t piece_shift;    /* pieces have f 2^this */
     int32_t point_quarter; /* a quarter of the attribute at the point that was found last */
+    uint32_t at, step;     /* along a row where it is linear */
+    int8_t piece_shift;    /* pieces have f 2^this */
     /* Shifts from quarters to pieces: left, else right. */
     uint8_t at_left, at_right, step_left, step_right, bend_left, bend_right;
-    uint32_t at, step; /* along a row where it is linear */
 } qtri_large_attribute;
 
 /* How much vertices 1 and 2 weigh: steps of a pixel right and down, and at the centre of the pixel
