@@ -152,9 +152,8 @@ static const qtri_pipeline *choose(const qtri_pipeline *generic, qtri_draw_state
     if (!qtri_tests_depth(o) && state->loop != draw_other) {
         o->asks |= 1u << QTRI_ASK_TEST;
         o->depth_bytes = 0;
-        state->no_depth = 0;
         state->depth = &state->no_depth;
-        state->depth_pitch = 0;
+        state->depth_pitch = state->no_depth = 0;
     }
     return generic;
 }
