@@ -196,16 +196,6 @@ bool qtri_mesh_fetch_triangle(const qtri_mesh_job *draw, const void *triangle, q
     return true;
 }
 
-void qtri_mesh_clear_slots(const qtri_mesh_job *draw)
-{
-    const uint32_t all = draw->mesh->vertex_count;
-    qtri_vertex *vertex = draw->vertices;
-    for (uint32_t left = draw->slot_count < all ? draw->slot_count : all; left != 0; left--) {
-        vertex->depth_16p8 = QTRI_VERTEX_EMPTY;
-        vertex++;
-    }
-}
-
 /* Draws a mesh with fewer slots than vertices: some are transformed again. */
 QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
 {

@@ -130,7 +130,15 @@ bool qtri_mesh_fetch_triangle(const qtri_mesh_job *draw, const void *triangle, q
                               qtri_vertex *vertex[3]);
 
 /* Marks all slots as empty. */
-void qtri_mesh_clear_slots(const qtri_mesh_job *draw);
+static inline void qtri_mesh_clear_slots(const qtri_mesh_job *draw)
+{
+    const uint32_t all = draw->mesh->vertex_count;
+    qtri_vertex *vertex = draw->vertices;
+    for (uint32_t left = draw->slot_count < all ? draw->slot_count : all; left != 0; left--) {
+        vertex->depth_16p8 = QTRI_VERTEX_EMPTY;
+        vertex++;
+    }
+}
 
 /* For a job whose vertices are all lit: small triangles need not ask for their light. */
 static inline void qtri_mesh_set_lit(qtri_small *t, const qtri_mesh_job *draw)

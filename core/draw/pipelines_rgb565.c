@@ -2,16 +2,10 @@
 /* Pipelines for RGB565 that most programs need, and a view's default list of pipelines. */
 #include "qtri/pipeline_make.h"
 
-#define LESS    .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS
-#define TEXTURE .texel = QTRI_TEXEL_RGB565
+#define LESS .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_LESS
 
-QTRI_PIPELINE(qtri_pipeline_flat, LESS)
-QTRI_PIPELINE(qtri_pipeline_lit, LESS, .shade = QTRI_LIGHT)
-QTRI_PIPELINE(qtri_pipeline_colors, LESS, .shade = QTRI_COLORS)
-QTRI_PIPELINE(qtri_pipeline_texture, LESS, TEXTURE)
-QTRI_PIPELINE(qtri_pipeline_texture_tint, LESS, TEXTURE, .shade = QTRI_TINT)
-QTRI_PIPELINE(qtri_pipeline_texture_lit, LESS, TEXTURE, .shade = QTRI_LIGHT)
-QTRI_PIPELINE(qtri_pipeline_texture_white, LESS, TEXTURE, .shade = QTRI_WHITE_LIGHT)
+QTRI_PIPELINES_USUAL(qtri_pipeline, LESS)
+QTRI_PIPELINE(qtri_pipeline_texture_tint, LESS, .texel = QTRI_TEXEL_RGB565, .shade = QTRI_TINT)
 
 const qtri_pipeline *const qtri_pipelines_default[] = {
     &qtri_pipeline_flat,          &qtri_pipeline_lit,

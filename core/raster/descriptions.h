@@ -67,14 +67,7 @@ extern const qtri_pipeline *const qtri_pipelines_fog[];
 
 /* A list of pipelines with these options, for what most draw; by qtri/pipeline_make.h. */
 #define QTRI_BROUGHT_PIPELINES(list, ...)                                                          \
-    QTRI_PIPELINE(list##_flat, __VA_ARGS__)                                                        \
-    QTRI_PIPELINE(list##_lit, __VA_ARGS__, .shade = QTRI_LIGHT)                                    \
-    QTRI_PIPELINE(list##_colors, __VA_ARGS__, .shade = QTRI_COLORS)                                \
-    QTRI_PIPELINE(list##_texture, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565)                         \
-    QTRI_PIPELINE(list##_texture_lit, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565,                     \
-                  .shade = QTRI_LIGHT)                                                             \
-    QTRI_PIPELINE(list##_texture_white, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565,                   \
-                  .shade = QTRI_WHITE_LIGHT)                                                       \
+    QTRI_PIPELINES_USUAL(list, __VA_ARGS__)                                                        \
     extern const qtri_pipeline *const list[];                                                      \
     const qtri_pipeline *const list[] = {                                                          \
         &list##_flat,          &list##_lit, &list##_colors, &list##_texture, &list##_texture_lit,  \

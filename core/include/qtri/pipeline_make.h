@@ -31,6 +31,18 @@
     }                                                                                              \
     const qtri_pipeline name = {{__VA_ARGS__}, name##_large, name##_small, NULL, NULL, NULL};
 
+/* Pipelines of further options for what most draw: `name`_flat, _lit, _colors, and of RGB565 texels
+   _texture, _texture_lit and _texture_white. */
+#define QTRI_PIPELINES_USUAL(name, ...)                                                            \
+    QTRI_PIPELINE(name##_flat, __VA_ARGS__)                                                        \
+    QTRI_PIPELINE(name##_lit, __VA_ARGS__, .shade = QTRI_LIGHT)                                    \
+    QTRI_PIPELINE(name##_colors, __VA_ARGS__, .shade = QTRI_COLORS)                                \
+    QTRI_PIPELINE(name##_texture, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565)                         \
+    QTRI_PIPELINE(name##_texture_lit, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565,                     \
+                  .shade = QTRI_LIGHT)                                                             \
+    QTRI_PIPELINE(name##_texture_white, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565,                   \
+                  .shade = QTRI_WHITE_LIGHT)
+
 /*
  * What most programs draw with, of further options: `name`_flat, _lit, _colors, _texture,
  * _texture_tint, _texture_lit and _texture_white, the latter four of RGB565 texels; and
@@ -41,16 +53,9 @@
  *                    .compare = QTRI_LESS_EQUAL)
  */
 #define QTRI_PIPELINES(list, name, ...)                                                            \
-    QTRI_PIPELINE(name##_flat, __VA_ARGS__)                                                        \
-    QTRI_PIPELINE(name##_lit, __VA_ARGS__, .shade = QTRI_LIGHT)                                    \
-    QTRI_PIPELINE(name##_colors, __VA_ARGS__, .shade = QTRI_COLORS)                                \
-    QTRI_PIPELINE(name##_texture, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565)                         \
+    QTRI_PIPELINES_USUAL(name, __VA_ARGS__)                                                        \
     QTRI_PIPELINE(name##_texture_tint, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565,                    \
                   .shade = QTRI_TINT)                                                              \
-    QTRI_PIPELINE(name##_texture_lit, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565,                     \
-                  .shade = QTRI_LIGHT)                                                             \
-    QTRI_PIPELINE(name##_texture_white, __VA_ARGS__, .texel = QTRI_TEXEL_RGB565,                   \
-                  .shade = QTRI_WHITE_LIGHT)                                                       \
     const qtri_pipeline *const list[] = {                                                          \
         &name##_flat,          &name##_lit,          &name##_colors,                               \
         &name##_texture,       &name##_texture_tint, &name##_texture_lit,                          \
