@@ -432,10 +432,10 @@ TEST(rows)
 }
 
 /* Of equal steps those that end before the near plane, where fog would be less than none. */
-static bool is_before_near(const qtri_fog *fog, int step)
+static bool is_before_near(const qtri_fog *fog, int i)
 {
-    return fog->step_bits != 0 &&
-           fog->first + ((uint64_t)step << fog->step_bits) > UINT64_C(0xFFFF0000);
+    return fog->step_bits != 0 && i > 0 &&
+           fog->first + ((uint64_t)(i - 1) << fog->step_bits) > UINT64_C(0xFFFF0000);
 }
 
 /* Any parameters; fog that nobody set is none. */

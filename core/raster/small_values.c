@@ -182,9 +182,6 @@ bool qtri_small_set_colors_gray(qtri_small_ramp *c, const qtri_small_place *p, c
 
 uint32_t qtri_small_fog_step(uint32_t from, uint32_t to, int32_t count)
 {
-    if (count < 2) {
-        return 0;
-    }
     const int32_t difference = (int32_t)(to - from); /* |.| <= 2^24 */
     return (uint32_t)qtri_divide32(difference, (uint32_t)count - 1);
 }

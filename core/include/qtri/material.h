@@ -191,7 +191,7 @@ typedef struct qtri_fog_range {
     bool orthographic; /* depth is linear in z */
 } qtri_fog_range;
 
-enum { QTRI_FOG_STEPS = 16 * 8 + 2 };
+enum { QTRI_FOG_STEPS = 16 * 8 + 3 };
 
 struct qtri_pipeline;
 
@@ -201,7 +201,8 @@ struct qtri_fog {
     uint32_t color;                               /* 0x00RRGGBB */
     const struct qtri_pipeline *const *pipelines; /* as those of qtri_depth_format */
     /* f, 1024 being 1, and beyond 0..1, held there: by eighths of octaves of how far the depth is
-       from the farthest, or, where step_bits is not 0, by steps of 2^that from `first` on. */
+       from the farthest, or, where step_bits is not 0, by steps of 2^that from `first` on, f of
+       which is share[0], too. */
     uint32_t first;
     uint8_t step_bits;
     int16_t share[QTRI_FOG_STEPS];

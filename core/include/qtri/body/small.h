@@ -131,11 +131,13 @@ QTRI_BODY void qtri_small_curves_next_row(const qtri_options *o, qtri_small_curv
 /* Fog along a row of `count` pixels, linear between its ends, whatever is visible of it. */
 QTRI_BODY void qtri_small_set_fog_along(qtri_pixel_walk *w, uint32_t count)
 {
-    const uint32_t last = w->z + (count - 1) * w->z_step;
-    const uint32_t z = w->z;
-    w->fog = qtri_fog_share(w->state->fog, z);
-    w->fog_step = qtri_small_fog_step(w->fog, qtri_fog_share(w->state->fog, last), (int32_t)count);
-    w->fog += 0x8000u;
+    const qtri_fog *fog = w->state->fog;
+    const uint32_t first = qtri_fog_share(fog, w->z);
+    w->fog = first + 0x8000u;
+    if (count > 1) { /* else there is no step to take */
+        const uint32_t last = qtri_fog_share(fog, w->z + (count - 1) * w->z_step);
+        w->fog_step = qtri_small_fog_step(first, last, (int32_t)count);
+    }
 }
 
 /* The first depth. Only the generic pipeline may have one in place of all; read from the state by
