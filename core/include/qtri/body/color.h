@@ -118,26 +118,25 @@ QTRI_BODY uint32_t qtri_color_product(qtri_color_kind kind, uint32_t c, uint32_t
     return (r + (r >> 8)) >> 8 << 16 | ((g + (g >> 8)) & 0xFF00u) | (b + (b >> 8)) >> 8;
 }
 
-/* c + o by channel, saturated: a channel that overflows becomes all ones. */
-QTRI_BODY uint32_t qtri_color_sum(qtri_color_kind kind, uint32_t c, uint32_t o)
+/* o + c a by channel, saturated: a channel that overflows becomes all ones. */
+QTRI_BODY uint32_t qtri_color_add(qtri_color_kind kind, uint32_t o, uint32_t c, uint32_t a)
 {
     if (kind == QTRI_IN_GRAY) {
-        return c + o > 255 ? 255 : c + o;
+        const uint32_t sum = o + qtri_color_scale(kind, c, a);
+        return sum > 255 ? 255 : sum;
     }
-    if (kind == QTRI_IN_565) { /* green in the upper half; what runs over is the bit above */
-        const uint32_t lanes = 0x07E0F81Fu;
-        uint32_t sum = ((c | c << 16) & lanes) + ((o | o << 16) & lanes);
-        const uint32_t over = sum & 0x08010020u;
-        sum |= over - (over >> 5);
-        sum = (sum | over >> 6) & lanes; /* green has six bits */
-        return (sum | sum >> 16) & 0xFFFFu;
+    const bool is_565 = kind == QTRI_IN_565;
+    const uint32_t mask = is_565 ? QTRI_BODY_LANES_565 : QTRI_BODY_LANES_888;
+    uint32_t lanes = is_565 ? qtri_pixel_lanes_565(c) : c & mask;
+    uint32_t green = is_565 ? qtri_green_565(c) : qtri_green_888(c);
+    lanes = ((lanes * a + 0x00800080u) >> 8 & mask) + (is_565 ? qtri_pixel_lanes_565(o) : o & mask);
+    green = ((green * a + 128) >> 8) + (is_565 ? qtri_green_565(o) : qtri_green_888(o));
+    const uint32_t over = lanes & (mask + 0x00010001u); /* the bits above channels */
+    lanes = (lanes | (over - (over >> (is_565 ? 5 : 8)))) & mask;
+    if (is_565) {
+        return qtri_join_565(lanes, green > 63 ? 63 : green);
     }
-    uint32_t lanes = (c & QTRI_BODY_LANES_888) + (o & QTRI_BODY_LANES_888);
-    const uint32_t over = lanes & 0x01000100u;
-    uint32_t green = qtri_green_888(c) + qtri_green_888(o);
-    lanes |= over - (over >> 8);
-    green = green > 255 ? 255 : green;
-    return (lanes & QTRI_BODY_LANES_888) | green << 8;
+    return lanes | (green > 255 ? 255 : green) << 8;
 }
 
 /* Conversions, loads and stores ---------------------------------------------------------------- */

@@ -103,7 +103,7 @@ QTRI_BODY uint32_t qtri_pixel_color(const qtri_options *o, const qtri_pixel_walk
 /* Alpha of a pixel: 256 is 1. */
 QTRI_BODY uint32_t qtri_pixel_alpha(const qtri_options *o, const qtri_pixel_walk *w, uint32_t texel)
 {
-    uint32_t alpha = w->state->alpha;
+    uint32_t alpha = w->opacity;
     if (qtri_has_alpha(o)) {
         alpha = (alpha * ((texel >> 24) + (texel >> 31)) + 128) >> 8;
     }
@@ -124,8 +124,7 @@ QTRI_BODY uint32_t qtri_blended(const qtri_options *o, const qtri_pixel_walk *w,
         return qtri_color_mix(kind, color, alpha, stored, 256 - alpha);
     }
     case QTRI_ADD:
-        return qtri_color_sum(kind, qtri_color_scale(kind, color, qtri_pixel_alpha(o, w, texel)),
-                              stored);
+        return qtri_color_add(kind, stored, color, qtri_pixel_alpha(o, w, texel));
     case QTRI_MULTIPLY:
         return qtri_color_product(kind, color, stored);
     default:
@@ -316,7 +315,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
     if (drawn) {
         if (o->fog) {
             const uint32_t clear = w->fog >> 16;
-            color = qtri_color_mix(qtri_kind_of(o), color, clear, w->state->fog_color, 256 - clear);
+            color = qtri_color_mix(qtri_kind_of(o), color, clear, w->fog_color, 256 - clear);
         }
         if (qtri_has_samples(o)) {
             qtri_samples_write_late(o, w, samples, pixel, depth);
@@ -427,6 +426,8 @@ QTRI_BODY void qtri_walk_begin(const qtri_options *o, qtri_pixel_walk *w,
                                const qtri_draw_state *state)
 {
     w->state = state;
+    w->opacity = state->alpha;
+    w->fog_color = state->fog_color;
     if (o->read_only == QTRI_ANY) {
         w->keeps_depth = state->options.read_only;
     }

@@ -133,6 +133,7 @@ typedef struct qtri_pixel_walk {
     const void *texels, *palette;
     uint32_t rows, u_shift, v_shift, width_log2; /* rows: mask of v; low byte: u_shift */
     uint32_t color; /* of the triangle: of the kind; where nothing else is done, as it is stored */
+    uint32_t opacity, fog_color; /* the state's alpha; its fog_color */
     /* Lit texture: weights of the state, of 565 green's also << 16 in red; the half that rounds. */
     uint32_t red, green, blue, half;
     const uint16_t *table;
