@@ -183,7 +183,7 @@ QTRI_INLINE void draw_pixels(const thin_line *w, const cells *c, bool has_depth)
                 if (has_depth && sum >= QTRI_COVERAGE_FULL / 2) {
                     *at = (uint16_t)z;
                 }
-                *to = (uint16_t)qtri_color_mix(QTRI_IN_565, word, weight, *to, 256 - weight);
+                *to = (uint16_t)qtri_color_fade(QTRI_IN_565, word, weight, *to);
             }
         }
         share_q24 += w->share_across;

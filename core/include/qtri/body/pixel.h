@@ -121,7 +121,7 @@ QTRI_BODY uint32_t qtri_blended(const qtri_options *o, const qtri_pixel_walk *w,
     switch (o->blend) {
     case QTRI_ALPHA: {
         const uint32_t alpha = qtri_pixel_alpha(o, w, texel);
-        return qtri_color_mix(kind, color, alpha, stored, 256 - alpha);
+        return qtri_color_mix(kind, color, alpha, stored);
     }
     case QTRI_ADD:
         return qtri_color_add(kind, stored, color, qtri_pixel_alpha(o, w, texel));
@@ -238,7 +238,7 @@ QTRI_BODY_PART uint32_t qtri_pixel_composite(const qtri_options *o, const qtri_p
         color = (color & ~w->state->keep) | (stored & w->state->keep);
     }
     if (o->covered) {
-        color = qtri_color_mix(qtri_kind_of(o), color, w->cover, stored, 256 - w->cover);
+        color = qtri_color_fade(qtri_kind_of(o), color, w->cover, stored);
     }
     return color;
 }
@@ -315,7 +315,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
     if (drawn) {
         if (o->fog) {
             const uint32_t clear = w->fog >> 16;
-            color = qtri_color_mix(qtri_kind_of(o), color, clear, w->fog_color, 256 - clear);
+            color = qtri_color_fade(qtri_kind_of(o), color, clear, w->fog_color);
         }
         if (qtri_has_samples(o)) {
             qtri_samples_write_late(o, w, samples, pixel, depth);
