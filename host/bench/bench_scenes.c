@@ -161,6 +161,8 @@ const bench_scene bench_scenes[] = {
     {.name = "S4kl", MESH(COMPACT(knot), Q16(30)), .compare = QTRI_LESS_EQUAL},
     {.name = "S6kl", MESH(COMPACT(knot_uv), Q16(30)), .textured = true, .compare = QTRI_LESS_EQUAL},
     {.name = "S4kg", MESH(COMPACT(knot), Q16(30)), .format = &qtri_gray8},
+    {.name = "S3q", QUAD(&bench_floor, white), .textured = true, .keyed = true},
+    {.name = "S3v", QUAD(&bench_floor, white), .textured = true, .texels_888 = true},
     PAINT("P1", bench_paint_rect),
     PAINT("P2", bench_paint_rects),
     PAINT("P3", bench_paint_alpha),
@@ -206,6 +208,16 @@ static void set_levels(bench_frame *frame)
     frame->texture.filter = frame->scene->filter;
 }
 
+static void set_texels_888(bench_frame *frame)
+{
+    for (uint32_t i = 0; i < BENCH_TEXTURE_SIDE * BENCH_TEXTURE_SIDE; i++) {
+        const qtri_rgb c = bench_texel(i % BENCH_TEXTURE_SIDE, i / BENCH_TEXTURE_SIDE);
+        frame->texels_888[i] = (uint32_t)c.r << 16 | (uint32_t)c.g << 8 | c.b;
+    }
+    frame->texture.texels = frame->texels_888;
+    frame->texture.format = &qtri_texel_xrgb8888;
+}
+
 static void set_texture(bench_frame *frame, qtri_texture_mode mode)
 {
     for (uint32_t i = 0; i < BENCH_TEXTURE_SIDE * BENCH_TEXTURE_SIDE; i++) {
@@ -217,6 +229,11 @@ static void set_texture(bench_frame *frame, qtri_texture_mode mode)
                                   .width_log2 = BENCH_TEXTURE_LOG2,
                                   .height_log2 = BENCH_TEXTURE_LOG2};
     frame->texture = texture;
+    frame->texture.has_key = frame->scene->keyed;
+    frame->texture.key = 0xFFFF; /* bench_texel() is not white */
+    if (frame->scene->texels_888) {
+        set_texels_888(frame);
+    }
     set_levels(frame);
     frame->material.texture = &frame->texture;
     frame->material.texture_mode = mode;

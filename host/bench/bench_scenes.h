@@ -66,6 +66,8 @@ typedef struct bench_scene {
     bool wireframe, without_depth, fog;
     bool dull;           /* lights, but no highlights */
     bool textured;       /* REPLACE on quads, MODULATE on meshes */
+    bool keyed;          /* the texture has a key, which no texel equals */
+    bool texels_888;     /* the texture is of XRGB8888 */
     bool thin;           /* a wireframe of smooth lines */
     bool points, hidden; /* points for a polyline; a wireframe without hidden lines */
     bool chart;          /* a polyline of 160 points */
@@ -109,6 +111,7 @@ typedef struct bench_frame {
     qtri_shininess shininess;
     qtri_reflection reflection;
     uint16_t texels[BENCH_CHAIN_TEXELS];
+    uint32_t texels_888[BENCH_TEXTURE_SIDE * BENCH_TEXTURE_SIDE];
     const void *levels[BENCH_TEXTURE_LOG2 - 1];
     qtri_frame bands;
     qtri_prepared prepared;
