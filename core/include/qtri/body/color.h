@@ -33,7 +33,7 @@ QTRI_BODY uint32_t qtri_green_565(uint32_t c)
 
 QTRI_BODY uint32_t qtri_join_565(uint32_t lanes, uint32_t green)
 {
-    return ((lanes | lanes >> 5) & 0xF81Fu) | green << 5;
+    return (uint16_t)(lanes | lanes >> 5) | green << 5;
 }
 
 QTRI_BODY uint32_t qtri_green_888(uint32_t c)

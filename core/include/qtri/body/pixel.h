@@ -413,12 +413,11 @@ QTRI_BODY void qtri_walk_set_texture(const qtri_options *o, qtri_pixel_walk *w)
         w->palette = state->texture->palette;
     }
     w->width_log2 = width_log2;
-    w->u_shift = (32u - width_log2) & 31;
     w->v_shift = (o->large_texture ? 32u - height_log2 : 16u + width_log2) & 31;
     /* The mask leaves the low byte to the column's shift: what it lets through of v is cut off. */
     w->rows =
         (o->large_texture ? 0 : (((uint32_t)1 << height_log2) - 1) << ((16 + width_log2) & 31)) |
-        w->u_shift;
+        ((32u - width_log2) & 31);
 }
 
 /* Sets what of the walk all triangles and rows of a draw call share. */

@@ -131,7 +131,8 @@ typedef struct qtri_pixel_walk {
     /* Constant along a row. */
     const qtri_draw_state *state;
     const void *texels, *palette;
-    uint32_t rows, u_shift, v_shift, width_log2; /* rows: mask of v; low byte: u_shift */
+    /* rows: mask of v; its low byte: where a column begins in u. v_shift: where a row does in v. */
+    uint32_t rows, v_shift, width_log2;
     uint32_t color; /* of the triangle: of the kind; where nothing else is done, as it is stored */
     uint32_t opacity, fog_color; /* the state's alpha; its fog_color */
     /* Lit texture: weights of the state, of 565 green's also << 16 in red; the half that rounds. */

@@ -10,7 +10,7 @@
 /* NOLINTBEGIN(clang-analyzer-core.NullDereference): texels and axes of a texture are set by
    qtri_walk_begin() and set-up; without a texture nothing here is called */
 
-/* The column at u: the low byte of `rows` is u_shift. */
+/* The column at u. */
 QTRI_BODY uint32_t qtri_texel_column(const qtri_pixel_walk *w, uint32_t u)
 {
     return qtri_body_shift(u, w->rows);
@@ -94,6 +94,28 @@ QTRI_BODY uint32_t qtri_texel_color(const qtri_options *o, const qtri_pixel_walk
     }
 }
 
+/* A texel's place between four: weights of the right column, the lower row and their product, and
+   the logarithm of what is 1. */
+typedef struct qtri_texel_weights {
+    uint32_t along, across, both, log2;
+} qtri_texel_weights;
+
+/* The mean of a channel, or lanes of them, of four texels, the upper two first, times 2^log2: by
+   differences, which may have either sign. */
+QTRI_BODY uint32_t qtri_channel_mean(qtri_texel_weights w, uint32_t a, uint32_t b, uint32_t c,
+                                     uint32_t d)
+{
+    uint32_t right = b - a;
+    QTRI_BODY_BARRIER(right);
+    uint32_t sum = (a << w.log2) + right * w.along;
+    QTRI_BODY_BARRIER(sum);
+    d -= right;
+    d -= c;
+    sum += (c - a) * w.across;
+    QTRI_BODY_BARRIER(sum);
+    return sum + d * w.both;
+}
+
 /*
  * The bilinear mean of four texels, the upper two first, by fractions in Q11. Weights sum up to
  * 2^11 in lanes of RGB565 (31 2^11 < 2^16), to 2^22 of each channel in 888.
@@ -102,47 +124,36 @@ QTRI_BODY uint32_t qtri_texel_mean(qtri_color_kind kind, const uint32_t t[4], ui
                                    uint32_t across)
 {
     if (kind == QTRI_IN_565) {
-        const uint32_t both = along * across >> 11;
-        const uint32_t weight[4] = {2048 - along - across + both, along - both, across - both,
-                                    both};
-        uint32_t lanes = 0x04000400u, green = 0x8000u;
-        for (int i = 0; i < 4; i++) {
-            lanes += qtri_pixel_lanes_565(t[i]) * weight[i];
-            QTRI_BODY_BARRIER(lanes);
-            green += (t[i] & 0x07E0u) * weight[i];
-            QTRI_BODY_BARRIER(green);
-        }
-        lanes = lanes >> 11 & QTRI_BODY_LANES_565;
-        return ((lanes | lanes >> 5) & 0xF81Fu) | (green >> 11 & 0x07E0u);
+        const qtri_texel_weights w = {along, across, along * across >> 11, 11};
+        const uint32_t lanes =
+            qtri_channel_mean(w, qtri_pixel_lanes_565(t[0]), qtri_pixel_lanes_565(t[1]),
+                              qtri_pixel_lanes_565(t[2]), qtri_pixel_lanes_565(t[3]));
+        const uint32_t green =
+            qtri_channel_mean(w, t[0] & 0x07E0u, t[1] & 0x07E0u, t[2] & 0x07E0u, t[3] & 0x07E0u);
+        return qtri_join_565((lanes + 0x04000400u) >> 11 & QTRI_BODY_LANES_565,
+                             (green + 0x8000u) >> 16);
     }
-    const uint32_t both = along * across;
-    const uint32_t weight[4] = {((uint32_t)1 << 22) - (along << 11) - (across << 11) + both,
-                                (along << 11) - both, (across << 11) - both, both};
-    uint32_t r = (uint32_t)1 << 21, g = r, b = r;
-    for (int i = 0; i < 4; i++) {
-        if (kind != QTRI_IN_GRAY) {
-            r += (t[i] >> 16 & 255) * weight[i];
-            QTRI_BODY_BARRIER(r);
-            g += (t[i] >> 8 & 255) * weight[i];
-            QTRI_BODY_BARRIER(g);
-        }
-        b += (t[i] & 255) * weight[i];
-        QTRI_BODY_BARRIER(b);
+    const qtri_texel_weights w = {along << 11, across << 11, along * across, 22};
+    uint32_t mean = 0;
+    for (uint32_t at = 0; at < (kind == QTRI_IN_GRAY ? 8 : 24); at += 8) {
+        const uint32_t c = qtri_channel_mean(w, t[0] >> at & 255, t[1] >> at & 255,
+                                             t[2] >> at & 255, t[3] >> at & 255);
+        mean |= (c + (1u << 21)) >> 22 << at;
     }
-    return kind == QTRI_IN_GRAY ? b >> 22 : r >> 22 << 16 | g >> 22 << 8 | b >> 22;
+    return mean;
 }
 
-/* The fraction, Q11, of a texture coordinate that has `shift` fraction bits. */
-QTRI_BODY uint32_t qtri_texel_fraction(uint32_t at, uint32_t shift)
+/* The fraction, Q11, of a texture coordinate that has `whole` bits above it. */
+QTRI_BODY uint32_t qtri_texel_fraction(uint32_t at, uint32_t whole)
 {
-    return (shift > 11 ? at >> (shift - 11) : at << (11 - shift)) & 2047;
+    return at << whole >> 21;
 }
 
 /* The bilinear mean at u and v; *drawn becomes false where the nearest texel equals the key. */
 QTRI_BODY uint32_t qtri_texel_bilinear(const qtri_options *o, const qtri_pixel_walk *w, bool *drawn)
 {
-    const uint32_t along = qtri_texel_fraction(w->u, w->u_shift);
-    const uint32_t across = qtri_texel_fraction(w->v, w->v_shift);
+    const uint32_t along = qtri_texel_fraction(w->u, w->width_log2);
+    const uint32_t across = qtri_texel_fraction(w->v, 32 - w->v_shift);
     const uint32_t column = qtri_texel_column(w, w->u), row = qtri_texel_row(o, w, w->v);
     /* The next column; in a texture one texel wide, this one. */
     const uint32_t next_column =
