@@ -88,8 +88,10 @@ QTRI_BODY_ALONE void draw_smooth(qtri_pixel_walk *w, bool bent, int32_t count)
 
 QTRI_BODY_ALONE void draw_texture(qtri_pixel_walk *w, bool bent, int32_t count)
 {
-    draw_shaded(of_any(w, 1u << QTRI_ASK_TWO_WORDS | 1u << QTRI_ASK_DISCARD | 1u << QTRI_ASK_ALPHA),
-                w, bent, count);
+    qtri_options o =
+        of_any(w, 1u << QTRI_ASK_TWO_WORDS | 1u << QTRI_ASK_DISCARD | 1u << QTRI_ASK_ALPHA);
+    QTRI_BODY_ASSUME(o.texel != QTRI_NO_TEXEL);
+    draw_shaded(o, w, bent, count);
 }
 
 QTRI_BODY_ALONE void draw_other(qtri_pixel_walk *w, bool bent, int32_t count)
@@ -99,12 +101,13 @@ QTRI_BODY_ALONE void draw_other(qtri_pixel_walk *w, bool bent, int32_t count)
 }
 
 /* RGB565 in either order of bytes, in colours of 565, and what is constant then. */
-#define ON_RGB565(name, TEXEL, SHADE, ASKS)                                                        \
+#define ON_RGB565(name, TEXEL, KEY, SHADE, ASKS)                                                   \
     QTRI_BODY_ALONE void name(qtri_pixel_walk *w, bool bent, int32_t count)                        \
     {                                                                                              \
         const bool swaps = w->state->options.format != QTRI_RGB565;                                \
         const qtri_options o = {.format = swaps ? QTRI_RGB565_SWAPPED : QTRI_RGB565,               \
                                 .texel = (TEXEL),                                                  \
+                                .key = (KEY),                                                      \
                                 .shade = (SHADE),                                                  \
                                 .pixel_bytes = 2,                                                  \
                                 .asks =                                                            \
@@ -112,13 +115,17 @@ QTRI_BODY_ALONE void draw_other(qtri_pixel_walk *w, bool bent, int32_t count)
         draw_shaded(o, w, bent, count);                                                            \
     }
 
-ON_RGB565(draw_flat_565, QTRI_NO_TEXEL, QTRI_FLAT, 1u << QTRI_ASK_PLAIN)
-ON_RGB565(draw_lit_565, QTRI_NO_TEXEL, QTRI_LIGHT, 1u << QTRI_ASK_TABLE)
-ON_RGB565(draw_colors_565, QTRI_NO_TEXEL, QTRI_COLORS, 1u << QTRI_ASK_PACKED)
-ON_RGB565(draw_texture_565, QTRI_TEXEL_RGB565, QTRI_FLAT, 0)
-ON_RGB565(draw_texture_white_565, QTRI_TEXEL_RGB565, QTRI_WHITE_LIGHT, 0)
-ON_RGB565(draw_texture_shaded_565, QTRI_TEXEL_RGB565, w->state->options.shade,
+ON_RGB565(draw_flat_565, QTRI_NO_TEXEL, 0, QTRI_FLAT, 1u << QTRI_ASK_PLAIN)
+ON_RGB565(draw_lit_565, QTRI_NO_TEXEL, 0, QTRI_LIGHT, 1u << QTRI_ASK_TABLE)
+ON_RGB565(draw_colors_565, QTRI_NO_TEXEL, 0, QTRI_COLORS, 1u << QTRI_ASK_PACKED)
+/* Where a texture has no key, the state's is none that a texel can be: see choose(). */
+ON_RGB565(draw_texture_565, QTRI_TEXEL_RGB565, 1, QTRI_FLAT, 1u << QTRI_ASK_DISCARD)
+ON_RGB565(draw_texture_white_565, QTRI_TEXEL_RGB565, 0, QTRI_WHITE_LIGHT, 0)
+ON_RGB565(draw_texture_shaded_565, QTRI_TEXEL_RGB565, 0, w->state->options.shade,
           1u << QTRI_ASK_TWO_WORDS)
+ON_RGB565(draw_stored_565,
+          w->state->options.texel == QTRI_TEXEL_RGB565 ? QTRI_TEXEL_RGB565 : QTRI_TEXEL_PALETTE565,
+          1, w->state->options.shade, 1u << QTRI_ASK_TWO_WORDS | 1u << QTRI_ASK_DISCARD)
 
 /* By what options ask for: the loop that draws the pixels. */
 static qtri_pixels_loop *loop_of(const qtri_options *o)
@@ -133,10 +140,14 @@ static qtri_pixels_loop *loop_of(const qtri_options *o)
                : qtri_is_lit(o)        ? draw_lit_565
                                        : draw_flat_565;
     }
+    if (is_565 && o->texel == QTRI_TEXEL_RGB565 && o->shade == QTRI_FLAT) {
+        return draw_texture_565;
+    }
     if (is_565 && o->texel == QTRI_TEXEL_RGB565 && !o->key) {
-        return o->shade == QTRI_FLAT          ? draw_texture_565
-               : o->shade == QTRI_WHITE_LIGHT ? draw_texture_white_565
-                                              : draw_texture_shaded_565;
+        return o->shade == QTRI_WHITE_LIGHT ? draw_texture_white_565 : draw_texture_shaded_565;
+    }
+    if (is_565 && (o->texel == QTRI_TEXEL_RGB565 || o->texel == QTRI_TEXEL_PALETTE565)) {
+        return draw_stored_565;
     }
     return o->texel != QTRI_NO_TEXEL ? draw_texture
            : o->shade == QTRI_FLAT   ? draw_flat
@@ -149,6 +160,7 @@ static const qtri_pipeline *choose(const qtri_pipeline *generic, qtri_draw_state
     qtri_options *o = &state->options;
     state->loop = loop_of(o);
     (void)qtri_draw_state_ask(generic, state);
+    state->key = o->key ? state->key : UINT32_MAX;
     if (!qtri_tests_depth(o) && state->loop != draw_other) {
         o->asks |= 1u << QTRI_ASK_TEST;
         o->depth_bytes = 0;
