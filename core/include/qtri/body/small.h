@@ -14,29 +14,48 @@ typedef struct qtri_small_rows {
     qtri_small_ramp c, g, alpha, u, v;
 } qtri_small_rows;
 
-/* Steps the values of the walk by n pixels, but not its pointers. */
-QTRI_BODY void qtri_small_step(const qtri_options *o, qtri_pixel_walk *w, uint32_t n, bool with_uv)
+/* The generic pipeline's rows step z and c in any case, and ask once about what few have, as a
+   question is as long as a step. */
+#ifdef QTRI_PIPELINE_IS_ANY_LOOP
+#define QTRI_SMALL_ANY true
+#else
+#define QTRI_SMALL_ANY false
+#endif
+
+/* Whether rows may have more than z, c, u and v. */
+QTRI_BODY bool qtri_small_has_more(const qtri_options *o)
 {
-    if (qtri_needs_depth(o)) {
+    return !QTRI_SMALL_ANY || qtri_has_two_words(o) || o->vertex_alpha || o->fog ||
+           qtri_needs_place(o);
+}
+
+/* Steps the values of the walk by n pixels, but not its pointers. */
+QTRI_BODY void qtri_small_step(const qtri_options *o, qtri_pixel_walk *w, uint32_t n, bool with_uv,
+                               bool more)
+{
+    if (QTRI_SMALL_ANY || qtri_needs_depth(o)) {
         w->z += n * w->z_step;
     }
-    if (with_uv && qtri_is_textured(o)) {
+    if (with_uv && (QTRI_SMALL_ANY || qtri_is_textured(o))) {
         w->u += n * w->u_step;
         w->v += n * w->v_step;
     }
-    if (qtri_varies(o)) {
+    if (QTRI_SMALL_ANY || qtri_varies(o)) {
         w->c += n * w->c_step;
     }
-    if (qtri_has_two_words(o)) {
+    if (!more) {
+        return;
+    }
+    if (QTRI_SMALL_ANY || qtri_has_two_words(o)) {
         w->g += n * w->g_step;
     }
-    if (o->vertex_alpha) {
+    if (QTRI_SMALL_ANY || o->vertex_alpha) {
         w->alpha += n * w->alpha_step;
     }
-    if (o->fog) {
+    if (QTRI_SMALL_ANY || o->fog) {
         w->fog += n * w->fog_step;
     }
-    if (qtri_needs_place(o)) {
+    if (QTRI_SMALL_ANY || qtri_needs_place(o)) {
         w->x += (int32_t)n;
     }
 }
@@ -53,8 +72,9 @@ QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_body *pixel, 
                                  bool bent, int32_t count)
 {
 #ifdef QTRI_PIPELINE_IS_ANY_LOOP
-    w->c_other = w->c_step;
-    qtri_pixels_draw(o, pixel, w, bent, count);
+    (void)o;
+    (void)pixel;
+    w->state->loop(w, bent, count);
 #else
     const bool paired = qtri_is_paired(o);
     const uint32_t bytes = qtri_pixel_bytes(o);
@@ -109,6 +129,7 @@ QTRI_BODY uint32_t qtri_small_curves_set_colors(const qtri_options *o, qtri_pixe
     qtri_small_chord c, g;
     qtri_small_set_color_chord(&c, &g, k, &w->state->options, x);
     w->c_step = c.step;
+    w->c_other = c.step;
     w->c = c.at;
     if (qtri_has_two_words(o)) {
         w->g_step = g.step;
@@ -164,14 +185,16 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     const uint32_t bytes = qtri_pixel_bytes(o), depth_bytes = qtri_depth_size(o, surface);
     const bool tests = qtri_tests_depth(o), paired = qtri_is_paired(o);
     const bool textured = qtri_is_textured(o), varies = qtri_varies(o);
-    const bool two_words = qtri_has_two_words(o);
+    const bool two_words = qtri_has_two_words(o), more = qtri_small_has_more(o);
+    const bool linear = !curved && (!QTRI_SMALL_ANY || textured); /* u and v */
+    const bool is_plain = QTRI_SMALL_ANY && !curved && !o->fog;
     const bool has_pieces =
         curved &&
         (qtri_is_lit(o) ? curves->light_piece != 0
                         : o->shade == QTRI_COLORS && (!qtri_is_textured(o) || colors->piece != 0));
     /* Curved or not: what rows and pieces begin with is read from memory, so that pixels have the
        registers. Texels take more of them than that leaves. */
-    const bool shares_loop = !QTRI_SMALL_IN_PLACE && !textured && qtri_is_lit(o);
+    const bool shares_loop = !QTRI_SMALL_IN_PLACE && !QTRI_SMALL_ANY && !textured && qtri_is_lit(o);
     /* What may be divided: light alone is not, and its loop has no call. */
     const bool divides = textured || o->shade == QTRI_COLORS;
     const ptrdiff_t row = p->row - surface->first_row;
@@ -191,6 +214,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     /* NOLINTBEGIN(clang-analyzer-core.uninitialized.Assign): what options ask for is set */
     w->c = varies ? rows->c.at : 0;
     w->c_step = varies ? rows->c.dx : 0;
+    w->c_other = w->c_step;
     w->g = two_words ? rows->g.at : 0;
     w->g_step = two_words ? rows->g.dx : 0;
     w->u = textured && !curved ? rows->u.at : 0;
@@ -201,6 +225,8 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     w->v_bend = textured && curved ? 2 * curves->v.xx : 0;
     w->alpha = o->vertex_alpha ? rows->alpha.at : 0;
     w->alpha_step = o->vertex_alpha ? rows->alpha.dx : 0;
+    w->fog = 0;
+    w->fog_step = 0;
     /* NOLINTEND(clang-analyzer-core.uninitialized.Assign) */
     for (;;) {
         uint32_t x = span[0], end = span[1];
@@ -209,57 +235,62 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
             QTRI_BODY_READ_AGAIN();
         }
         if (x < end) {
-            qtri_small_step(o, w, x - at, !curved);
+            qtri_small_step(o, w, x - at, linear, more);
             if (!paired) {
                 w->pixel += (ptrdiff_t)(int32_t)(x - at) * (ptrdiff_t)bytes;
             }
             if (tests) {
                 w->depth += (ptrdiff_t)(int32_t)(x - at) * (ptrdiff_t)depth_bytes;
             }
-            if (o->fog) {
-                if (!curved || !divides || division->goes_on == 0) {
-                    qtri_small_set_fog_along(w, end - x);
-                }
-                if (p->cut) {
-                    const uint32_t first =
-                        (uint32_t)qtri_small_clamp(p->left, (int32_t)x, (int32_t)end);
-                    QTRI_RARELY();
-                    end = (uint32_t)qtri_small_clamp(p->right, (int32_t)first, (int32_t)end);
-                    qtri_small_step(o, w, first - x, !curved);
-                    qtri_walk_move(o, w, first - x);
-                    x = first;
-                }
-            }
-            if (curved && divides && division->log2 != 0) {
-                QTRI_RARELY();
-                end = qtri_small_divide(division, x, end, span - 2);
-                w->u_bend = textured ? 2 * curves->u.xx : 0;
-                w->v_bend = textured ? 2 * curves->v.xx : 0;
-            }
-            if (curved && textured) {
-                qtri_small_curves_begin(w, curves, x - QTRI_SMALL_REACH);
-            }
-            at = end;
-            while (!o->fog || x != end) {
-                uint32_t count = end - x;
-                if (has_pieces) {
-                    if (shares_loop) {
-                        QTRI_BODY_READ_AGAIN();
+            if (is_plain) {
+                at = end;
+                qtri_small_pixels(o, pixel, w, false, (int32_t)(end - x));
+            } else {
+                if (o->fog) {
+                    if (!curved || !divides || division->goes_on == 0) {
+                        qtri_small_set_fog_along(w, end - x);
                     }
-                    count =
-                        qtri_is_lit(o)
-                            ? qtri_small_curves_set_light(w, curves, x - QTRI_SMALL_REACH, count)
-                            : qtri_small_curves_set_colors(o, w, colors, x - QTRI_SMALL_REACH,
-                                                           count);
+                    if (p->cut) {
+                        const uint32_t first =
+                            (uint32_t)qtri_small_clamp(p->left, (int32_t)x, (int32_t)end);
+                        QTRI_RARELY();
+                        end = (uint32_t)qtri_small_clamp(p->right, (int32_t)first, (int32_t)end);
+                        qtri_small_step(o, w, first - x, linear, true);
+                        qtri_walk_move(o, w, first - x);
+                        x = first;
+                    }
+                }
+                if (curved && divides && division->log2 != 0) {
+                    QTRI_RARELY();
+                    end = qtri_small_divide(division, x, end, span - 2);
+                    w->u_bend = textured ? 2 * curves->u.xx : 0;
+                    w->v_bend = textured ? 2 * curves->v.xx : 0;
                 }
                 if (curved && textured) {
-                    qtri_small_pixels(o, pixel, w, true, (int32_t)count);
-                } else {
-                    qtri_small_pixels(o, pixel, w, false, (int32_t)count);
+                    qtri_small_curves_begin(w, curves, x - QTRI_SMALL_REACH);
                 }
-                x += count;
-                if (!has_pieces || x == end) {
-                    break;
+                at = end;
+                while (!o->fog || x != end) {
+                    uint32_t count = end - x;
+                    if (has_pieces) {
+                        if (shares_loop) {
+                            QTRI_BODY_READ_AGAIN();
+                        }
+                        count = qtri_is_lit(o)
+                                    ? qtri_small_curves_set_light(w, curves, x - QTRI_SMALL_REACH,
+                                                                  count)
+                                    : qtri_small_curves_set_colors(o, w, colors,
+                                                                   x - QTRI_SMALL_REACH, count);
+                    }
+                    if (curved && textured) {
+                        qtri_small_pixels(o, pixel, w, true, (int32_t)count);
+                    } else {
+                        qtri_small_pixels(o, pixel, w, false, (int32_t)count);
+                    }
+                    x += count;
+                    if (!has_pieces || x == end) {
+                        break;
+                    }
                 }
             }
         } else if (x == QTRI_SMALL_STOP) {
@@ -271,13 +302,10 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
             continue;
         }
         w->z += p->z.dy;
-        if (varies) {
+        if (QTRI_SMALL_ANY || varies) {
             w->c += rows->c.dy;
         }
-        if (two_words) {
-            w->g += rows->g.dy;
-        }
-        if (textured && !curved) {
+        if (linear && (QTRI_SMALL_ANY || textured)) {
             w->u += rows->u.dy;
             w->v += rows->v.dy;
         }
@@ -287,8 +315,13 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
                 qtri_small_color_curves_next_row(colors);
             }
         }
-        if (o->vertex_alpha) {
-            w->alpha += rows->alpha.dy;
+        if (more) {
+            if (two_words) {
+                w->g += rows->g.dy;
+            }
+            if (o->vertex_alpha) {
+                w->alpha += rows->alpha.dy;
+            }
         }
         if (paired) {
             w->apart += skew;
@@ -356,7 +389,16 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
     qtri_small_curves curves;
     qtri_small_color_curves colors;
     qtri_small_division division;
+#ifdef QTRI_PIPELINE_IS_ANY_LOOP
+    /* The whole walk is not cleared: that is 165 instructions. */
+    qtri_pixel_walk w;
+    const qtri_octave none = QTRI_BODY_ZERO;
+    const qtri_small_ramp flat = QTRI_BODY_ZERO;
+    w.octave = none;
+    rows.c = flat; /* stepped in any case */
+#else
     qtri_pixel_walk w = QTRI_BODY_ZERO;
+#endif
     qtri_draw_state *state = t->state;
     bool has_curve = false, is_curved = false; /* light or colours; anything */
     const qtri_small_found found = QTRI_SMALL_SETUP(find)(&p, spans, t);
@@ -366,6 +408,7 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
     if (o->mipmapped && !qtri_small_set_level(qtri_small_copy(&copy, &p), t)) {
         return false;
     }
+
     qtri_walk_begin(o, &w, state);
     if (t->light != NULL && (o->shade != QTRI_FLAT || !qtri_is_textured(o))) {
         t->light_q15 =

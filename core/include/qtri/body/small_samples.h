@@ -179,7 +179,7 @@ QTRI_BODY void qtri_small_samples_begin(const qtri_options *o, qtri_pixel_walk *
 /* Moves the walk by columns, also back. */
 QTRI_BODY void qtri_small_samples_skip(const qtri_options *o, qtri_pixel_walk *w, int32_t columns)
 {
-    qtri_small_step(o, w, (uint32_t)columns, true);
+    qtri_small_step(o, w, (uint32_t)columns, true, true);
     w->pixel += (ptrdiff_t)columns * (ptrdiff_t)qtri_pixel_step(o);
     if (qtri_tests_depth(o)) {
         w->depth += (ptrdiff_t)columns * 2;
