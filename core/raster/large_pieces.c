@@ -85,7 +85,7 @@ void qtri_large_skip(const qtri_large_job *job, qtri_large_piece *piece, uint32_
 
 void qtri_large_clip(qtri_large_job *job, qtri_large_piece *piece, int32_t x)
 {
-    if (!job->t.options->mipmapped) {
+    if (!qtri_large_has_levels(job)) {
         qtri_large_cut(job, piece, x);
     }
 }

@@ -459,16 +459,9 @@ static int32_t curved_pieces(qtri_large_job *job)
 static int32_t plain_pieces(qtri_large_job *job)
 {
     const int32_t pieces = qtri_large_find_pieces(job);
-    int32_t x = job->t.x - ((int32_t)1 << job->run_log2);
-    if (!job->row_is_linear) {
-        x = job->t.x - job->piece[0].count - (pieces == 1 ? 0 : job->piece[1].count);
-    } else if (qtri_large_has_levels(job)) {
+    if (qtri_large_has_levels(job)) {
         set_level(job, job->piece, job->levels->only);
-    }
-    for (int32_t i = 0; i < pieces; i++) {
-        const int32_t count = job->piece[i].count;
-        cut(job, &job->piece[i], x);
-        x += count;
+        cut(job, job->piece, job->t.x - ((int32_t)1 << job->run_log2));
     }
     return pieces;
 }
