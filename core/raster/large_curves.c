@@ -408,7 +408,7 @@ QTRI_NOINLINE static void hold_chord(const qtri_large_attribute *a, uint32_t *at
     const int32_t from = qtri_hold32((int32_t)*at, min, max);
     const int32_t end = from + (int32_t)*step * (count - 1);
     const int32_t to = qtri_hold32(end, min, max);
-    if (to != end && count > 1) {
+    if (to != end) { /* so that there are two pixels or more */
         *step = (uint32_t)qtri_divide32(to - from, (uint32_t)count - 1);
     }
     *at = (uint32_t)from;
@@ -510,10 +510,7 @@ QTRI_NOINLINE static void next_half(qtri_large_job *job)
 {
     qtri_large_piece *piece = job->piece;
     if (job->has_second) {
-        piece[0].count = piece[1].count;
-        piece[0].of.knots.next = piece[1].count;
-        piece[0].uv[0] = piece[1].uv[0];
-        piece[0].uv[1] = piece[1].uv[1];
+        piece[0] = piece[1];
         job->has_second = false;
         job->t.x = job->second_end;
         return;

@@ -75,21 +75,18 @@ static inline uint32_t qtri_large_whole(uint64_t value)
     return (uint32_t)(value >> 32);
 }
 
-/* The whole part at a column, |x| <= 2^14: 16 bits of the fraction count. */
-static inline uint32_t qtri_large_plane_at(const qtri_large_plane *p, int32_t x)
-{
-    const int32_t rest = (int32_t)(p->dx >> 16 & 0xFFFFu) * x + (int32_t)(p->row >> 16 & 0xFFFFu);
-    return qtri_large_whole(p->row) + qtri_large_whole(p->dx) * (uint32_t)x +
-           (uint32_t)(rest >> 16);
-}
-
-/* All of it there, to 2^-16. */
+/* A plane at a column, |x| <= 2^14: 16 bits of the fraction count. */
 static inline uint64_t qtri_large_plane_from(const qtri_large_plane *p, int32_t x)
 {
     const int32_t rest = (int32_t)(p->dx >> 16 & 0xFFFFu) * x + (int32_t)(p->row >> 16 & 0xFFFFu);
     const uint32_t whole =
         qtri_large_whole(p->row) + qtri_large_whole(p->dx) * (uint32_t)x + (uint32_t)(rest >> 16);
     return (uint64_t)whole << 32 | (uint32_t)rest << 16;
+}
+
+static inline uint32_t qtri_large_plane_at(const qtri_large_plane *p, int32_t x)
+{
+    return qtri_large_whole(qtri_large_plane_from(p, x));
 }
 
 /* By how many bits a side of the texture is shorter at a level, 0: width, 1: height. */
