@@ -92,7 +92,8 @@ bool qtri_mesh_job_set_transforms(qtri_mesh_job *draw, const qtri_view *view,
     if (is_empty(mesh) || draw->positions == NULL) {
         return false;
     }
-    qtri_primitive_set_projector(&draw->primitive, view, pose, &object_to_eye);
+    qtri_projector_init_view(&draw->primitive.projector, view, pose,
+                             draw->primitive.material->depth_bias, &object_to_eye);
     if (is_missed(draw, draw->primitive.surface)) {
         return false;
     }

@@ -595,7 +595,8 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
         !prepared_begin(&job, prepared, surface, prepared->is_placed)) {
         return;
     }
-    qtri_deferred_transform deferred = {&job.primitive, prepared->view, prepared->pose, false};
+    qtri_deferred_transform deferred = {&job.primitive.projector, prepared->view, prepared->pose,
+                                        false};
     job.deferred = prepared->is_placed ? NULL : &deferred;
     job.lit = is_complete(prepared);
     if (!job.lit) {

@@ -15,7 +15,7 @@
 
 /* A job's transforms, which are set when the first triangle needs them. */
 typedef struct qtri_deferred_transform {
-    qtri_primitive *primitive; /* the job's */
+    qtri_projector *projector; /* the job's */
     const qtri_view *view;
     const qtri_transform *pose;
     bool is_set;

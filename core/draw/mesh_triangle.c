@@ -109,9 +109,10 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
 QTRI_NOINLINE static void set_deferred_transform(const qtri_mesh_job *draw)
 {
     qtri_deferred_transform *deferred = draw->deferred;
-    qtri_primitive_set_projector(deferred->primitive, deferred->view, deferred->pose, NULL);
+    qtri_projector_init_view(deferred->projector, deferred->view, deferred->pose,
+                             draw->primitive.material->depth_bias, NULL);
     if (draw->positions->begin != NULL) {
-        draw->positions->begin(&deferred->primitive->projector, draw->mesh);
+        draw->positions->begin(deferred->projector, draw->mesh);
     }
     deferred->is_set = true;
 }

@@ -25,20 +25,6 @@ void qtri_primitive_begin_lines(qtri_primitive *primitive)
                        &primitive->to.lines.target);
 }
 
-void qtri_primitive_set_projector(qtri_primitive *primitive, const qtri_view *view,
-                                  const qtri_transform *pose, qtri_transform *object_to_eye)
-{
-    qtri_transform own, object_to_clip;
-    qtri_transform *to_eye = object_to_eye != NULL ? object_to_eye : &own;
-    qtri_transform_mul(to_eye, &view->camera, pose);
-    qtri_transform_mul(&object_to_clip, &view->projection, to_eye);
-    qtri_projector_init(&primitive->projector, &object_to_clip, &view->viewport);
-    if (primitive->material->depth_bias != 0) {
-        qtri_projector_set_depth(&primitive->projector, &view->viewport,
-                                 primitive->material->depth_bias);
-    }
-}
-
 /* Clips a triangle by `planes` and projects it; returns its vertex count. *out may be *v. */
 QTRI_NOINLINE static int clip_to_screen(const qtri_projector *projector,
                                         const qtri_clip_vertex v[3], unsigned planes,

@@ -86,13 +86,6 @@ void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *su
                                const qtri_texture *texture, int shade);
 
 /*
- * Sets the projector: projection camera pose, folded with the viewport; and camera pose, unless
- * object_to_eye is NULL.
- */
-void qtri_primitive_set_projector(qtri_primitive *primitive, const qtri_view *view,
-                                  const qtri_transform *pose, qtri_transform *object_to_eye);
-
-/*
  * Sets colour, u and v of a triangle's vertices. Called for each piece of the triangle, since
  * attributes that are not kept take no stack while rows are filled.
  */

@@ -25,11 +25,7 @@ typedef struct stroke_job {
 static void job_init(stroke_job *job, const qtri_view *view, const qtri_transform *pose,
                      const qtri_corner *corners, uint32_t count, const qtri_material *material)
 {
-    qtri_transform object_to_clip;
-    qtri_transform_mul(&object_to_clip, &view->camera, pose);
-    qtri_transform_mul(&object_to_clip, &view->projection, &object_to_clip);
-    qtri_projector_init(&job->projector, &object_to_clip, &view->viewport);
-    qtri_projector_set_depth(&job->projector, &view->viewport, material->depth_bias);
+    qtri_projector_init_view(&job->projector, view, pose, material->depth_bias, NULL);
     job->corners = corners;
     job->count = count;
     job->vertices = NULL;

@@ -67,7 +67,7 @@ static void begin(triangle_call *call, const qtri_surface *surface, const qtri_v
     job->slot_count = 3;
     job->lit = true;
     qtri_primitive_set_target(&job->primitive, surface, view, material, material->texture, shade);
-    qtri_primitive_set_projector(&job->primitive, view, pose, NULL);
+    qtri_projector_init_view(&job->primitive.projector, view, pose, material->depth_bias, NULL);
     if (material->fill == NULL) {
         qtri_mesh_solid_init(job, NULL);
         for (uint32_t i = 0; i < 3; i++) { /* for alphas of a clipped triangle */
@@ -312,7 +312,7 @@ void qtri_draw_lines(const qtri_surface *surface, const qtri_view *view, const q
     qtri_primitive primitive;
     primitive.surface = surface;
     primitive.material = material;
-    qtri_primitive_set_projector(&primitive, view, pose, NULL);
+    qtri_projector_init_view(&primitive.projector, view, pose, material->depth_bias, NULL);
     qtri_primitive_begin_lines(&primitive);
     for (uint32_t i = 0; corner_count - i >= 2; i += 2) {
         qtri_clip_vertex v[3];

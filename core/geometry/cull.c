@@ -160,12 +160,9 @@ bool qtri_view_sees_box(const qtri_view *view, const qtri_transform *pose, const
     QTRI_ASSERT(pose != NULL);
     QTRI_ASSERT(box != NULL);
     QTRI_ASSERT(box->half.x >= 0 && box->half.y >= 0 && box->half.z >= 0);
-    qtri_transform to_clip;
     qtri_projector projector;
     const qtri_viewport *viewport = &view->viewport;
-    qtri_transform_mul(&to_clip, &view->camera, pose);
-    qtri_transform_mul(&to_clip, &view->projection, &to_clip);
-    qtri_projector_init(&projector, &to_clip, viewport);
+    qtri_projector_init_view(&projector, view, pose, 0, NULL);
     const int32_t limit = QTRI_VIEWPORT_MAX;
     const int32_t low[2] = {qtri_hold32(viewport->x, -limit, limit),
                             qtri_hold32(viewport->y, -limit, limit)};

@@ -71,6 +71,20 @@ void qtri_projector_init(qtri_projector *projector, const qtri_transform *object
     qtri_projector_set_depth(projector, viewport, 0);
 }
 
+void qtri_projector_init_view(qtri_projector *projector, const qtri_view *view,
+                              const qtri_transform *pose, q16 depth_bias,
+                              qtri_transform *object_to_eye)
+{
+    qtri_transform object_to_clip;
+    qtri_transform *to_eye = object_to_eye != NULL ? object_to_eye : &object_to_clip;
+    qtri_transform_mul(to_eye, &view->camera, pose);
+    qtri_transform_mul(&object_to_clip, &view->projection, to_eye);
+    qtri_projector_init(projector, &object_to_clip, &view->viewport);
+    if (depth_bias != 0) {
+        qtri_projector_set_depth(projector, &view->viewport, depth_bias);
+    }
+}
+
 /* |m| <= 2^30, |t| < 2^61: the sum stays below 3 2^61 + 2^61 = 2^63. */
 QTRI_IN_PLACE int64_t row_sum(const qtri_row *row, int64_t t, q16 x, q16 y, q16 z)
 {

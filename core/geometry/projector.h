@@ -34,6 +34,14 @@ void qtri_projector_init(qtri_projector *projector, const qtri_transform *object
                          const qtri_viewport *viewport);
 
 /*
+ * As qtri_projector_init() for a view and a pose, with a bias. Sets *object_to_eye, camera pose,
+ * unless it is NULL.
+ */
+void qtri_projector_init_view(qtri_projector *projector, const qtri_view *view,
+                              const qtri_transform *pose, q16 depth_bias,
+                              qtri_transform *object_to_eye);
+
+/*
  * Whether nothing inside the box can be seen in the pixels low..high - 1 of the frame, each within
  * +-16384. May be false for a box that just misses them. Before qtri_projector_compact().
  */

@@ -22,6 +22,7 @@
 #define qtri_projector_set_depth  narrow_projector_set_depth
 #define qtri_projector_compact    narrow_projector_compact
 #define qtri_projector_init       narrow_projector_init
+#define qtri_projector_init_view  narrow_projector_init_view
 #define qtri_projector_misses     narrow_projector_misses
 #define qtri_projector_point      narrow_projector_point
 #define qtri_projector_point16    narrow_projector_point16
