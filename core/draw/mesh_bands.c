@@ -490,9 +490,7 @@ static void draw_range(const qtri_mesh_job *job, const qtri_prepared *prepared, 
                        : qtri_mesh_fetch_triangle(job, triangle, spare, vertex))) {
             continue;
         }
-        if (complete && prepared->back_only
-                ? !qtri_triangle_is_back(&vertex[0]->at, &vertex[1]->at, &vertex[2]->at)
-                : !qtri_mesh_is_culled(job, vertex[0], vertex[1], vertex[2])) {
+        if (!qtri_mesh_is_culled(job, vertex[0], vertex[1], vertex[2])) {
             qtri_mesh_draw_visible(job, triangle, vertex);
         }
     }
