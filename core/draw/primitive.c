@@ -354,7 +354,7 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
     }
     const qtri_fan_vertex *piece[3] = {&shape->fan[0], NULL, NULL};
     for (int i = 2; i < count; i++) {
-        int64_t area = count == 3 ? sum : piece_area(shape->fan, i);
+        const int64_t area = piece_area(shape->fan, i);
         if (area != 0 && (area ^ sum) >= 0) {
             piece[1] = &shape->fan[i - 1];
             piece[2] = &shape->fan[i];
