@@ -375,19 +375,23 @@ static void set_linear_planes(qtri_large_job *job)
 
 /* With perspective ----------------------------------------------------------------------------- */
 
-/* 1/w of the vertices with one exponent, 2^-8; not 0. Of true positions less 1/32: pixels may be
-   beyond these. */
-static void set_q(qtri_large_job *job, int64_t q_q8[3])
+void qtri_large_align_q(int64_t q_q8[3], const qtri_large_vertex v[3])
 {
-    const qtri_large_vertex *v = job->t.in->v;
     const int32_t most = qtri_greatest32(v[0].inv_w_exponent,
                                          qtri_greatest32(v[1].inv_w_exponent, v[2].inv_w_exponent));
     for (int k = 0; k < 3; k++) {
         const uint32_t down = (uint32_t)most - (uint32_t)v[k].inv_w_exponent;
-        int64_t q = down <= 29 ? (int64_t)v[k].inv_w_q31 << 8 >> down : 256;
-        q -= job->t.has_true_positions ? q >> 5 : 0;
-        q_q8[k] = q;
-        job->vertex_q[k] = (uint32_t)(q >> 8);
+        q_q8[k] = down <= 29 ? (int64_t)v[k].inv_w_q31 << 8 >> down : 256;
+    }
+}
+
+/* Of true positions less 1/32: pixels may be beyond these. */
+static void set_q(qtri_large_job *job, int64_t q_q8[3])
+{
+    qtri_large_align_q(q_q8, job->t.in->v);
+    for (int k = 0; k < 3; k++) {
+        q_q8[k] -= job->t.has_true_positions ? q_q8[k] >> 5 : 0;
+        job->vertex_q[k] = (uint32_t)(q_q8[k] >> 8);
     }
 }
 

@@ -127,6 +127,9 @@ void qtri_large_plane_of(qtri_large_plane *p, const qtri_large *t, const uint32_
 void qtri_large_ramp_init(qtri_large_ramp *ramp, const qtri_large *t, const int64_t f_q8[3],
                           int32_t down);
 
+/* 1/w of the vertices with one exponent, 2^-8; not 0. */
+void qtri_large_align_q(int64_t q_q8[3], const qtri_large_vertex v[3]);
+
 /* Linear planes where perspective cannot be seen, else false and 1/w of the vertices; then its
    planes. */
 bool qtri_large_set_linear(qtri_large_job *job, int64_t q_q8[3]);

@@ -302,18 +302,6 @@ static inline qtri_large_light *light_of(const qtri_large *t)
 
 /* The triangle --------------------------------------------------------------------------------- */
 
-/* 1/w of the vertices with one exponent, in q. False: all are equal. */
-static bool align_q(uint32_t q[3], const qtri_large_vertex v[3])
-{
-    const int32_t most = qtri_greatest32(v[0].inv_w_exponent,
-                                         qtri_greatest32(v[1].inv_w_exponent, v[2].inv_w_exponent));
-    for (int k = 0; k < 3; k++) {
-        const int32_t down = most - v[k].inv_w_exponent;
-        q[k] = down <= 29 ? v[k].inv_w_q31 >> down : 1;
-    }
-    return q[0] != q[1] || q[0] != q[2];
-}
-
 static void set_tolerance(qtri_large_light *l, const qtri_options *o)
 {
     const bool coarse = qtri_kind_of(o) == QTRI_IN_565;
@@ -329,12 +317,16 @@ static void begin(qtri_large *t)
 {
     qtri_large_light *l = light_of(t);
     const qtri_large_vertex *v = t->in->v;
+    int64_t q_q8[3];
     uint32_t q[3];
-    if (!l->lit.is_quadratic) {
-        set_corners(&l->lit);
+    set_corners(&l->lit);
+    qtri_large_align_q(q_q8, v);
+    for (int k = 0; k < 3; k++) {
+        q[k] = (uint32_t)(q_q8[k] >> 8);
     }
+    qtri_find_range(&l->least, &l->greatest, q);
     l->plane_y = t->plane_y;
-    l->divided = !t->state->is_linear && align_q(q, v);
+    l->divided = !t->state->is_linear && l->least != l->greatest;
     l->y = INT32_MIN;
     l->is_alone = qtri_has_samples(t->options) && t->samples->place != QTRI_CENTER;
     set_tolerance(l, t->options);
@@ -348,7 +340,6 @@ static void begin(qtri_large *t)
     }
     if (l->divided) {
         qtri_large_plane_of(&l->q, t, q);
-        qtri_find_range(&l->least, &l->greatest, q);
     }
 }
 
