@@ -62,7 +62,6 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
     draw->deferred = NULL;
     draw->front = NULL;
     draw->noted = false;
-    draw->lit = false;
     const bool normals = mesh->normals != NULL || mesh->normals8 != NULL;
     const bool is_lit = qtri_white_light(view) != NULL;
     draw->lit_per_vertex = is_lit && qtri_is_smooth(material) && normals;

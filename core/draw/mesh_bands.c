@@ -518,7 +518,6 @@ QTRI_NOINLINE static void draw_fronts(const qtri_mesh_job *draw, const uint16_t 
     const uint8_t *triangles = qtri_mesh_triangle(draw->mesh, 0, narrow);
     qtri_small t = draw->primitive.to.solid.small;
     qtri_vertex *vertices = draw->vertices;
-    qtri_mesh_set_lit(&t, draw);
     while (place != end) {
         const uint8_t *triangle = triangles + next_group(lists, &place) * (narrow ? 3 : 6);
         uint32_t index[3];
@@ -596,12 +595,13 @@ void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepar
     qtri_deferred_transform deferred = {&job.primitive.projector, prepared->view, prepared->pose,
                                         false};
     job.deferred = prepared->is_placed ? NULL : &deferred;
-    job.lit = is_complete(prepared);
-    if (!job.lit) {
+    if (!is_complete(prepared)) {
         qtri_mesh_clear_slots(&job);
     }
     if (job.primitive.material->fill != NULL) {
         job.primitive.material->fill->band(&job);
+    } else if (is_complete(prepared)) {
+        qtri_mesh_set_lit(&job);
     }
     band_work work = {&job, prepared, by_list, band, first, count};
     if (job.lights != NULL && prepared->is_placed) {

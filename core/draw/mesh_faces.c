@@ -189,7 +189,6 @@ QTRI_NOINLINE static void draw_listed_fronts(const qtri_mesh_faces *faces,
     const uint8_t *triangles = faces->triangles;
     const uint16_t *end = faces->end;
     qtri_vertex *vertices = draw->vertices;
-    qtri_mesh_set_lit(&t, draw);
     for (const uint16_t *at = faces->list; at != end; at++) {
         const uint8_t *triangle = qtri_mesh_faces_triangle(triangles, *at, narrow);
         uint32_t index[3];
@@ -206,7 +205,7 @@ QTRI_NOINLINE static bool draw_all(qtri_mesh_job *draw)
         return false;
     }
     const bool back_only = draw->primitive.material->cull == QTRI_CULL_BACK;
-    draw->lit = true;
+    qtri_mesh_set_lit(draw);
     while (next(&faces, draw)) {
         if (back_only && faces.inside) {
             draw_listed_fronts(&faces, draw);

@@ -47,7 +47,6 @@ typedef struct qtri_mesh_job {
     uint32_t slot_count;
     bool lit_per_vertex, lit_per_face;
     bool noted;             /* a wireframe: slots note the edges to draw, see mesh_lines.c */
-    bool lit;               /* all visible vertices have their intensity already */
     bool shaded_per_vertex; /* with lights: colours are of vertices, not of faces */
     qtri_light_finder *find_large_light; /* NULL: intensity 1 */
     /* view->light, if it has sources, and with them: */
@@ -140,11 +139,12 @@ static inline void qtri_mesh_clear_slots(const qtri_mesh_job *draw)
     }
 }
 
-/* For a job whose vertices are all lit: small triangles need not ask for their light. */
-static inline void qtri_mesh_set_lit(qtri_small *t, const qtri_mesh_job *draw)
+/* For a job that fills and whose visible vertices are all lit: small triangles need not ask for
+   their light. */
+static inline void qtri_mesh_set_lit(qtri_mesh_job *draw)
 {
     if (draw->lit_per_vertex) {
-        t->light = NULL;
+        draw->primitive.to.solid.small.light = NULL;
     }
 }
 

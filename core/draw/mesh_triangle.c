@@ -55,7 +55,7 @@ uint32_t qtri_mesh_find_light(const void *from, const void *indices, qtri_vertex
 {
     const qtri_mesh_job *draw = from;
     if (draw->lit_per_vertex) {
-        if (!draw->lit && !qtri_vertices_are_lit(a, b, c)) {
+        if (!qtri_vertices_are_lit(a, b, c)) {
             qtri_mesh_light_vertices(draw, indices, a, b, c);
         }
         return QTRI_VERTEX_UNLIT;

@@ -65,7 +65,6 @@ static void begin(triangle_call *call, const qtri_surface *surface, const qtri_v
     job->mesh = mesh;
     job->positions = &qtri_positions_wide;
     job->slot_count = 3;
-    job->lit = true;
     qtri_primitive_set_target(&job->primitive, surface, view, material, material->texture, shade);
     qtri_projector_init_view(&job->primitive.projector, view, pose, material->depth_bias, NULL);
     if (material->fill == NULL) {
