@@ -408,7 +408,6 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
     if (o->mipmapped && !qtri_small_set_level(qtri_small_copy(&copy, &p), t)) {
         return false;
     }
-
     qtri_walk_begin(o, &w, state);
     if (t->light != NULL && (o->shade != QTRI_FLAT || !qtri_is_textured(o))) {
         t->light_q15 =
