@@ -408,7 +408,7 @@ QTRI_NOINLINE static void hold_chord(const qtri_large_attribute *a, uint32_t *at
     const int32_t from = qtri_hold32((int32_t)*at, min, max);
     const int32_t end = from + (int32_t)*step * (count - 1);
     const int32_t to = qtri_hold32(end, min, max);
-    if (to != end) { /* so that there are two pixels or more */
+    if (to != end && count > 1) {
         *step = (uint32_t)qtri_divide32(to - from, (uint32_t)count - 1);
     }
     *at = (uint32_t)from;

@@ -17,9 +17,9 @@ typedef struct qtri_small_rows {
 /* The generic pipeline's rows step z and c in any case, and ask once about what few have, as a
    question is as long as a step. */
 #ifdef QTRI_PIPELINE_IS_ANY_LOOP
-#define QTRI_SMALL_ANY true
+enum { QTRI_SMALL_ANY = true };
 #else
-#define QTRI_SMALL_ANY false
+enum { QTRI_SMALL_ANY = false };
 #endif
 
 /* Whether rows may have more than z, c, u and v. */
