@@ -110,6 +110,7 @@ const bench_scene bench_scenes[] = {
     {.name = "S6m", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .filter = &qtri_mipmapped},
     {.name = "S8m", MESH(COMPACT(wall), 0), .textured = true, .filter = &qtri_mipmapped},
     {.name = "S11m", QUAD(&bench_turned, white), .textured = true, .filter = &qtri_mipmapped},
+    {.name = "S11f", QUAD(&bench_turned, white), .textured = true, .filter = &qtri_bilinear},
     /* The rows of models once more, with a mesh that everybody has. */
     {.name = "S6k", MESH(COMPACT(knot_uv), Q16(30)), .textured = true},
     {.name = "S9k", MESH(COMPACT(knot), Q16(30)), .colors = bench_colors_knot},
