@@ -94,26 +94,20 @@ QTRI_BODY uint32_t qtri_texel_color(const qtri_options *o, const qtri_pixel_walk
     }
 }
 
-/* A texel's place between four: weights of the right column, the lower row and their product, and
-   the logarithm of what is 1. */
-typedef struct qtri_texel_weights {
-    uint32_t along, across, both, log2;
-} qtri_texel_weights;
-
-/* The mean of a channel, or lanes of them, of four texels, the upper two first, times 2^log2: by
-   differences, which may have either sign. */
-QTRI_BODY uint32_t qtri_channel_mean(qtri_texel_weights w, uint32_t a, uint32_t b, uint32_t c,
-                                     uint32_t d)
+/* 2^11 times the mean of lanes of four texels, the upper two first: by differences, which may have
+   either sign. `both` is the product of the fractions, Q11. */
+QTRI_BODY uint32_t qtri_lanes_mean(uint32_t a, uint32_t b, uint32_t c, uint32_t d, uint32_t along,
+                                   uint32_t across, uint32_t both)
 {
     uint32_t right = b - a;
     QTRI_BODY_BARRIER(right);
-    uint32_t sum = (a << w.log2) + right * w.along;
+    uint32_t sum = (a << 11) + right * along;
     QTRI_BODY_BARRIER(sum);
     d -= right;
     d -= c;
-    sum += (c - a) * w.across;
+    sum += (c - a) * across;
     QTRI_BODY_BARRIER(sum);
-    return sum + d * w.both;
+    return sum + d * both;
 }
 
 /*
@@ -124,23 +118,30 @@ QTRI_BODY uint32_t qtri_texel_mean(qtri_color_kind kind, const uint32_t t[4], ui
                                    uint32_t across)
 {
     if (kind == QTRI_IN_565) {
-        const qtri_texel_weights w = {along, across, along * across >> 11, 11};
-        const uint32_t lanes =
-            qtri_channel_mean(w, qtri_pixel_lanes_565(t[0]), qtri_pixel_lanes_565(t[1]),
-                              qtri_pixel_lanes_565(t[2]), qtri_pixel_lanes_565(t[3]));
-        const uint32_t green =
-            qtri_channel_mean(w, t[0] & 0x07E0u, t[1] & 0x07E0u, t[2] & 0x07E0u, t[3] & 0x07E0u);
+        const uint32_t both = along * across >> 11;
+        const uint32_t lanes = qtri_lanes_mean(
+            qtri_pixel_lanes_565(t[0]), qtri_pixel_lanes_565(t[1]), qtri_pixel_lanes_565(t[2]),
+            qtri_pixel_lanes_565(t[3]), along, across, both);
+        const uint32_t green = qtri_lanes_mean(t[0] & 0x07E0u, t[1] & 0x07E0u, t[2] & 0x07E0u,
+                                               t[3] & 0x07E0u, along, across, both);
         return qtri_join_565((lanes + 0x04000400u) >> 11 & QTRI_BODY_LANES_565,
                              (green + 0x8000u) >> 16);
     }
-    const qtri_texel_weights w = {along << 11, across << 11, along * across, 22};
-    uint32_t mean = 0;
-    for (uint32_t at = 0; at < (kind == QTRI_IN_GRAY ? 8 : 24); at += 8) {
-        const uint32_t c = qtri_channel_mean(w, t[0] >> at & 255, t[1] >> at & 255,
-                                             t[2] >> at & 255, t[3] >> at & 255);
-        mean |= (c + (1u << 21)) >> 22 << at;
+    const uint32_t both = along * across;
+    const uint32_t weight[4] = {((uint32_t)1 << 22) - (along << 11) - (across << 11) + both,
+                                (along << 11) - both, (across << 11) - both, both};
+    uint32_t r = (uint32_t)1 << 21, g = r, b = r;
+    for (int i = 0; i < 4; i++) {
+        if (kind != QTRI_IN_GRAY) {
+            r += (t[i] >> 16 & 255) * weight[i];
+            QTRI_BODY_BARRIER(r);
+            g += (t[i] >> 8 & 255) * weight[i];
+            QTRI_BODY_BARRIER(g);
+        }
+        b += (t[i] & 255) * weight[i];
+        QTRI_BODY_BARRIER(b);
     }
-    return mean;
+    return kind == QTRI_IN_GRAY ? b >> 22 : r >> 22 << 16 | g >> 22 << 8 | b >> 22;
 }
 
 /* The fraction, Q11, of a texture coordinate that has `whole` bits above it. */
