@@ -3,7 +3,7 @@
  * The generic pipeline: the body with options that are read at run time. What most programs ask for
  * has loops in which most are constants, any comparison of depths included. Millions of
  * instructions on a Cortex-M0+ by draw_other, and by these: flat S1l 14.9, 1.4; colours S2l 17.7,
- * 3.6; a texture S3l 15.5, 2.7; a lit mesh S4kl 14.9, 7.8; on other formats S4kg 15.6, 10.4.
+ * 3.6; a texture S3l 15.5, 3.0; a lit mesh S4kl 14.9, 7.8; on other formats S4kg 15.6, 10.4.
  */
 #include <stdbool.h>
 #include <stdint.h>
