@@ -50,27 +50,27 @@ static const struct {
                 [FLOAT16] = {{11.3, 193}, {3.8, 98}},
                 [LINEAR24] = {{33.4, 0}, {19.1, 9}},
                 [LINEAR32] = {{11.7, 12}, {8.1, 8}},
-                [XRGB8888] = {{51.5, 216}, {27.7, 161}},
-                [GRAY8] = {{51.4, 221}, {28, 165}},
-                [GENERIC_DEPTH] = {{203.4, 255}, {151.8, 175}},
+                [XRGB8888] = {{51.5, 146}, {27.7, 76}},
+                [GRAY8] = {{51.4, 151}, {28, 80}},
+                [GENERIC_DEPTH] = {{203.4, 185}, {151.8, 90}},
             },
         [SCENE_KIND_SMOOTH] =
             {
                 [FLOAT16] = {{16.4, 152}, {5.7, 97}},
                 [LINEAR24] = {{23.5, 22}, {20, 15}},
                 [LINEAR32] = {{16.3, 0}, {8.5, 13}},
-                [XRGB8888] = {{116.5, 444}, {77.9, 273}},
-                [GRAY8] = {{101.3, 453}, {68.7, 312}},
-                [GENERIC_DEPTH] = {{242.1, 420}, {177.2, 290}},
+                [XRGB8888] = {{116.5, 374}, {77.9, 188}},
+                [GRAY8] = {{101.3, 383}, {68.7, 227}},
+                [GENERIC_DEPTH] = {{242.1, 350}, {177.2, 205}},
             },
         [SCENE_KIND_TEXTURED] =
             {
                 [FLOAT16] = {{17.1, 140}, {7.3, 83}},
                 [LINEAR24] = {{27.8, 37}, {21.3, 21}},
                 [LINEAR32] = {{11.6, 32}, {10.1, 21}},
-                [XRGB8888] = {{200.9, 307}, {139.3, 251}},
-                [GRAY8] = {{227.1, 370}, {152.5, 249}},
-                [GENERIC_DEPTH] = {{323.7, 381}, {228, 234}},
+                [XRGB8888] = {{200.9, 237}, {139.3, 166}},
+                [GRAY8] = {{227.1, 300}, {152.5, 164}},
+                [GENERIC_DEPTH] = {{323.7, 311}, {228, 149}},
             },
         [SCENE_KIND_LINES] =
             {
@@ -103,9 +103,21 @@ static const double clear_depth[][CORES] = {[SCENE_LINEAR16] = {.5, .5},
                                             [SCENE_LINEAR24] = {3.5, 2.5},
                                             [SCENE_LINEAR32] = {1, 1}};
 
-/* What blending by alpha adds a pixel: to RGB565, to the generic pipeline, and there with depths of
-   other formats. */
-static const double blends[3][CORES] = {{55, 28}, {235, 155}, {112, 66}};
+/* What blending by alpha adds a pixel: to RGB565, there to flat colours, to the generic pipeline,
+   and there with depths of other formats. */
+enum { BLENDED, BLENDED_FLAT, BLENDED_GENERIC, BLENDED_DEPTH, BLENDS };
+static const double blends[BLENDS][CORES] = {[BLENDED] = {55, 29},
+                                             [BLENDED_FLAT] = {35, 19},
+                                             [BLENDED_GENERIC] = {235, 155},
+                                             [BLENDED_DEPTH] = {112, 66}};
+
+static int blend_of(enum scene_kind kind, enum way way)
+{
+    return way == GENERIC_DEPTH      ? BLENDED_DEPTH
+           : way != WAYS             ? BLENDED_GENERIC
+           : kind == SCENE_KIND_FLAT ? BLENDED_FLAT
+                                     : BLENDED;
+}
 
 /* WAYS: the one that the models are of. Depths of other formats bring no pipelines that blend. */
 static enum way way_of(const struct scene_load *load)
@@ -133,7 +145,7 @@ static double instructions(const struct scene_load *load, const struct model *mo
                ways[load->kind][way][core].root * root;
     }
     if (load->is_blended) {
-        sum += blends[way == WAYS ? 0 : way == GENERIC_DEPTH ? 2 : 1][core] * load->pixels;
+        sum += blends[blend_of(load->kind, way)][core] * load->pixels;
     }
     if (load->rows > 0) {
         sum += bands[load->kind][core].triangle * load->triangles +
