@@ -140,14 +140,12 @@ static qtri_pixels_loop *loop_of(const qtri_options *o)
                : qtri_is_lit(o)        ? draw_lit_565
                                        : draw_flat_565;
     }
-    if (is_565 && o->texel == QTRI_TEXEL_RGB565 && o->shade == QTRI_FLAT) {
-        return draw_texture_565;
-    }
-    if (is_565 && o->texel == QTRI_TEXEL_RGB565 && !o->key) {
-        return o->shade == QTRI_WHITE_LIGHT ? draw_texture_white_565 : draw_texture_shaded_565;
-    }
     if (is_565 && (o->texel == QTRI_TEXEL_RGB565 || o->texel == QTRI_TEXEL_PALETTE565)) {
-        return draw_stored_565;
+        const bool has_palette = o->texel != QTRI_TEXEL_RGB565, is_flat = o->shade == QTRI_FLAT;
+        return has_palette || (o->key && !is_flat) ? draw_stored_565
+               : is_flat                           ? draw_texture_565
+               : o->shade == QTRI_WHITE_LIGHT      ? draw_texture_white_565
+                                                   : draw_texture_shaded_565;
     }
     return o->texel != QTRI_NO_TEXEL ? draw_texture
            : o->shade == QTRI_FLAT   ? draw_flat

@@ -20,7 +20,8 @@ typedef enum qtri_color_kind { QTRI_IN_565, QTRI_IN_888, QTRI_IN_GRAY } qtri_col
 #define QTRI_BODY_LANES_565 0x001F001Fu
 #define QTRI_BODY_LANES_888 0x00FF00FFu
 
-/* Red and blue of RGB565: red << 16 | blue; and a colour of such lanes and its green. */
+/* Red and blue of RGB565: red << 16 | blue; and a colour of such lanes, which have no other bits,
+   and its green. */
 QTRI_BODY uint32_t qtri_pixel_lanes_565(uint32_t c)
 {
     return (c | c << 5) & QTRI_BODY_LANES_565;

@@ -71,11 +71,10 @@ QTRI_BODY uint8_t *qtri_small_pixel_of(const qtri_pixel_walk *w)
 QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
                                  bool bent, int32_t count)
 {
-#ifdef QTRI_PIPELINE_IS_ANY_LOOP
-    (void)o;
-    (void)pixel;
-    w->state->loop(w, bent, count);
-#else
+    if (QTRI_SMALL_ANY) {
+        w->state->loop(w, bent, count);
+        return;
+    }
     const bool paired = qtri_is_paired(o);
     const uint32_t bytes = qtri_pixel_bytes(o);
     /* By fours, or unrolled: flat quads of 40 pixels take 14 % less on a Cortex-M3, of 100 pixels
@@ -95,7 +94,6 @@ QTRI_BODY void qtri_small_pixels(const qtri_options *o, qtri_pixel_body *pixel, 
             qtri_walk_move(o, w, 1);
         }
     } while (paired ? w->depth != end : --count != 0);
-#endif
 }
 
 /* Sets texture coordinates of the walk, and steps, x columns from vertex 0's. */
@@ -165,11 +163,7 @@ QTRI_BODY void qtri_small_set_fog_along(qtri_pixel_walk *w, uint32_t count)
    others, too, it costs S6 .8 % on a Cortex-M3. */
 QTRI_BODY uint8_t *qtri_small_depths(const qtri_draw_state *state)
 {
-#ifdef QTRI_PIPELINE_IS_ANY_LOOP
-    return (uint8_t *)state->depth;
-#else
-    return (uint8_t *)state->surface->depth;
-#endif
+    return (uint8_t *)(QTRI_SMALL_ANY ? state->depth : state->surface->depth);
 }
 
 /*
@@ -226,8 +220,6 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     w->v_bend = textured && curved ? 2 * curves->v.xx : 0;
     w->alpha = o->vertex_alpha ? rows->alpha.at : 0;
     w->alpha_step = o->vertex_alpha ? rows->alpha.dx : 0;
-    w->fog = 0;
-    w->fog_step = 0;
     /* NOLINTEND(clang-analyzer-core.uninitialized.Assign) */
     for (;;) {
         uint32_t x = span[0], end = span[1];
@@ -396,7 +388,8 @@ QTRI_BODY bool qtri_small_triangle_draw(const qtri_options *o, qtri_pixel_body *
     const qtri_octave none = QTRI_BODY_ZERO;
     const qtri_small_ramp flat = QTRI_BODY_ZERO;
     w.octave = none;
-    rows.c = flat; /* stepped in any case */
+    w.fog = w.fog_step = 0; /* stepped with whatever few have */
+    rows.c = flat;          /* stepped in any case */
 #else
     qtri_pixel_walk w = QTRI_BODY_ZERO;
 #endif
