@@ -99,7 +99,7 @@ function private_header(path)
 }
 
 # QTRI_BODY functions that a header has or includes, with the names of a .c file's own, and macros as they are there.
-function again(path, prefix,   n, i, line, name, inside_it, directive)
+function again(path, prefix,   n, i, line, name, inside_it, directive, conditions)
 {
     if (path in is_again) return
     is_again[path]
@@ -115,8 +115,11 @@ function again(path, prefix,   n, i, line, name, inside_it, directive)
                 sub(/^.* /, "", name)
                 if (line ~ /^#define/ || name ~ /_H$/) print "#undef " name
             }
+            conditions += line ~ /^#if/ ? 1 : line ~ /^#endif/ ? -1 : 0
             print line
             directive = line ~ /\\$/
+        } else if (conditions > 1 && line ~ /^enum/) {
+            complain(path ": an enum that a condition chooses is read only once; a macro is read again")
         } else if (inside_it || line ~ /^QTRI_BODY/) {
             if (!inside_it && match(line, /qtri_[a-z0-9_]+\(/)) own[substr(line, RSTART, RLENGTH - 1)]
             inside_it = line !~ /^}/
