@@ -166,41 +166,34 @@ QTRI_BODY uint8_t *qtri_small_depths(const qtri_draw_state *state)
     return (uint8_t *)(QTRI_SMALL_ANY ? state->depth : state->surface->depth);
 }
 
-/*
- * Draws all rows. From the end of a row the walk moves to the start of the next, so that nothing
- * else is stepped. Curved: texture coordinates, light or colours follow curves.
- */
-QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
-                               const qtri_small_place *p, const qtri_small_rows *rows,
-                               qtri_small_curves *curves, qtri_small_color_curves *colors,
-                               qtri_small_division *division, bool curved)
+/* Curved or not: what rows and pieces begin with is read from memory, so that pixels have the
+   registers. Texels take more of them than that leaves. */
+QTRI_BODY bool qtri_small_shares_loop(const qtri_options *o)
+{
+    return !QTRI_SMALL_IN_PLACE && !QTRI_SMALL_ANY && !qtri_is_textured(o) && qtri_is_lit(o);
+}
+
+/* Whether rows may be divided: light alone is not, and its loop has no call. */
+QTRI_BODY bool qtri_small_divides(const qtri_options *o)
+{
+    return qtri_is_textured(o) || o->shade == QTRI_COLORS;
+}
+
+/* Moves the walk to the triangle's first row, QTRI_SMALL_REACH columns after its first column. */
+QTRI_BODY void qtri_small_begin_rows(const qtri_options *o, qtri_pixel_walk *w,
+                                     const qtri_small_place *p, const qtri_small_rows *rows,
+                                     const qtri_small_curves *curves, bool curved)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t bytes = qtri_pixel_bytes(o), depth_bytes = qtri_depth_size(o, surface);
-    const bool tests = qtri_tests_depth(o), paired = qtri_is_paired(o);
     const bool textured = qtri_is_textured(o), varies = qtri_varies(o);
-    const bool two_words = qtri_has_two_words(o), more = qtri_small_has_more(o);
-    /* For the generic pipeline; a variable of others', too, would cost S8 4 % at -Os. */
-    const bool linear = QTRI_SMALL_ANY && textured && !curved;
-    const bool is_plain = QTRI_SMALL_ANY && !curved && !o->fog;
-    const bool has_pieces =
-        curved &&
-        (qtri_is_lit(o) ? curves->light_piece != 0
-                        : o->shade == QTRI_COLORS && (!qtri_is_textured(o) || colors->piece != 0));
-    /* Curved or not: what rows and pieces begin with is read from memory, so that pixels have the
-       registers. Texels take more of them than that leaves. */
-    const bool shares_loop = !QTRI_SMALL_IN_PLACE && !QTRI_SMALL_ANY && !textured && qtri_is_lit(o);
-    /* What may be divided: light alone is not, and its loop has no call. */
-    const bool divides = textured || o->shade == QTRI_COLORS;
+    const bool two_words = qtri_has_two_words(o);
     const ptrdiff_t row = p->row - surface->first_row;
-    const ptrdiff_t pitch = surface->pitch, depth_pitch = w->state->depth_pitch;
-    const uintptr_t skew = (uintptr_t)pitch - (uintptr_t)depth_pitch;
-    uint8_t *span = p->span;
-    uint32_t at = QTRI_SMALL_REACH; /* where the walk is, as spans count */
-    w->pixel = surface->pixels + row * pitch + (ptrdiff_t)bytes * p->column;
-    w->depth =
-        tests ? qtri_small_depths(w->state) + row * depth_pitch + (ptrdiff_t)depth_bytes * p->column
-              : (uint8_t *)0;
+    w->pixel = surface->pixels + row * surface->pitch + (ptrdiff_t)bytes * p->column;
+    w->depth = qtri_tests_depth(o)
+                   ? qtri_small_depths(w->state) + row * (ptrdiff_t)w->state->depth_pitch +
+                         (ptrdiff_t)depth_bytes * p->column
+                   : (uint8_t *)0;
     w->apart = (uintptr_t)w->pixel - (uintptr_t)w->depth;
     w->x = p->column;
     w->y = p->row;
@@ -221,10 +214,110 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
     w->alpha = o->vertex_alpha ? rows->alpha.at : 0;
     w->alpha_step = o->vertex_alpha ? rows->alpha.dx : 0;
     /* NOLINTEND(clang-analyzer-core.uninitialized.Assign) */
+}
+
+/* Draws the row's pixels from column x to `end`, piece by piece where light or colours bend. */
+QTRI_BODY void qtri_small_draw_pieces(const qtri_options *o, qtri_pixel_body *pixel,
+                                      qtri_pixel_walk *w, const qtri_small_curves *curves,
+                                      const qtri_small_color_curves *colors, bool has_pieces,
+                                      bool curved, uint32_t x, uint32_t end)
+{
+    while (!o->fog || x != end) {
+        uint32_t count = end - x;
+        if (has_pieces) {
+            if (qtri_small_shares_loop(o)) {
+                QTRI_BODY_READ_AGAIN();
+            }
+            const uint32_t from = x - QTRI_SMALL_REACH;
+            count = qtri_is_lit(o) ? qtri_small_curves_set_light(w, curves, from, count)
+                                   : qtri_small_curves_set_colors(o, w, colors, from, count);
+        }
+        if (curved && qtri_is_textured(o)) {
+            qtri_small_pixels(o, pixel, w, true, (int32_t)count);
+        } else {
+            qtri_small_pixels(o, pixel, w, false, (int32_t)count);
+        }
+        x += count;
+        if (!has_pieces || x == end) {
+            break;
+        }
+    }
+}
+
+/* Sets fog along columns *x..*end-1, unless the row `goes_on` behind others, and leaves of them
+   those that are visible. */
+QTRI_BODY void qtri_small_fog_row(const qtri_options *o, qtri_pixel_walk *w,
+                                  const qtri_small_place *p, bool curved, bool goes_on, uint32_t *x,
+                                  uint32_t *end)
+{
+    if (!goes_on) {
+        qtri_small_set_fog_along(w, *end - *x);
+    }
+    if (p->cut) {
+        const uint32_t first = (uint32_t)qtri_small_clamp(p->left, (int32_t)*x, (int32_t)*end);
+        QTRI_RARELY();
+        *end = (uint32_t)qtri_small_clamp(p->right, (int32_t)first, (int32_t)*end);
+        qtri_small_step(o, w, first - *x, !curved, true);
+        qtri_walk_move(o, w, first - *x);
+        *x = first;
+    }
+}
+
+/* Draws a row, or the part of it up to where it is divided: columns x..end-1, of `span`; returns
+   the column where the walk is then. */
+QTRI_BODY uint32_t qtri_small_draw_row(const qtri_options *o, qtri_pixel_body *pixel,
+                                       qtri_pixel_walk *w, const qtri_small_place *p,
+                                       const qtri_small_curves *curves,
+                                       const qtri_small_color_curves *colors,
+                                       qtri_small_division *division, bool has_pieces, bool curved,
+                                       uint8_t *span, uint32_t x, uint32_t end)
+{
+    const bool textured = qtri_is_textured(o), divides = curved && qtri_small_divides(o);
+    if (o->fog) {
+        qtri_small_fog_row(o, w, p, curved, divides && division->goes_on != 0, &x, &end);
+    }
+    if (divides && division->log2 != 0) {
+        QTRI_RARELY();
+        end = qtri_small_divide(division, x, end, span);
+        w->u_bend = textured ? 2 * curves->u.xx : 0;
+        w->v_bend = textured ? 2 * curves->v.xx : 0;
+    }
+    if (curved && textured) {
+        qtri_small_curves_begin(w, curves, x - QTRI_SMALL_REACH);
+    }
+    qtri_small_draw_pieces(o, pixel, w, curves, colors, has_pieces, curved, x, end);
+    return end;
+}
+
+/*
+ * Draws all rows. From the end of a row the walk moves to the start of the next, so that nothing
+ * else is stepped. Curved: texture coordinates, light or colours follow curves.
+ */
+QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qtri_pixel_walk *w,
+                               const qtri_small_place *p, const qtri_small_rows *rows,
+                               qtri_small_curves *curves, qtri_small_color_curves *colors,
+                               qtri_small_division *division, bool curved)
+{
+    const qtri_surface *surface = w->state->surface;
+    const uint32_t bytes = qtri_pixel_bytes(o), depth_bytes = qtri_depth_size(o, surface);
+    const bool tests = qtri_tests_depth(o), paired = qtri_is_paired(o);
+    const bool textured = qtri_is_textured(o), more = qtri_small_has_more(o);
+    /* For the generic pipeline; a variable of others', too, would cost S8 4 % at -Os. */
+    const bool linear = QTRI_SMALL_ANY && textured && !curved;
+    const bool is_plain = QTRI_SMALL_ANY && !curved && !o->fog;
+    const bool has_pieces =
+        curved && (qtri_is_lit(o) ? curves->light_piece != 0
+                                  : o->shade == QTRI_COLORS && (!textured || colors->piece != 0));
+    const bool divides = curved && qtri_small_divides(o);
+    const ptrdiff_t pitch = surface->pitch, depth_pitch = w->state->depth_pitch;
+    const uintptr_t skew = (uintptr_t)pitch - (uintptr_t)depth_pitch;
+    uint8_t *span = p->span;
+    uint32_t at = QTRI_SMALL_REACH; /* where the walk is, as spans count */
+    qtri_small_begin_rows(o, w, p, rows, curves, curved);
     for (;;) {
         uint32_t x = span[0], end = span[1];
         span += 2;
-        if (shares_loop) {
+        if (qtri_small_shares_loop(o)) {
             QTRI_BODY_READ_AGAIN();
         }
         if (x < end) {
@@ -239,63 +332,19 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
                 at = end;
                 qtri_small_pixels(o, pixel, w, false, (int32_t)(end - x));
             } else {
-                if (o->fog) {
-                    if (!curved || !divides || division->goes_on == 0) {
-                        qtri_small_set_fog_along(w, end - x);
-                    }
-                    if (p->cut) {
-                        const uint32_t first =
-                            (uint32_t)qtri_small_clamp(p->left, (int32_t)x, (int32_t)end);
-                        QTRI_RARELY();
-                        end = (uint32_t)qtri_small_clamp(p->right, (int32_t)first, (int32_t)end);
-                        qtri_small_step(o, w, first - x, !curved, true);
-                        qtri_walk_move(o, w, first - x);
-                        x = first;
-                    }
-                }
-                if (curved && divides && division->log2 != 0) {
-                    QTRI_RARELY();
-                    end = qtri_small_divide(division, x, end, span - 2);
-                    w->u_bend = textured ? 2 * curves->u.xx : 0;
-                    w->v_bend = textured ? 2 * curves->v.xx : 0;
-                }
-                if (curved && textured) {
-                    qtri_small_curves_begin(w, curves, x - QTRI_SMALL_REACH);
-                }
-                at = end;
-                while (!o->fog || x != end) {
-                    uint32_t count = end - x;
-                    if (has_pieces) {
-                        if (shares_loop) {
-                            QTRI_BODY_READ_AGAIN();
-                        }
-                        count = qtri_is_lit(o)
-                                    ? qtri_small_curves_set_light(w, curves, x - QTRI_SMALL_REACH,
-                                                                  count)
-                                    : qtri_small_curves_set_colors(o, w, colors,
-                                                                   x - QTRI_SMALL_REACH, count);
-                    }
-                    if (curved && textured) {
-                        qtri_small_pixels(o, pixel, w, true, (int32_t)count);
-                    } else {
-                        qtri_small_pixels(o, pixel, w, false, (int32_t)count);
-                    }
-                    x += count;
-                    if (!has_pieces || x == end) {
-                        break;
-                    }
-                }
+                at = qtri_small_draw_row(o, pixel, w, p, curves, colors, division, has_pieces,
+                                         curved, span - 2, x, end);
             }
         } else if (x == QTRI_SMALL_STOP) {
             return;
         }
-        if (curved && divides && division->goes_on != 0) {
+        if (divides && division->goes_on != 0) {
             QTRI_RARELY();
             span -= 2;
             continue;
         }
         w->z += p->z.dy;
-        if (QTRI_SMALL_ANY || varies) {
+        if (QTRI_SMALL_ANY || qtri_varies(o)) {
             w->c += rows->c.dy;
         }
         if (QTRI_SMALL_ANY ? linear : textured && !curved) {
@@ -309,7 +358,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
             }
         }
         if (more) {
-            if (two_words) {
+            if (qtri_has_two_words(o)) {
                 w->g += rows->g.dy;
             }
             if (o->vertex_alpha) {
@@ -322,7 +371,7 @@ QTRI_BODY void qtri_small_fill(const qtri_options *o, qtri_pixel_body *pixel, qt
             w->pixel += pitch;
         }
         if (tests) {
-            w->depth += shares_loop ? w->state->depth_pitch : depth_pitch;
+            w->depth += qtri_small_shares_loop(o) ? w->state->depth_pitch : depth_pitch;
         }
         w->y++;
     }
