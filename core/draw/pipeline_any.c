@@ -13,48 +13,10 @@
 #define QTRI_PIPELINE_IS_ANY_LOOP
 #include "qtri/pipeline_make.h"
 
+#include "../raster/descriptions.h"
 #include "../raster/draw_state.h"
 
-QTRI_BODY void draw_pixels(const qtri_options *o, qtri_pixel_walk *w, bool bent, int32_t count,
-                           uint32_t depth_step)
-{
-    do {
-        qtri_pixel_at(o, w, bent, w->pixel, w->depth);
-        qtri_walk_swap_steps(o, w);
-        w->pixel += o->pixel_bytes;
-        w->depth += depth_step;
-    } while (--count != 0);
-}
-
-/* With 16 bits of depth, by a copy of the walk, which the compiler keeps in registers; what rows go
-   on with is copied back. */
-QTRI_BODY void draw_shaded(qtri_options o, qtri_pixel_walk *w, bool bent, int32_t count)
-{
-    const qtri_options *all = &w->state->options;
-    qtri_pixel_walk own = *w;
-    own.keeps_depth = all->read_only;
-    o.depth = QTRI_LINEAR16;
-    o.depth_bytes = 2;
-    o.read_only = QTRI_ANY;
-    o.asks |= 1u << QTRI_ASK_TEST | 1u << QTRI_ASK_WRITE | 1u << QTRI_ASK_DEPTH;
-    QTRI_BODY_ASSUME(count > 0);
-    draw_pixels(&o, &own, bent, count, all->depth_bytes);
-    w->pixel = own.pixel;
-    w->depth = own.depth;
-    w->z = own.z;
-    if (qtri_is_textured(&o)) {
-        w->u = own.u;
-        w->v = own.v;
-        w->u_step = own.u_step;
-        w->v_step = own.v_step;
-    }
-    if (qtri_varies(&o)) {
-        w->c = own.c;
-    }
-    if (qtri_has_two_words(&o)) {
-        w->g = own.g;
-    }
-}
+#include "../raster/any_loops.inc"
 
 /* Surfaces of any format, with 16 bits of depth or none; `asks`: QTRI_ASK_ bits that may be set. */
 QTRI_BODY qtri_options of_any(const qtri_pixel_walk *w, uint32_t asks)
@@ -100,40 +62,44 @@ QTRI_BODY_ALONE void draw_other(qtri_pixel_walk *w, bool bent, int32_t count)
     draw_pixels(o, w, bent, count, o->depth_bytes);
 }
 
-/* RGB565 in either order of bytes, in colours of 565, and what is constant then. */
-#define ON_RGB565(name, TEXEL, KEY, SHADE, ASKS)                                                   \
-    QTRI_BODY_ALONE void name(qtri_pixel_walk *w, bool bent, int32_t count)                        \
-    {                                                                                              \
-        const bool swaps = w->state->options.format != QTRI_RGB565;                                \
-        const qtri_options o = {.format = swaps ? QTRI_RGB565_SWAPPED : QTRI_RGB565,               \
-                                .texel = (TEXEL),                                                  \
-                                .key = (KEY),                                                      \
-                                .shade = (SHADE),                                                  \
-                                .pixel_bytes = 2,                                                  \
-                                .asks =                                                            \
-                                    QTRI_IN_565 << QTRI_ASK_KIND | 1u << QTRI_ASK_565 | (ASKS)};   \
-        draw_shaded(o, w, bent, count);                                                            \
-    }
-
-ON_RGB565(draw_flat_565, QTRI_NO_TEXEL, 0, QTRI_FLAT, 1u << QTRI_ASK_PLAIN)
-ON_RGB565(draw_lit_565, QTRI_NO_TEXEL, 0, QTRI_LIGHT, 1u << QTRI_ASK_TABLE)
-ON_RGB565(draw_colors_565, QTRI_NO_TEXEL, 0, QTRI_COLORS, 1u << QTRI_ASK_PACKED)
+/* In colours of 565. */
+ON_RGB565(draw_flat_565, ASK(PLAIN), .shade = QTRI_FLAT)
+ON_RGB565(draw_lit_565, ASK(TABLE), .shade = QTRI_LIGHT)
+ON_RGB565(draw_colors_565, ASK(PACKED), .shade = QTRI_COLORS)
 /* Where a texture has no key, the state's is none that a texel can be: see choose(). */
-ON_RGB565(draw_texture_565, QTRI_TEXEL_RGB565, 1, QTRI_FLAT, 1u << QTRI_ASK_DISCARD)
-ON_RGB565(draw_texture_white_565, QTRI_TEXEL_RGB565, 0, QTRI_WHITE_LIGHT, 0)
-ON_RGB565(draw_texture_shaded_565, QTRI_TEXEL_RGB565, 0, w->state->options.shade,
-          1u << QTRI_ASK_TWO_WORDS)
-ON_RGB565(draw_stored_565,
-          w->state->options.texel == QTRI_TEXEL_RGB565 ? QTRI_TEXEL_RGB565 : QTRI_TEXEL_PALETTE565,
-          1, w->state->options.shade, 1u << QTRI_ASK_TWO_WORDS | 1u << QTRI_ASK_DISCARD)
+ON_RGB565(draw_texture_565, ASK(DISCARD), .texel = QTRI_TEXEL_RGB565, .key = 1)
+ON_RGB565(draw_texture_white_565, 0, .texel = QTRI_TEXEL_RGB565, .shade = QTRI_WHITE_LIGHT)
+ON_RGB565(draw_texture_shaded_565, ASK(TWO_WORDS), .texel = QTRI_TEXEL_RGB565, .shade = all->shade)
+ON_RGB565(draw_stored_565, ASK(TWO_WORDS) | ASK(DISCARD),
+          .texel = all->texel == QTRI_TEXEL_RGB565 ? QTRI_TEXEL_RGB565 : QTRI_TEXEL_PALETTE565,
+          .key = 1, .shade = all->shade)
 
-/* By what options ask for: the loop that draws the pixels. */
-static qtri_pixels_loop *loop_of(const qtri_options *o)
+/* The loop for a blend, fog or a filter, which brings it: programs without them link none. */
+static qtri_pixels_loop *loop_of_effect(const qtri_draw_state *state)
 {
+    const qtri_options *o = &state->options;
+    const qtri_material *material = state->material;
+    const bool has_blend = o->blend != QTRI_STORE, has_fog = o->fog != 0;
+    const qtri_effect *effect = has_blend ? material->blend->effect
+                                : has_fog ? material->fog->effect
+                                          : state->texture->filter->effect;
+    const bool is_alone = has_blend + has_fog + (o->bilinear != 0) == 1;
+    qtri_pixels_loop *loop = is_alone && effect != NULL ? effect->loop_of(o) : NULL;
+    return loop != NULL ? loop : draw_other;
+}
+
+/* The loop that draws the pixels, by what options ask for. */
+static qtri_pixels_loop *loop_of(const qtri_draw_state *state)
+{
+    const qtri_options *o = &state->options;
     const bool is_565 = o->format == QTRI_RGB565 || o->format == QTRI_RGB565_SWAPPED;
-    if ((o->bilinear | o->alpha_test | o->keep | o->fog | o->blend | o->large_texture) != 0 ||
-        o->fragment != NULL || o->depth > QTRI_LINEAR16) {
+    const bool has_effect = (o->bilinear | o->fog | o->blend) != 0;
+    if ((o->alpha_test | o->keep | o->large_texture | o->vertex_alpha) != 0 ||
+        o->fragment != NULL || o->depth > QTRI_LINEAR16 || (has_effect && !is_565)) {
         return draw_other;
+    }
+    if (has_effect) {
+        return loop_of_effect(state);
     }
     if (is_565 && o->texel == QTRI_NO_TEXEL) {
         return o->shade == QTRI_COLORS ? draw_colors_565
@@ -156,7 +122,7 @@ static qtri_pixels_loop *loop_of(const qtri_options *o)
 static const qtri_pipeline *choose(const qtri_pipeline *generic, qtri_draw_state *state)
 {
     qtri_options *o = &state->options;
-    state->loop = loop_of(o);
+    state->loop = loop_of(state);
     (void)qtri_draw_state_ask(generic, state);
     state->key = o->key ? state->key : UINT32_MAX;
     if (!qtri_tests_depth(o) && state->loop != draw_other) {

@@ -11,17 +11,30 @@
 #include "qtri/body/small_triangle.h"
 #include "qtri/config.h"
 
-/* Pipelines that a description brings: see qtri_pipeline_brought. */
+/* Pipelines, and an effect, that a description brings: see qtri_pipeline_brought. */
 #if QTRI_WITH_BROUGHT_PIPELINES
 #define QTRI_BROUGHT_LIST(list) list
+#define QTRI_EFFECT(effect)     &(effect)
 #else
 #define QTRI_BROUGHT_LIST(list) (sizeof &(list) != 0 ? NULL : (list)) /* which is not unused */
+#define QTRI_EFFECT(effect)     (sizeof(effect) != 0 ? NULL : &(effect))
 #endif
 
+/* What draws a blend, fog or filter faster than the generic pipeline does by itself. */
+typedef struct qtri_effect {
+    const qtri_pipeline *const *pipelines;
+    /* The generic pipeline's loop for RGB565 with this effect and no other; NULL: none. */
+    qtri_pixels_loop *(*loop_of)(const qtri_options *o);
+} qtri_effect;
+
+qtri_pixels_loop *qtri_blended_loop(const qtri_options *o); /* effects_any.c */
+qtri_pixels_loop *qtri_fogged_loop(const qtri_options *o);
+qtri_pixels_loop *qtri_filtered_loop(const qtri_options *o);
+
 struct qtri_blend {
-    uint8_t kind;                          /* QTRI_ALPHA and the like, of material.h */
-    bool by_vertex;                        /* alpha varies between the vertices */
-    const qtri_pipeline *const *pipelines; /* NULL: none */
+    uint8_t kind;              /* QTRI_ALPHA and the like, of material.h */
+    bool by_vertex;            /* alpha varies between the vertices */
+    const qtri_effect *effect; /* NULL: none */
     /* Sets its options, and alpha and channel mask of the state. */
     void (*begin)(qtri_draw_state *state, const qtri_material *material);
 };
@@ -29,7 +42,7 @@ struct qtri_blend {
 struct qtri_filter {
     /* Bilinear: what the generic pipeline calls for a texel; otherwise NULL. */
     uint32_t (*between)(const qtri_pixel_walk *w, bool *drawn);
-    const qtri_pipeline *const *pipelines;
+    const qtri_effect *effect;           /* NULL: none */
     const struct qtri_level_ops *levels; /* NULL: not mipmapped */
 };
 
@@ -42,7 +55,7 @@ typedef struct qtri_level_ops {
     int32_t (*next)(qtri_large *t);
 } qtri_level_ops;
 
-uint32_t qtri_texel_between(const qtri_pixel_walk *w, bool *drawn);         /* bilinear_any.c */
+uint32_t qtri_texel_between(const qtri_pixel_walk *w, bool *drawn);         /* effects_any.c */
 extern const qtri_level_ops qtri_levels;                                    /* in mipmap.c */
 bool qtri_small_find_level(const qtri_small_place *p, const qtri_small *t); /* small_texture.c */
 

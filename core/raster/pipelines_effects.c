@@ -75,12 +75,14 @@ static void begin(qtri_draw_state *state, const qtri_material *material)
     }
 }
 
-const qtri_blend qtri_blend_alpha = {QTRI_ALPHA, false, QTRI_BROUGHT_LIST(by_alpha), begin};
-const qtri_blend qtri_blend_vertex_alpha = {QTRI_ALPHA, true, QTRI_BROUGHT_LIST(by_alpha), begin};
-const qtri_blend qtri_blend_add = {QTRI_ADD, false, QTRI_BROUGHT_LIST(adding), begin};
+static const qtri_effect alpha = {by_alpha, qtri_blended_loop};
+static const qtri_effect add = {adding, qtri_blended_loop};
+static const qtri_effect multiply = {multiplying, qtri_blended_loop};
+const qtri_blend qtri_blend_alpha = {QTRI_ALPHA, false, QTRI_EFFECT(alpha), begin};
+const qtri_blend qtri_blend_vertex_alpha = {QTRI_ALPHA, true, QTRI_EFFECT(alpha), begin};
+const qtri_blend qtri_blend_add = {QTRI_ADD, false, QTRI_EFFECT(add), begin};
 const qtri_blend qtri_blend_vertex_add = {QTRI_ADD, true, NULL, begin};
-const qtri_blend qtri_blend_multiply = {QTRI_MULTIPLY, false, QTRI_BROUGHT_LIST(multiplying),
-                                        begin};
+const qtri_blend qtri_blend_multiply = {QTRI_MULTIPLY, false, QTRI_EFFECT(multiply), begin};
 const qtri_blend qtri_blend_none = {QTRI_KEEP_PIXEL, false, NULL, begin};
 const qtri_blend qtri_blend_replace = {QTRI_STORE, false, NULL, begin};
 const qtri_blend qtri_blend_screen_door = {QTRI_SCREEN_DOOR, false, NULL, begin};
@@ -89,11 +91,13 @@ const qtri_blend qtri_blend_screen_door = {QTRI_SCREEN_DOOR, false, NULL, begin}
 
 QTRI_BROUGHT_PIPELINES(qtri_pipelines_fog, LESS, .fog = 1)
 
+static const qtri_effect fogged = {qtri_pipelines_fog, qtri_fogged_loop};
+
 /* Describes all of a fog but its shares. */
 static void begin_fog(qtri_fog *fog, qtri_rgb color)
 {
     fog->color = qtri_pixel_rgb_to_888(&color);
-    fog->pipelines = QTRI_BROUGHT_LIST(qtri_pipelines_fog);
+    fog->effect = QTRI_EFFECT(fogged);
 }
 
 static int64_t linear(q16 z, q16 start, q16 end)

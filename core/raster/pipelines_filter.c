@@ -26,6 +26,10 @@ QTRI_PIPELINE(qtri_pipeline_mipmapped_white, MIPMAPPED, .shade = QTRI_WHITE_LIGH
 static const qtri_pipeline *const by_level[] = {
     &qtri_pipeline_mipmapped, &qtri_pipeline_mipmapped_lit, &qtri_pipeline_mipmapped_white, NULL};
 
-const qtri_filter qtri_bilinear = {qtri_texel_between, QTRI_BROUGHT_LIST(between), NULL};
-const qtri_filter qtri_mipmapped = {NULL, QTRI_BROUGHT_LIST(by_level), &qtri_levels};
-const qtri_filter qtri_mipmapped_bilinear = {qtri_texel_between, NULL, &qtri_levels};
+static const qtri_effect filtered = {between, qtri_filtered_loop};
+static const qtri_effect mipmapped = {by_level, NULL};
+static const qtri_effect filtered_levels = {NULL, qtri_filtered_loop};
+const qtri_filter qtri_bilinear = {qtri_texel_between, QTRI_EFFECT(filtered), NULL};
+const qtri_filter qtri_mipmapped = {NULL, QTRI_EFFECT(mipmapped), &qtri_levels};
+const qtri_filter qtri_mipmapped_bilinear = {qtri_texel_between, QTRI_EFFECT(filtered_levels),
+                                             &qtri_levels};

@@ -207,10 +207,10 @@ static bool has(const qtri_pipeline *const *pipelines, const qtri_options *optio
 static bool is_brought(const qtri_options *options)
 {
     const qtri_pipeline *const *const lists[] = {
-        qtri_blend_alpha.pipelines,    qtri_blend_add.pipelines,
-        qtri_blend_multiply.pipelines, qtri_pipelines_fog,
-        qtri_bilinear.pipelines,       qtri_depth_float16.pipelines,
-        qtri_depth_linear24.pipelines, qtri_depth_linear32.pipelines,
+        qtri_blend_alpha.effect->pipelines,    qtri_blend_add.effect->pipelines,
+        qtri_blend_multiply.effect->pipelines, qtri_pipelines_fog,
+        qtri_bilinear.effect->pipelines,       qtri_depth_float16.pipelines,
+        qtri_depth_linear24.pipelines,         qtri_depth_linear32.pipelines,
     };
     qtri_options wanted = *options;
     bool found = false;

@@ -134,7 +134,7 @@ function body(path, prefix,   n, i, inner)
     n = read(path)
     for (i = 1; i <= n; i++) {
         inner = included(text[path, i], path)
-        if (inner != "" && prefix != "" && ("QTRI_PIPELINE_IS_ANY" in macro)) again(inner, prefix)
+        if (inner ~ /\.h$/ && prefix != "" && ("QTRI_PIPELINE_IS_ANY" in macro)) again(inner, prefix)
         if (inner ~ /\/include\//) continue
         if (inner ~ /\.inc$/) {
             body(inner, prefix)

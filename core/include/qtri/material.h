@@ -193,13 +193,13 @@ typedef struct qtri_fog_range {
 
 enum { QTRI_FOG_STEPS = 16 * 8 + 3 };
 
-struct qtri_pipeline;
+struct qtri_effect;
 
 /* Fog, as functions of depth: filled in by the functions below. */
 struct qtri_fog {
-    bool is_set;                                  /* by a function below; false: no fog */
-    uint32_t color;                               /* 0x00RRGGBB */
-    const struct qtri_pipeline *const *pipelines; /* as those of qtri_depth_format */
+    bool is_set;                      /* by a function below; false: no fog */
+    uint32_t color;                   /* 0x00RRGGBB */
+    const struct qtri_effect *effect; /* what draws it; internal */
     /* f, 1024 being 1, and beyond 0..1, held there: by eighths of octaves of how far the depth is
        from the farthest, or, where step_bits is not 0, by steps of 2^that from `first` on, f of
        which is share[0], too. */

@@ -228,8 +228,8 @@ QTRI_BODY_PART bool qtri_pixel_run_fragment(const qtri_options *o, const qtri_pi
 }
 
 /* A colour, blended with the stored pixel `under`, by channel mask and a stroke's coverage. */
-QTRI_BODY_PART uint32_t qtri_pixel_composite(const qtri_options *o, const qtri_pixel_walk *w,
-                                             uint32_t color, uint32_t texel, uint32_t under)
+QTRI_BODY uint32_t qtri_pixel_composite(const qtri_options *o, const qtri_pixel_walk *w,
+                                        uint32_t color, uint32_t texel, uint32_t under)
 {
     const qtri_surface *surface = w->state->surface;
     const uint32_t stored = qtri_decode(o, surface, under);
@@ -322,8 +322,7 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
             qtri_pixel_put_samples(o, w, samples, color, texel, pixel);
         } else {
             if (qtri_reads_pixel(o)) {
-                color = qtri_pixel_composite(QTRI_PART_OPTIONS(o, w), w, color, texel,
-                                             qtri_load(bytes, pixel));
+                color = qtri_pixel_composite(o, w, color, texel, qtri_load(bytes, pixel));
             }
             if (qtri_pixel_writes(o, w) && !early && (!o->covered || w->cover_writes)) {
                 if (QTRI_BODY_IS_SMALL && o->depth == QTRI_LINEAR16 &&
