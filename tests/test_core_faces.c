@@ -291,6 +291,31 @@ static void check_plane(const qtri_mesh *mesh, uint32_t triangle)
     assert_true(beside <= along / 64 + 1e-6);
 }
 
+/* The sign of the area, which 32 bits may hold or not: to both sides of that, and where it is 0. */
+TEST(back_faces_of_any_size)
+{
+    uint64_t seed = 21;
+    int back = 0;
+    for (int n = 0; n < 400000; n++) {
+        qtri_point p[3];
+        for (int i = 0; i < 3; i++) {
+            const int x_log2 = random_in(&seed, 0, 22), y_log2 = random_in(&seed, 0, 22);
+            p[i].x_24p8 = random_in(&seed, -(1 << x_log2), 1 << x_log2);
+            p[i].y_24p8 = random_in(&seed, -(1 << y_log2), 1 << y_log2);
+        }
+        if (n % 8 == 0) { /* in one line */
+            p[2].x_24p8 = 2 * p[1].x_24p8 - p[0].x_24p8;
+            p[2].y_24p8 = 2 * p[1].y_24p8 - p[0].y_24p8;
+        }
+        const int64_t dx1 = p[1].x_24p8 - p[0].x_24p8, dy1 = p[1].y_24p8 - p[0].y_24p8;
+        const int64_t dx2 = p[2].x_24p8 - p[0].x_24p8, dy2 = p[2].y_24p8 - p[0].y_24p8;
+        const bool is_back = dx1 * dy2 >= dx2 * dy1;
+        assert_int_equal(qtri_triangle_is_back(&p[0], &p[1], &p[2]), is_back);
+        back += is_back;
+    }
+    assert_in_range(back, 150000, 300000);
+}
+
 TEST(planes_keep_the_contract)
 {
     static faces_mesh m;

@@ -12,6 +12,7 @@
 #include <qtri/antialias.h>
 #include <qtri/frame.h>
 #include <qtri/prepared.h>
+#include <qtri/shapes.h>
 
 enum { WIDTH = 50, HEIGHT = 44, SIDE = 5, VERTICES = 6 * SIDE * SIDE, CELLS = SIDE - 1 };
 enum { TRIANGLES = 12 * CELLS * CELLS, WORDS = 9000 };
@@ -235,6 +236,43 @@ TEST(wrong_indices_have_no_edges)
             qtri_outline outline;
             c[i] = new_canvas(QTRI_LESS);
             assert_ok(qtri_outline_init(&outline, &mesh[i], outline_memory, WORDS));
+            assert_ok(qtri_draw_mesh_outlined(&c[i].surface, &view, &pose, &material, &outline));
+            blend_edges(&c[i].surface, &outline);
+        }
+        assert_int_equal(count_different(&c[0].surface, &c[1].surface), 0);
+        canvas_free(&c[0]);
+        canvas_free(&c[1]);
+    }
+}
+
+/* Front faces of a mesh of many words of bits are those that are found without planes. */
+TEST(planes_of_a_large_mesh_leave_its_outline)
+{
+    enum { SLICES = 32, RINGS = 24, FACES = QTRI_TORUS_TRIANGLES(SLICES, RINGS) };
+    enum { POINTS = QTRI_TORUS_VERTICES(SLICES, RINGS), MEMORY = 8 * FACES };
+    static qtri_vec3 points[POINTS];
+    static uint16_t faces[FACES][3];
+    static qtri_face8 planes[FACES];
+    static qtri_vertex slots[POINTS];
+    static uint32_t memory[MEMORY];
+    const qtri_shape_memory shape = {
+        .positions = points, .triangles = faces, .vertices = POINTS, .triangle_count = FACES};
+    qtri_mesh mesh;
+    qtri_material material = qtri_material_default();
+    material.cull = QTRI_CULL_BACK;
+    assert_ok(qtri_shape_torus(&mesh, &shape, Q16(1), Q16(.4), SLICES, RINGS));
+    mesh.extent = Q16(2);
+    assert_true(mesh_faces_fill(&mesh, planes) > 0);
+    for (int n = 0; n < 4; n++) {
+        qtri_transform pose;
+        qtri_view view = view_of(n * .1, 4, &pose);
+        canvas c[2];
+        give_vertices(&view, slots, POINTS);
+        for (int i = 0; i < 2; i++) {
+            qtri_outline outline;
+            c[i] = new_canvas(QTRI_LESS);
+            mesh.faces.culling = i == 0 ? NULL : &qtri_cull_by_planes;
+            assert_ok(qtri_outline_init(&outline, &mesh, memory, MEMORY));
             assert_ok(qtri_draw_mesh_outlined(&c[i].surface, &view, &pose, &material, &outline));
             blend_edges(&c[i].surface, &outline);
         }

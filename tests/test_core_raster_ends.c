@@ -7,6 +7,7 @@
 
 #include <qtri/material.h>
 #include <qtri/paint.h>
+#include <qtri/pipeline_make.h>
 #include <qtri/antialias.h>
 #include <qtri/stroke.h>
 
@@ -408,6 +409,44 @@ TEST(own_texels_of_565)
             canvas_free(&c);
         }
         canvas_free(&want);
+    }
+}
+
+static int fetched;
+
+static uint32_t fetch_counted(const qtri_texture *texture, uint32_t number)
+{
+    fetched++;
+    return ((const uint16_t *)texture->texels)[number];
+}
+
+static const qtri_texel_format counted = {&qtri_colors_565, 0xFFFF, has_texels, fetch_own, NULL, 0};
+
+QTRI_PIPELINE(counting, .format = QTRI_RGB565, .depth = QTRI_LINEAR16, .compare = QTRI_ANY,
+              .texel = QTRI_OTHER_TEXEL, .own_texel = &counted, .fetch = fetch_counted)
+
+/* A format that reads the same texels is another one. */
+TEST(a_pipeline_draws_its_own_texels_alone)
+{
+    static const qtri_pipeline *const list[] = {&counting, &qtri_pipeline_any, NULL};
+    const qtri_texel_format same = counted;
+    for (int n = 0; n < 2; n++) {
+        canvas c = new_canvas(&qtri_rgb565);
+        const qtri_texture texture = texture_of(n == 0 ? &counted : &same, rgb565);
+        qtri_material material = qtri_material_default();
+        qtri_screen_vertex v[3];
+        for (int i = 0; i < 3; i++) {
+            v[i] = screen_at(i == 1 ? 9000 : 300, i == 2 ? 9000 : 300);
+            v[i].depth_16p16 = (uint32_t)1 << 30;
+        }
+        material.texture = &texture;
+        material.texture_mode = QTRI_REPLACE;
+        material.cull = QTRI_CULL_NONE;
+        fetched = 0;
+        qtri_raster_triangle(&c.surface, list, &material, v);
+        assert_true(stored_pixel(&c.surface, 3, 3) != stored_pixel(&c.surface, WIDTH - 1, 3));
+        assert_int_equal(fetched > 0, n == 0);
+        canvas_free(&c);
     }
 }
 
