@@ -329,9 +329,7 @@ static inline void set_level(const qtri_large_job *job, qtri_large_piece *piece,
         const uint32_t down = level + qtri_large_level_down(job, 1, level);
         piece->uv[1].at >>= down;
         piece->uv[1].step = curve_down(piece->uv[1].step, down);
-        if (piece->uv[1].bend != 0) {
-            piece->uv[1].bend = curve_down(piece->uv[1].bend, down);
-        }
+        piece->uv[1].bend = curve_down(piece->uv[1].bend, down);
     }
     if (o->bilinear) {
         center(job, piece, level);
