@@ -18,43 +18,15 @@
 
 #include "../raster/any_loops.inc"
 
-/* Surfaces of any format, with 16 bits of depth or none; `asks`: QTRI_ASK_ bits that may be set. */
-QTRI_BODY qtri_options of_any(const qtri_pixel_walk *w, uint32_t asks)
-{
-    const qtri_options *all = &w->state->options;
-    asks |= 3u << QTRI_ASK_KIND | 1u << QTRI_ASK_565;
-    const qtri_options o = {.format = all->format,
-                            .texel = all->texel,
-                            .key = all->key,
-                            .shade = all->shade,
-                            .pixel_bytes = all->pixel_bytes,
-                            .asks = (uint16_t)(all->asks & asks)};
-    return o;
-}
+/* Of any format. */
+#define KINDS         (3u << QTRI_ASK_KIND | ASK(565))
+#define ON_ANY_FORMAT .format = all->format, .pixel_bytes = all->pixel_bytes
 
-QTRI_BODY_ALONE void draw_flat(qtri_pixel_walk *w, bool bent, int32_t count)
-{
-    qtri_options o = of_any(w, 0);
-    o.texel = QTRI_NO_TEXEL;
-    o.shade = QTRI_FLAT;
-    o.asks |= 1u << QTRI_ASK_PLAIN;
-    draw_shaded(o, w, bent, count);
-}
-
-QTRI_BODY_ALONE void draw_smooth(qtri_pixel_walk *w, bool bent, int32_t count)
-{
-    qtri_options o = of_any(w, 1u << QTRI_ASK_TWO_WORDS);
-    o.texel = QTRI_NO_TEXEL;
-    draw_shaded(o, w, bent, count);
-}
-
-QTRI_BODY_ALONE void draw_texture(qtri_pixel_walk *w, bool bent, int32_t count)
-{
-    qtri_options o =
-        of_any(w, 1u << QTRI_ASK_TWO_WORDS | 1u << QTRI_ASK_DISCARD | 1u << QTRI_ASK_ALPHA);
-    QTRI_BODY_ASSUME(o.texel != QTRI_NO_TEXEL);
-    draw_shaded(o, w, bent, count);
-}
+LOOP(draw_flat, (KINDS & all->asks) | ASK(PLAIN), ON_ANY_FORMAT, .shade = QTRI_FLAT)
+LOOP(draw_smooth, (KINDS | ASK(TWO_WORDS)) & all->asks, ON_ANY_FORMAT, .shade = all->shade)
+LOOP(draw_texture, (KINDS | ASK(TWO_WORDS) | ASK(DISCARD) | ASK(ALPHA)) & all->asks, ON_ANY_FORMAT,
+     .texel = all->texel != QTRI_NO_TEXEL ? all->texel : QTRI_TEXEL_RGB565, .key = all->key,
+     .shade = all->shade)
 
 QTRI_BODY_ALONE void draw_other(qtri_pixel_walk *w, bool bent, int32_t count)
 {

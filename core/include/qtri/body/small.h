@@ -17,9 +17,9 @@ typedef struct qtri_small_rows {
 /* The generic pipeline's rows step z and c in any case, and ask once about what few have, as a
    question is as long as a step. A macro: an enum would be that of all files in the single one. */
 #ifdef QTRI_PIPELINE_IS_ANY_LOOP
-#define QTRI_SMALL_ANY true
+#define QTRI_SMALL_ANY 1
 #else
-#define QTRI_SMALL_ANY false
+#define QTRI_SMALL_ANY 0
 #endif
 
 /* Whether rows may have more than z, c, u and v. */
