@@ -17,9 +17,9 @@ typedef struct qtri_small_rows {
 /* The generic pipeline's rows step z and c in any case, and ask once about what few have, as a
    question is as long as a step. A macro: an enum would be that of all files in the single one. */
 #ifdef QTRI_PIPELINE_IS_ANY_LOOP
-#define QTRI_SMALL_ANY 1
+#define QTRI_SMALL_ANY true
 #else
-#define QTRI_SMALL_ANY 0
+#define QTRI_SMALL_ANY false
 #endif
 
 /* Whether rows may have more than z, c, u and v. */
@@ -170,7 +170,7 @@ QTRI_BODY uint8_t *qtri_small_depths(const qtri_draw_state *state)
    registers. Texels take more of them than that leaves. */
 QTRI_BODY bool qtri_small_shares_loop(const qtri_options *o)
 {
-    return !QTRI_SMALL_IN_PLACE && !QTRI_SMALL_ANY && !qtri_is_textured(o) && qtri_is_lit(o);
+    return !QTRI_SMALL_IN_PLACE && !qtri_is_textured(o) && qtri_is_lit(o) && !QTRI_SMALL_ANY;
 }
 
 /* Whether rows may be divided: light alone is not, and its loop has no call. */
