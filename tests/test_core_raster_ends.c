@@ -138,6 +138,46 @@ TEST(opaque_texels_are_texels)
     }
 }
 
+/* What is all key leaves the surface as it was, whatever is done to its pixels. */
+TEST(a_key_is_not_drawn)
+{
+    static uint32_t ones[SIDE * SIDE]; /* opaque, in any format */
+    static const qtri_rgb palette[256] = {[255] = {200, 100, 50}};
+    static const qtri_texel_format *const keyed[] = {
+        &qtri_texel_rgb565,   &qtri_texel_xrgb8888, &qtri_texel_argb4444, &qtri_texel_argb1555,
+        &qtri_texel_argb8888, &qtri_texel_alpha8,   &qtri_texel_gray8,    &qtri_texel_palette8};
+    static const int bits[] = {16, 24, 16, 16, 32, 8, 8, 8};
+    static const qtri_blend *const blends[] = {NULL, &qtri_blend_alpha, &qtri_blend_add,
+                                               &qtri_blend_multiply};
+    static const uint8_t compares[] = {QTRI_DEPTH_OFF, QTRI_LESS, QTRI_LESS_EQUAL};
+    qtri_fog fog;
+    const qtri_fog_range range = {Q16(.5), Q16(40), false};
+    qtri_fog_linear(&fog, (qtri_rgb){200, 190, 170}, range, Q16(.6), Q16(10));
+    memset(ones, 0xFF, sizeof ones);
+    for (int n = 0; n < 8 * 4 * 3 * 4; n++) {
+        const int format = n % 8, blend = n / 8 % 4, compare = n / 32 % 3, effect = n / 96;
+        qtri_texture texture = texture_of(keyed[format], ones);
+        texture.has_key = true;
+        texture.key = UINT32_MAX >> (32 - bits[format]);
+        texture.palette = palette;
+        texture.filter = effect & 1 ? &qtri_bilinear : NULL;
+        qtri_material material = qtri_material_default();
+        material.texture = &texture;
+        material.texture_mode = QTRI_REPLACE;
+        material.depth_compare = compares[compare];
+        material.blend = blends[blend];
+        material.fog = effect & 2 ? &fog : NULL;
+        for (int f = 0; f < 6; f++) {
+            canvas c = new_canvas(plain[f]), empty = new_canvas(plain[f]);
+            draw_cube(&c.surface, &material, 4);
+            draw_triangles(&c.surface, &material, false, 5);
+            assert_int_equal(count_different(&c.surface, &empty.surface), 0);
+            canvas_free(&c);
+            canvas_free(&empty);
+        }
+    }
+}
+
 /* White with alpha is white, and least_alpha of what has no alpha is nothing. */
 TEST(white_texels_and_none)
 {

@@ -3,7 +3,8 @@
  * The generic pipeline: the body with options that are read at run time. What most programs ask for
  * has loops in which most are constants, any comparison of depths included. Millions of
  * instructions on a Cortex-M0+ by draw_other, and by these: flat S1l 14.9, 1.4; colours S2l 17.7,
- * 3.6; a texture S3l 15.5, 3.0; a lit mesh S4kl 14.9, 7.8; on other formats S4kg 15.6, 10.4.
+ * 3.6; a texture S3l 15.5, 3.0, of 888 S3v 9.2, 5.0; a lit mesh S4kl 14.9, 7.8; on other formats
+ * S4kg 15.6, 10.4.
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -46,6 +47,11 @@ ON_RGB565(draw_stored_565, ASK(TWO_WORDS) | ASK(DISCARD),
           .texel = all->texel == QTRI_TEXEL_RGB565 ? QTRI_TEXEL_RGB565 : QTRI_TEXEL_PALETTE565,
           .key = 1, .shade = all->shade)
 
+/* In 888. */
+ON_RGB565(draw_texture_888, QTRI_IN_888 << QTRI_ASK_KIND | ASK(DISCARD),
+          .texel = all->texel == QTRI_TEXEL_XRGB8888 ? QTRI_TEXEL_XRGB8888 : QTRI_TEXEL_PALETTE8,
+          .key = 1, .shade = QTRI_FLAT)
+
 /* The loop for a blend, fog or a filter, which brings it: programs without them link none. */
 static qtri_pixels_loop *loop_of_effect(const qtri_draw_state *state)
 {
@@ -84,6 +90,10 @@ static qtri_pixels_loop *loop_of(const qtri_draw_state *state)
                : is_flat                           ? draw_texture_565
                : o->shade == QTRI_WHITE_LIGHT      ? draw_texture_white_565
                                                    : draw_texture_shaded_565;
+    }
+    if (is_565 && o->shade == QTRI_FLAT &&
+        (o->texel == QTRI_TEXEL_XRGB8888 || o->texel == QTRI_TEXEL_PALETTE8)) {
+        return draw_texture_888;
     }
     return o->texel != QTRI_NO_TEXEL ? draw_texture
            : o->shade == QTRI_FLAT   ? draw_flat

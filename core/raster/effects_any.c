@@ -2,7 +2,7 @@
 /*
  * What the generic pipeline draws a blend, fog or a filter on RGB565 with, any comparison of depths
  * and none included. Millions of instructions on a Cortex-M0+ by its loop for all, and by these:
- * half alpha B1l 24.7, 9.4, and B4kl 17.8, 12.4; a floor of ARGB4444 25.2, 13.1; fog
+ * half alpha B1l 24.7, 9.4, and B4kl 17.8, 12.4; a floor of ARGB4444 25.2, 13.6; fog
  * F4kl 20.8, 15.8; bilinear S11l 28.1, 16.6.
  */
 #include <stdbool.h>
@@ -27,7 +27,8 @@ ON_RGB565(draw_sprite, QTRI_IN_888 << QTRI_ASK_KIND | ASK(READ) | ASK(ALPHA) | A
                    : all->texel == QTRI_TEXEL_ARGB1555 ? QTRI_TEXEL_ARGB1555
                    : all->texel == QTRI_TEXEL_ALPHA8   ? QTRI_TEXEL_ALPHA8
                                                        : QTRI_TEXEL_ARGB8888,
-          .shade = all->shade == QTRI_FLAT ? QTRI_FLAT : QTRI_TINT, .blend = QTRI_ALPHA)
+          .shade = all->shade == QTRI_FLAT ? QTRI_FLAT : QTRI_TINT,
+          .blend = all->blend == QTRI_ALPHA ? QTRI_ALPHA : QTRI_ADD)
 ON_RGB565(draw_fogged, QTRI_IN_888 << QTRI_ASK_KIND | (all->asks & ASK(TWO_WORDS)),
           .texel = TEXEL_565, .shade = all->shade, .fog = 1)
 ON_RGB565(draw_filtered, ASK(TWO_WORDS), .texel = QTRI_TEXEL_RGB565, .bilinear = 1,
@@ -40,11 +41,11 @@ static bool is_plain_565(const qtri_options *o)
 
 qtri_pixels_loop *qtri_blended_loop(const qtri_options *o)
 {
-    if (o->blend > QTRI_MULTIPLY) {
+    if (o->blend > QTRI_MULTIPLY || o->key) {
         return NULL;
     }
     return is_plain_565(o) ? draw_blended
-           : o->blend == QTRI_ALPHA && o->texel >= QTRI_TEXEL_ARGB8888 &&
+           : o->blend != QTRI_MULTIPLY && o->texel >= QTRI_TEXEL_ARGB8888 &&
                    o->texel <= QTRI_TEXEL_ALPHA8 && o->shade <= QTRI_TINT
                ? draw_sprite
                : NULL;

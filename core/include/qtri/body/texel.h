@@ -60,9 +60,14 @@ QTRI_BODY_PART uint32_t qtri_texel_from_565(qtri_color_kind kind, uint32_t c)
     return kind == QTRI_IN_GRAY ? qtri_pixel_565_to_luma(c) : qtri_pixel_565_to_888(c);
 }
 
-QTRI_BODY_PART uint32_t qtri_texel_from_888(qtri_color_kind kind, uint32_t c)
+QTRI_BODY_PART uint32_t qtri_texel_gray(uint32_t c)
 {
-    return kind == QTRI_IN_GRAY ? qtri_pixel_888_to_luma(c) : c;
+    return qtri_pixel_888_to_luma(c);
+}
+
+QTRI_BODY uint32_t qtri_texel_from_888(qtri_color_kind kind, uint32_t c)
+{
+    return kind == QTRI_IN_GRAY ? qtri_texel_gray(c) : c;
 }
 
 /* A stored texel as a colour of the kind; with alpha, 0xAARRGGBB. */
