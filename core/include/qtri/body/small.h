@@ -142,6 +142,7 @@ QTRI_BODY void qtri_small_curves_next_row(const qtri_options *o, qtri_small_curv
         qtri_small_curve_next_row(&curves->u);
         qtri_small_curve_next_row(&curves->v);
     }
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): light sets it
     if (qtri_is_lit(o) && curves->light_piece != 0) {
         qtri_small_curve_next_row(&curves->c);
     }
