@@ -61,7 +61,7 @@ static qtri_pixels_loop *loop_of_effect(const qtri_draw_state *state)
     const qtri_effect *effect = has_blend ? material->blend->effect
                                 : has_fog ? material->fog->effect
                                           : state->texture->filter->effect;
-    const bool is_alone = has_blend + has_fog + (o->bilinear != 0) == 1;
+    const bool is_alone = has_blend + has_fog + (o->bilinear != 0) == 1 && !o->key;
     qtri_pixels_loop *loop = is_alone && effect != NULL ? effect->loop_of(o) : NULL;
     return loop != NULL ? loop : draw_other;
 }

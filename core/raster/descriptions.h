@@ -23,9 +23,14 @@
 /* What draws a blend, fog or filter faster than the generic pipeline does by itself. */
 typedef struct qtri_effect {
     const qtri_pipeline *const *pipelines;
-    /* The generic pipeline's loop for RGB565 with this effect and no other; NULL: none. */
+    /* The generic pipeline's loop for RGB565 with this effect alone and no key; NULL: none. */
     qtri_pixels_loop *(*loop_of)(const qtri_options *o);
 } qtri_effect;
+
+static inline const qtri_pipeline *const *qtri_effect_pipelines(const qtri_effect *effect)
+{
+    return effect != NULL ? effect->pipelines : NULL;
+}
 
 qtri_pixels_loop *qtri_blended_loop(const qtri_options *o); /* effects_any.c */
 qtri_pixels_loop *qtri_fogged_loop(const qtri_options *o);

@@ -157,12 +157,14 @@ static const qtri_pipeline *find_brought(const qtri_pipeline *pipeline, qtri_dra
     const qtri_depth_format *depth = state->surface->depth_format;
     const qtri_material *material = state->material;
     const qtri_filter *filter = state->texture != NULL ? state->texture->filter : NULL;
-    const qtri_effect *const effects[] = {material->blend != NULL ? material->blend->effect : NULL,
-                                          material->fog != NULL ? material->fog->effect : NULL,
-                                          filter != NULL ? filter->effect : NULL};
-    const qtri_pipeline *found = depth != NULL ? find(depth->pipelines, state) : NULL;
-    for (int i = 0; i < 3 && found == NULL; i++) {
-        found = effects[i] != NULL ? find(effects[i]->pipelines, state) : NULL;
+    const qtri_pipeline *const *const brought[] = {
+        depth != NULL ? depth->pipelines : NULL,
+        material->blend != NULL ? qtri_effect_pipelines(material->blend->effect) : NULL,
+        material->fog != NULL ? qtri_effect_pipelines(material->fog->effect) : NULL,
+        filter != NULL ? qtri_effect_pipelines(filter->effect) : NULL};
+    const qtri_pipeline *found = NULL;
+    for (size_t i = 0; i < sizeof brought / sizeof *brought && found == NULL; i++) {
+        found = find(brought[i], state);
     }
     return found;
 }

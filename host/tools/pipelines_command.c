@@ -202,20 +202,19 @@ static bool has(const qtri_pipeline *const *pipelines, const qtri_options *optio
     return *pipelines != NULL;
 }
 
-static const qtri_pipeline *const *brought_by(const qtri_effect *effect)
-{
-    return effect != NULL ? effect->pipelines : NULL;
-}
-
 /* Blends, fog, the filter and formats of depth. Those they bring serve read-only depths and others.
  */
 static bool is_brought(const qtri_options *options)
 {
     const qtri_pipeline *const *const lists[] = {
-        brought_by(qtri_blend_alpha.effect),    brought_by(qtri_blend_add.effect),
-        brought_by(qtri_blend_multiply.effect), qtri_pipelines_fog,
-        brought_by(qtri_bilinear.effect),       qtri_depth_float16.pipelines,
-        qtri_depth_linear24.pipelines,          qtri_depth_linear32.pipelines,
+        qtri_effect_pipelines(qtri_blend_alpha.effect),
+        qtri_effect_pipelines(qtri_blend_add.effect),
+        qtri_effect_pipelines(qtri_blend_multiply.effect),
+        qtri_pipelines_fog,
+        qtri_effect_pipelines(qtri_bilinear.effect),
+        qtri_depth_float16.pipelines,
+        qtri_depth_linear24.pipelines,
+        qtri_depth_linear32.pipelines,
     };
     qtri_options wanted = *options;
     bool found = false;
