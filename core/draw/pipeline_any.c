@@ -3,8 +3,8 @@
  * The generic pipeline: the body with options that are read at run time. What most programs ask for
  * has loops in which most are constants, any comparison of depths included. Millions of
  * instructions on a Cortex-M0+ by draw_other, and by these: flat S1l 14.9, 1.4; colours S2l 17.7,
- * 3.6; a texture S3l 15.5, 3.0, of 888 S3v 9.2, 5.0; a lit mesh S4kl 14.9, 7.8; on other formats
- * S4kg 15.6, 10.4.
+ * 3.6; a texture S3l 15.5, 3.0, of 888 S3v 9.2, 5.0; a lit mesh S4kl 14.9, 7.8; on GRAY8 S4kg 15.6,
+ * 8.4.
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -14,6 +14,7 @@
 #define QTRI_PIPELINE_IS_ANY_LOOP
 #include "qtri/pipeline_make.h"
 
+#include "../frame/pixel.h"
 #include "../raster/descriptions.h"
 #include "../raster/draw_state.h"
 
@@ -21,10 +22,17 @@
 
 /* Of any format. */
 #define KINDS         (3u << QTRI_ASK_KIND | ASK(565))
+#define IN_888        (QTRI_IN_888 << QTRI_ASK_KIND | (ASK(TWO_WORDS) & all->asks))
 #define ON_ANY_FORMAT .format = all->format, .pixel_bytes = all->pixel_bytes
 
 LOOP(draw_flat, (KINDS & all->asks) | ASK(PLAIN), ON_ANY_FORMAT, .shade = QTRI_FLAT)
-LOOP(draw_smooth, (KINDS | ASK(TWO_WORDS)) & all->asks, ON_ANY_FORMAT, .shade = all->shade)
+LOOP(draw_smooth, IN_888, ON_ANY_FORMAT, .shade = all->shade)
+LOOP(draw_smooth_gray, QTRI_IN_GRAY << QTRI_ASK_KIND, .format = QTRI_GRAY8, .pixel_bytes = 1,
+     .shade = all->shade)
+LOOP(draw_texture_of_565,
+     ((all->asks & 3) == QTRI_IN_GRAY ? QTRI_IN_GRAY : QTRI_IN_888) << QTRI_ASK_KIND |
+         (ASK(TWO_WORDS) & all->asks) | ASK(DISCARD),
+     ON_ANY_FORMAT, .texel = QTRI_TEXEL_RGB565, .key = 1, .shade = all->shade)
 LOOP(draw_texture, (KINDS | ASK(TWO_WORDS) | ASK(DISCARD) | ASK(ALPHA)) & all->asks, ON_ANY_FORMAT,
      .texel = all->texel != QTRI_NO_TEXEL ? all->texel : QTRI_TEXEL_RGB565, .key = all->key,
      .shade = all->shade)
@@ -33,6 +41,16 @@ QTRI_BODY_ALONE void draw_other(qtri_pixel_walk *w, bool bent, int32_t count)
 {
     const qtri_options *o = &w->state->options;
     draw_pixels(o, w, bent, count, o->depth_bytes);
+}
+
+/* One colour without depths: a row of words. */
+QTRI_BODY_ALONE void draw_fill(qtri_pixel_walk *w, bool bent, int32_t count)
+{
+    const uint32_t bytes = w->state->options.pixel_bytes;
+    const uint32_t ones = bytes == 1 ? 0x01010101u : bytes == 2 ? 0x00010001u : 1;
+    (void)bent;
+    qtri_fill_words(w->pixel, 0, (uint32_t)count * bytes, 1, w->color * ones);
+    w->pixel += (uint32_t)count * bytes;
 }
 
 /* In colours of 565. */
@@ -48,7 +66,7 @@ ON_RGB565(draw_stored_565, ASK(TWO_WORDS) | ASK(DISCARD),
           .key = 1, .shade = all->shade)
 
 /* In 888. */
-ON_RGB565(draw_texture_888, QTRI_IN_888 << QTRI_ASK_KIND | ASK(DISCARD),
+ON_RGB565(draw_texture_888, IN_888 | ASK(DISCARD),
           .texel = all->texel == QTRI_TEXEL_XRGB8888 ? QTRI_TEXEL_XRGB8888 : QTRI_TEXEL_PALETTE8,
           .key = 1, .shade = QTRI_FLAT)
 
@@ -95,24 +113,31 @@ static qtri_pixels_loop *loop_of(const qtri_draw_state *state)
         (o->texel == QTRI_TEXEL_XRGB8888 || o->texel == QTRI_TEXEL_PALETTE8)) {
         return draw_texture_888;
     }
-    return o->texel != QTRI_NO_TEXEL ? draw_texture
-           : o->shade == QTRI_FLAT   ? draw_flat
-                                     : draw_smooth;
+    return o->texel == QTRI_TEXEL_RGB565 ? draw_texture_of_565
+           : o->texel != QTRI_NO_TEXEL   ? draw_texture
+           : o->shade == QTRI_FLAT       ? draw_flat
+           : o->format == QTRI_GRAY8     ? draw_smooth_gray
+                                         : draw_smooth;
 }
 
-/* Where there are no depths, one stands for all: each pixel passes, and loops need not ask. */
 static const qtri_pipeline *choose(const qtri_pipeline *generic, qtri_draw_state *state)
 {
     qtri_options *o = &state->options;
     state->loop = loop_of(state);
     (void)qtri_draw_state_ask(generic, state);
     state->key = o->key ? state->key : UINT32_MAX;
-    if (!qtri_tests_depth(o) && state->loop != draw_other) {
-        o->asks |= 1u << QTRI_ASK_TEST;
-        o->depth_bytes = 0;
-        state->depth = &state->no_depth;
-        state->depth_pitch = state->no_depth = 0;
+    if (qtri_tests_depth(o) || state->loop == draw_other) {
+        return generic;
     }
+    if ((state->loop == draw_flat || state->loop == draw_flat_565) && o->pixel_bytes != 3) {
+        state->loop = draw_fill;
+        return generic;
+    }
+    /* One depth stands for all: each pixel passes, and loops need not ask. */
+    o->asks |= ASK(TEST);
+    o->depth_bytes = 0;
+    state->depth = &state->no_depth;
+    state->depth_pitch = state->no_depth = 0;
     return generic;
 }
 
