@@ -21,6 +21,13 @@ bool qtri_picture_is_alike(const qtri_image *image, const qtri_surface *surface)
     return a == b || (a->decode == b->decode && a->encode == b->encode && a->pixels == b->pixels);
 }
 
+bool qtri_picture_is_swapped(const qtri_image *image, const qtri_surface *surface)
+{
+    const qtri_mix from = qtri_mix_of(image->format), to = qtri_mix_of(surface->format);
+    return (from == QTRI_MIX_565 && to == QTRI_MIX_565_SWAPPED) ||
+           (from == QTRI_MIX_565_SWAPPED && to == QTRI_MIX_565);
+}
+
 /* The part of the surface that the picture at (x, y) covers, and its first pixel there; false:
    none. */
 static bool clip_picture(const qtri_surface *surface, const qtri_image *image, int32_t x, int32_t y,
@@ -202,24 +209,24 @@ qtri_image qtri_image_of(const qtri_surface *surface)
 }
 
 QTRI_INLINE void keyed_pixel(uint32_t bytes, uint8_t *to, const uint8_t *from, uint32_t key,
-                             uint32_t mask)
+                             uint32_t mask, bool swaps)
 {
     const uint32_t stored = qtri_load(bytes, from);
     if ((stored & mask) != key) {
         QTRI_BODY_BRANCH();
-        qtri_save(bytes, to, stored);
+        qtri_save(bytes, to, swaps ? qtri_swap_16(stored) : stored);
     }
 }
 
 /* Pixels that are not the key, four at a time. */
 QTRI_INLINE void keyed_row(uint32_t bytes, uint8_t *to, const uint8_t *from, int32_t count,
-                           uint32_t key, uint32_t key_mask)
+                           uint32_t key, uint32_t key_mask, bool swaps)
 {
     const uint32_t mask = bytes == 4 ? key_mask : UINT32_MAX;
     for (; !QTRI_BODY_IS_SMALL && count >= 4; count -= 4) {
         QTRI_BODY_UNROLL
         for (uint32_t i = 0; i < 4 * bytes; i += bytes) {
-            keyed_pixel(bytes, to + i, from + i, key, mask);
+            keyed_pixel(bytes, to + i, from + i, key, mask, swaps);
         }
         to += 4 * bytes;
         from += 4 * bytes;
@@ -227,18 +234,23 @@ QTRI_INLINE void keyed_row(uint32_t bytes, uint8_t *to, const uint8_t *from, int
         QTRI_BODY_BARRIER(from);
     }
     for (; count > 0; count--, to += bytes, from += bytes) {
-        keyed_pixel(bytes, to, from, key, mask);
+        keyed_pixel(bytes, to, from, key, mask, swaps);
     }
 }
 
+/* Pixels that are stored as they are, or whose bytes swap; none of 16 bits is UINT32_MAX. */
 static void paint_keyed(const qtri_surface *surface, const qtri_image *image, uint8_t *to,
-                        const uint8_t *from, int32_t count, int32_t rows)
+                        const uint8_t *from, int32_t count, int32_t rows, bool swaps)
 {
     const uint32_t mask = qtri_picture_key_mask(image);
-    const uint32_t key = image->key & mask;
+    const uint32_t key = image->has_key ? image->key & mask : UINT32_MAX;
     for (; rows > 0; rows--, to += surface->pitch, from += image->pitch) {
+        if (swaps) {
+            keyed_row(2, to, from, count, key, mask, true);
+            continue;
+        }
         switch (image->format->pixels->bytes) {
-            QTRI_BYTES_CASES(keyed_row, to, from, count, key, mask);
+            QTRI_BYTES_CASES(keyed_row, to, from, count, key, mask, false);
         }
     }
 }
@@ -268,11 +280,12 @@ void qtri_image_blend(const qtri_surface *surface, const qtri_image *image, int3
         return;
     }
     const bool is_alike = alpha == 255 && qtri_picture_is_alike(image, surface);
+    const bool swaps = alpha == 255 && qtri_picture_is_swapped(image, surface);
     const int32_t count = rect.x1 - rect.x0;
     const int32_t rows = rect.y1 - rect.y0;
     uint8_t *to = qtri_surface_at(surface, rect.x0, rect.y0);
-    if (is_alike && image->has_key) {
-        paint_keyed(surface, image, to, from, count, rows);
+    if (swaps || (is_alike && image->has_key)) {
+        paint_keyed(surface, image, to, from, count, rows, swaps);
     } else if (is_alike) {
         copy_rows(to, surface->pitch, from, image->pitch,
                   image->format->pixels->bytes * (size_t)count, rows);

@@ -23,6 +23,9 @@ bool qtri_picture_is_usable(const qtri_image *image);
 /* Whether image and surface store pixels in one format. */
 bool qtri_picture_is_alike(const qtri_image *image, const qtri_surface *surface);
 
+/* Whether both are RGB565, in different orders of bytes. */
+bool qtri_picture_is_swapped(const qtri_image *image, const qtri_surface *surface);
+
 /* The bits of a stored pixel that are compared with the key. */
 uint32_t qtri_picture_key_mask(const qtri_image *image);
 

@@ -166,7 +166,8 @@ typedef struct run {
     inverse inverse;
     int32_t u, v;        /* of the first pixel, in the picture */
     uint32_t a;          /* of 256 */
-    bool is_alike;       /* pixels mean the same on both sides */
+    bool is_alike;       /* pixels mean the same on both sides, */
+    bool is_swapped;     /*   or have their bytes in the other order */
     int32_t kept_v;      /* where it does not turn: the row of the picture that was last, */
     const uint8_t *kept; /*   and its first pixel on the surface; NULL: none */
 } run;
@@ -204,10 +205,11 @@ static void load_pixels(const run *r, int32_t u, int32_t v, uint32_t *stored, in
     }
 }
 
-/* Constants of a loop: bytes a pixel, whether there is a key, whether v changes along a row. */
+/* Constants of a loop: bytes a pixel, whether there is a key, whether v changes along a row, and
+   whether bytes swap. */
 typedef struct kind {
     uint32_t bytes;
-    bool is_keyed, is_turned;
+    bool is_keyed, is_turned, swaps;
 } kind;
 
 QTRI_INLINE void walk_row(kind is, const run *r, uint8_t *to, int32_t count)
@@ -216,7 +218,7 @@ QTRI_INLINE void walk_row(kind is, const run *r, uint8_t *to, int32_t count)
     const ptrdiff_t pitch = image->pitch;
     const uint8_t *pixels = (const uint8_t *)image->pixels;
     const uint32_t mask = is.is_keyed && is.bytes == 4 ? qtri_picture_key_mask(image) : UINT32_MAX;
-    const uint32_t key = image->key & mask;
+    const uint32_t key = image->has_key ? image->key & mask : UINT32_MAX; /* none of 16 bits */
     const uint32_t du = (uint32_t)r->inverse.ux;
     const uint32_t dv = (uint32_t)r->inverse.vx;
     uint32_t u = (uint32_t)r->u;
@@ -239,7 +241,7 @@ QTRI_INLINE void walk_row(kind is, const run *r, uint8_t *to, int32_t count)
             qtri_save(is.bytes, to + (i)*is.bytes, stored);                                        \
         } else if ((stored & mask) != key) {                                                       \
             QTRI_BODY_BRANCH();                                                                    \
-            qtri_save(is.bytes, to + (i)*is.bytes, stored);                                        \
+            qtri_save(is.bytes, to + (i)*is.bytes, is.swaps ? qtri_swap_16(stored) : stored);      \
         }                                                                                          \
     }
     for (; count >= 4; count -= 4) {
@@ -258,10 +260,10 @@ QTRI_INLINE void walk_row(kind is, const run *r, uint8_t *to, int32_t count)
 
 QTRI_INLINE void walk_sized(uint32_t bytes, const run *r, uint8_t *to, int32_t count)
 {
-    const kind plain = {bytes, false, false};
-    const kind turned = {bytes, false, true};
-    const kind keyed = {bytes, true, false};
-    const kind keyed_turned = {bytes, true, true};
+    const kind plain = {bytes, false, false, false};
+    const kind turned = {bytes, false, true, false};
+    const kind keyed = {bytes, true, false, false};
+    const kind keyed_turned = {bytes, true, true, false};
     if (!r->image->has_key) {
         if (r->inverse.vx == 0) {
             walk_row(plain, r, to, count);
@@ -276,8 +278,8 @@ QTRI_INLINE void walk_sized(uint32_t bytes, const run *r, uint8_t *to, int32_t c
 }
 
 /*
- * Copies pixels to a surface of the image's format, except those of the key. False: nothing is
- * done, as batches take less code.
+ * Copies pixels to a surface of the image's format, or of it in the other order of bytes, except
+ * those of the key. False: nothing is done, as batches take less code.
  */
 QTRI_NOINLINE static bool walk_pixels(const run *r, uint8_t *to, int32_t count)
 {
@@ -285,6 +287,11 @@ QTRI_NOINLINE static bool walk_pixels(const run *r, uint8_t *to, int32_t count)
     const int32_t bytes = image->format->pixels->bytes;
     if (QTRI_BODY_IS_SMALL) {
         return false;
+    }
+    if (r->is_swapped) {
+        const kind swapped = {2, true, true, true};
+        walk_row(swapped, r, to, count);
+        return true;
     }
     if (r->inverse.vx == 0 && r->inverse.ux == 65536 && !image->has_key) {
         const uint8_t *row =
@@ -334,7 +341,7 @@ static void paint_run(run *r, uint8_t *to, int32_t count)
         r->kept_v = r->v >> 16;
         r->kept = to;
     }
-    if (r->a != 256 || !r->is_alike || !walk_pixels(r, to, count)) {
+    if (r->a != 256 || !(r->is_alike || r->is_swapped) || !walk_pixels(r, to, count)) {
         paint_batches(r, to, count);
     }
 }
@@ -371,13 +378,15 @@ void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *imag
                              const qtri_affine *affine, uint8_t alpha)
 {
     QTRI_ASSERT(affine != NULL);
-    run r = {surface, image, {0, 0, 0, 0}, 0, 0, qtri_mix_weight(255, alpha), false, 0, NULL};
+    run r = {surface, image, {0, 0, 0, 0}, 0, 0, qtri_mix_weight(255, alpha), false,
+             false,   0,     NULL};
     qtri_rect bounds = qtri_surface_bounds(surface);
     if (alpha == 0 || bounds.x0 == bounds.x1 || !qtri_picture_is_usable(image) ||
         !invert(affine, &r.inverse)) {
         return;
     }
     r.is_alike = qtri_picture_is_alike(image, surface);
+    r.is_swapped = qtri_picture_is_swapped(image, surface);
     clip_range(affine->y0, affine->yx, affine->yy, image, 1, &bounds.y0, &bounds.y1);
     clip_range(affine->x0, affine->xx, affine->xy, image, 8, &bounds.x0, &bounds.x1);
     if (bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1) {
