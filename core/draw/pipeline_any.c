@@ -70,16 +70,19 @@ ON_RGB565(draw_texture_888, IN_888 | ASK(DISCARD),
           .texel = all->texel == QTRI_TEXEL_XRGB8888 ? QTRI_TEXEL_XRGB8888 : QTRI_TEXEL_PALETTE8,
           .key = 1, .shade = QTRI_FLAT)
 
-/* The loop for a blend, fog or a filter, which brings it: programs without them link none. */
+/* The loop for a blend, fog, a filter or depths of another format, which brings it: programs
+   without them link none. */
 static qtri_pixels_loop *loop_of_effect(const qtri_draw_state *state)
 {
     const qtri_options *o = &state->options;
     const qtri_material *material = state->material;
+    const bool has_depth = o->depth > QTRI_LINEAR16;
     const bool has_blend = o->blend != QTRI_STORE, has_fog = o->fog != 0;
-    const qtri_effect *effect = has_blend ? material->blend->effect
-                                : has_fog ? material->fog->effect
-                                          : state->texture->filter->effect;
-    const bool is_alone = has_blend + has_fog + (o->bilinear != 0) == 1 && !o->key;
+    const qtri_effect *effect = has_depth   ? state->surface->depth_format->effect
+                                : has_blend ? material->blend->effect
+                                : has_fog   ? material->fog->effect
+                                            : state->texture->filter->effect;
+    const bool is_alone = has_depth + has_blend + has_fog + (o->bilinear != 0) == 1 && !o->key;
     qtri_pixels_loop *loop = is_alone && effect != NULL ? effect->loop_of(o) : NULL;
     return loop != NULL ? loop : draw_other;
 }
@@ -89,9 +92,9 @@ static qtri_pixels_loop *loop_of(const qtri_draw_state *state)
 {
     const qtri_options *o = &state->options;
     const bool is_565 = o->format == QTRI_RGB565 || o->format == QTRI_RGB565_SWAPPED;
-    const bool has_effect = (o->bilinear | o->fog | o->blend) != 0;
+    const bool has_effect = (o->bilinear | o->fog | o->blend) != 0 || o->depth > QTRI_LINEAR16;
     if ((o->alpha_test | o->keep | o->large_texture | o->vertex_alpha) != 0 ||
-        o->fragment != NULL || o->depth > QTRI_LINEAR16 || (has_effect && !is_565)) {
+        o->fragment != NULL || (has_effect && !is_565)) {
         return draw_other;
     }
     if (has_effect) {

@@ -35,6 +35,9 @@ static inline const qtri_pipeline *const *qtri_effect_pipelines(const qtri_effec
 qtri_pixels_loop *qtri_blended_loop(const qtri_options *o); /* effects_any.c */
 qtri_pixels_loop *qtri_fogged_loop(const qtri_options *o);
 qtri_pixels_loop *qtri_filtered_loop(const qtri_options *o);
+qtri_pixels_loop *qtri_float16_loop(const qtri_options *o);
+qtri_pixels_loop *qtri_linear24_loop(const qtri_options *o);
+qtri_pixels_loop *qtri_linear32_loop(const qtri_options *o);
 
 struct qtri_blend {
     uint8_t kind;              /* QTRI_ALPHA and the like, of material.h */

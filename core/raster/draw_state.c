@@ -158,7 +158,7 @@ static const qtri_pipeline *find_brought(const qtri_pipeline *pipeline, qtri_dra
     const qtri_material *material = state->material;
     const qtri_filter *filter = state->texture != NULL ? state->texture->filter : NULL;
     const qtri_pipeline *const *const brought[] = {
-        depth != NULL ? depth->pipelines : NULL,
+        depth != NULL ? qtri_effect_pipelines(depth->effect) : NULL,
         material->blend != NULL ? qtri_effect_pipelines(material->blend->effect) : NULL,
         material->fog != NULL ? qtri_effect_pipelines(material->fog->effect) : NULL,
         filter != NULL ? qtri_effect_pipelines(filter->effect) : NULL};

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What the generic pipeline draws a blend, fog or a filter on RGB565 with, any comparison of depths
- * and none included. Millions of instructions on a Cortex-M0+ by its loop for all, and by these:
- * half alpha B1l 24.7, 9.4, and B4kl 17.8, 12.4; a floor of ARGB4444 25.2, 13.6; fog
- * F4kl 20.8, 15.8; bilinear S11l 28.1, 16.6.
+ * What the generic pipeline draws a blend, fog, a filter or depths of another format than linear16
+ * on RGB565 with, any comparison of depths and none included. Millions of instructions on a
+ * Cortex-M0+ by its loop for all, and by these: half alpha B1l 24.7, 9.4, and B4kl 17.8, 12.4; a
+ * floor of ARGB4444 25.2, 13.6; fog F4kl 20.8, 15.8; bilinear S11l 28.1, 16.6.
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -60,6 +60,19 @@ qtri_pixels_loop *qtri_filtered_loop(const qtri_options *o)
 {
     return is_plain_565(o) ? draw_filtered : NULL;
 }
+
+/* Depths of another format. A copy of one is of the application's own: its kind may differ. */
+#define ON_DEPTHS(name, DEPTH)                                                                     \
+    ON_RGB565(draw_on_##name, all->asks &(ASK(TWO_WORDS) | ASK(PACKED) | ASK(TABLE) | ASK(PLAIN)), \
+              .texel = TEXEL_565, .shade = all->shade, .depth = (DEPTH))                           \
+    qtri_pixels_loop *qtri_##name##_loop(const qtri_options *o)                                    \
+    {                                                                                              \
+        return o->depth == (DEPTH) && is_plain_565(o) ? draw_on_##name : NULL;                     \
+    }
+
+ON_DEPTHS(float16, QTRI_FLOAT16)
+ON_DEPTHS(linear24, QTRI_LINEAR24)
+ON_DEPTHS(linear32, QTRI_LINEAR32)
 
 /* Without the frequent case S11l takes a quarter more by the loop for all options. */
 uint32_t qtri_texel_between(const qtri_pixel_walk *w, bool *drawn)

@@ -212,9 +212,9 @@ static bool is_brought(const qtri_options *options)
         qtri_effect_pipelines(qtri_blend_multiply.effect),
         qtri_pipelines_fog,
         qtri_effect_pipelines(qtri_bilinear.effect),
-        qtri_depth_float16.pipelines,
-        qtri_depth_linear24.pipelines,
-        qtri_depth_linear32.pipelines,
+        qtri_effect_pipelines(qtri_depth_float16.effect),
+        qtri_effect_pipelines(qtri_depth_linear24.effect),
+        qtri_effect_pipelines(qtri_depth_linear32.effect),
     };
     qtri_options wanted = *options;
     bool found = false;

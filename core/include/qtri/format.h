@@ -167,7 +167,7 @@ enum {
 
 /* What fills and reads memory of depths that are not linear16. */
 typedef struct qtri_depth_ops qtri_depth_ops;
-struct qtri_pipeline;
+struct qtri_effect;
 extern const qtri_depth_ops qtri_depth_words;
 
 /* The library's own formats, as pipelines know them (pipeline.h). */
@@ -184,9 +184,8 @@ typedef struct qtri_depth_format {
     /* Depths to stored ones and back, in place; `count` is 1..32. */
     void (*encode)(uint32_t *depth, int32_t count);
     void (*decode)(uint32_t *depth, int32_t count);
-    uint8_t kind; /* of the library's own; 0: another */
-    /* Drawn with in place of the generic one (pipeline.h), where they fit; NULL: none. */
-    const struct qtri_pipeline *const *pipelines;
+    uint8_t kind;                     /* of the library's own; 0: another */
+    const struct qtri_effect *effect; /* what draws it; internal. NULL: the generic pipeline */
 } qtri_depth_format;
 
 extern const qtri_depth_format qtri_depth_linear16; /* 65535 steps; where none is named */
