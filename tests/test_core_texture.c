@@ -180,7 +180,22 @@ TEST(pixel_for_texel)
     canvas_free(&c);
 }
 
-/* One texel a pixel, begun anywhere: each pixel shows its texel or the border's; either axis. */
+/* Each pixel of a square shows its texel of 16 x 16, or the border's where the texture clamps. */
+static void assert_texel_a_pixel(const qtri_surface *surface, const qtri_texture *texture,
+                                 int32_t origin, int32_t side)
+{
+    for (int32_t i = 0; i < side * side; i++) {
+        int32_t at[2] = {origin + i % side, origin + i / side};
+        for (int axis = 0; axis < 2; axis++) {
+            const bool clamps = (axis == 0 ? texture->wrap_u : texture->wrap_v) == QTRI_CLAMP;
+            const int32_t held = at[axis] < 0 ? 0 : (at[axis] > 15 ? 15 : at[axis]);
+            at[axis] = clamps ? held : (int32_t)((uint32_t)at[axis] & 15);
+        }
+        assert_int_equal(stored_pixel(surface, i % side, i / side), at[1] * 16 + at[0]);
+    }
+}
+
+/* One texel a pixel, begun anywhere, in large triangles. */
 TEST(clamps_each_axis)
 {
     static const int32_t origins[] = {0, -7, 7, -31, 31, -32, 32, -33, 1000, -1000, 32000, -32000};
@@ -202,15 +217,53 @@ TEST(clamps_each_axis)
         qtri_screen_vertex second[3] = {q[0], q[2], q[3]};
         qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, q);
         qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, second);
-        for (int32_t i = 0; i < 32 * 32; i++) {
-            int32_t at[2] = {origin + i % 32, origin + i / 32};
-            for (int axis = 0; axis < 2; axis++) {
-                bool clamp = (axis == 0 ? texture.wrap_u : texture.wrap_v) == QTRI_CLAMP;
-                int32_t held = at[axis] < 0 ? 0 : (at[axis] > 15 ? 15 : at[axis]);
-                at[axis] = clamp ? held : (int32_t)((uint32_t)at[axis] & 15);
-            }
-            assert_int_equal(stored_pixel(&c.surface, i % 32, i / 32), at[1] * 16 + at[0]);
+        assert_texel_a_pixel(&c.surface, &texture, origin, 32);
+    }
+    canvas_free(&c);
+}
+
+TEST(small_triangles_clamp_each_axis)
+{
+    enum { COLUMNS = 32, SIDE = 8 };
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    static uint16_t texels[256]; /* of a format for which a pipeline is named */
+    canvas c = canvas_new(&qtri_rgb565, COLUMNS, COLUMNS);
+    qtri_texture texture = {
+        .texels = texels, .format = &qtri_texel_rgb565, .width_log2 = 4, .height_log2 = 4};
+    qtri_material m = plain_material();
+    qtri_view view;
+    qtri_transform pose;
+    m.texture = &texture;
+    m.texture_mode = QTRI_REPLACE;
+    m.depth_compare = QTRI_LESS;
+    qtri_view_init(&view, COLUMNS, COLUMNS);
+    qtri_transform_ortho(&view.projection, -Q16(16), Q16(16), -Q16(16), Q16(16), Q16(1), Q16(9));
+    qtri_transform_identity(&pose);
+    for (uint16_t i = 0; i < LENGTH_OF(texels); i++) {
+        texels[i] = i;
+    }
+    for (int32_t n = 0; n < 4 * 80; n++) {
+        const int32_t origin = n / 4 - 40; /* in texels */
+        texture.wrap_u = n % 2 ? QTRI_CLAMP : QTRI_REPEAT;
+        texture.wrap_v = n / 2 % 2 ? QTRI_CLAMP : QTRI_REPEAT;
+        qtri_vec3 at[4];
+        qtri_vec2 uvs[4];
+        for (int i = 0; i < 4; i++) {
+            const int32_t x = i == 1 || i == 2 ? SIDE : 0, y = i >= 2 ? SIDE : 0;
+            at[i] = vec3_of(x - COLUMNS / 2, COLUMNS / 2 - y, -5);
+            uvs[i].x = (origin + x) * (Q16_ONE / 16);
+            uvs[i].y = (origin + y) * (Q16_ONE / 16);
         }
+        const qtri_mesh mesh = {.positions = at,
+                                .uvs = uvs,
+                                .triangles = triangles,
+                                .vertex_count = 4,
+                                .triangle_count = 2};
+        qtri_vertex vertices[4];
+        give_vertices(&view, vertices, 4);
+        canvas_clear(&c);
+        qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &m);
+        assert_texel_a_pixel(&c.surface, &texture, origin, SIDE);
     }
     canvas_free(&c);
 }
