@@ -216,21 +216,24 @@ QTRI_NOINLINE static void draw_inside(const qtri_mesh_job *draw, const void *tri
     draw_edges(draw, triangle, vertex, edges, is_tinted(draw));
 }
 
-/* Draws edges of a triangle; where it crosses a plane, all that clipping leaves of them. */
-QTRI_NOINLINE static void draw_visible(const qtri_mesh_job *draw, const void *triangle,
-                                       qtri_vertex *const vertex[3], uint32_t edges)
+/*
+ * Draws edges of a triangle; where it crosses a plane, all that clipping leaves of them. `simple`,
+ * here and below: back faces are culled, and no vertex is outside.
+ */
+QTRI_INLINE void draw_visible(const qtri_mesh_job *draw, const void *triangle,
+                              qtri_vertex *const vertex[3], uint32_t edges, bool tinted,
+                              bool simple)
 {
-    if (!qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
-        qtri_mesh_draw_visible(draw, triangle, vertex);
-    } else {
+    if (simple) {
+        draw_edges(draw, triangle, vertex, edges, tinted);
+    } else if (qtri_mesh_is_inside(vertex[0], vertex[1], vertex[2])) {
         draw_inside(draw, triangle, vertex, edges);
+    } else {
+        qtri_mesh_draw_visible(draw, triangle, vertex);
     }
 }
 
-/*
- * The edges that a triangle owns, or all where it crosses a plane; 0: it is culled. `simple`:
- * back faces are culled, and no vertex is outside.
- */
+/* The edges that a triangle owns, or all where it crosses a plane; 0: it is culled. */
 QTRI_INLINE uint32_t edges_of(const qtri_mesh_job *draw, const uint32_t index[3],
                               qtri_vertex *const vertex[3], edge_owner who, bool simple)
 {
@@ -247,16 +250,15 @@ QTRI_INLINE uint32_t edges_of(const qtri_mesh_job *draw, const uint32_t index[3]
 
 /*
  * Visits triangles, from `number` on or, for LAST, from the last one back to the first, and draws
- * them or, without `draws`, notes their edges. `narrow`: indices are bytes. `quick`: `simple`, all
- * vertices are transformed, and lines are drawn inline.
+ * them or, without `draws`, notes their edges. `complete`: no vertex was left out.
  */
 QTRI_INLINE void visit_triangles(const qtri_mesh_job *draw, uint32_t number, edge_owner who,
-                                 bool narrow, bool simple, bool draws, bool quick)
+                                 bool narrow, bool simple, bool draws, bool complete)
 {
     const qtri_mesh *mesh = draw->mesh;
+    const bool tinted = is_tinted(draw);
     const uint32_t count = mesh->vertex_count;
     const int step = (who == LAST ? -1 : 1) * (narrow ? 3 : 6);
-    const bool tinted = is_tinted(draw);
     qtri_vertex *vertices = draw->vertices;
     uint32_t rest = (draws ? mesh->triangle_count : noted_count(mesh)) - number;
     if (rest == 0) {
@@ -267,30 +269,33 @@ QTRI_INLINE void visit_triangles(const qtri_mesh_job *draw, uint32_t number, edg
     for (; rest > 0; rest--, triangle += step, number += who == LAST ? UINT32_MAX : 1) {
         uint32_t index[3];
         qtri_vertex *vertex[3];
-        if (!qtri_mesh_find(index, vertex, vertices, count, triangle, narrow)) {
-            continue;
-        }
-        if (!quick && !draws && !qtri_mesh_are_transformed(vertex)) {
+        if (!qtri_mesh_find(index, vertex, vertices, count, triangle, narrow) ||
+            (!draws && !complete && !qtri_mesh_are_transformed(vertex))) {
             continue;
         }
         const uint32_t edges = edges_of(draw, index, vertex, who, simple);
         if (edges == 0) {
             continue;
         }
-        if (!draws) {
+        if (draws) {
+            draw_visible(draw, triangle, vertex, edges, tinted, simple && complete);
+        } else {
             uint16_t *notes = &vertices[number / NOTES].index;
             *notes = (uint16_t)(*notes | edges << number % NOTES * NOTE_BITS);
-        } else if (quick) {
-            draw_edges(draw, triangle, vertex, edges, tinted);
-        } else {
-            draw_visible(draw, triangle, vertex, edges);
         }
     }
 }
 
-/* Draws the triangles of a list, edges by FIRST; see visit_triangles(). */
+/* visit_triangles() out of line. */
+QTRI_NOINLINE static void visit_any(const qtri_mesh_job *draw, uint32_t number, edge_owner who,
+                                    bool simple, bool draws)
+{
+    visit_triangles(draw, number, who, qtri_mesh_has_bytes(draw->mesh), simple, draws, false);
+}
+
+/* Draws the triangles of a list, edges by FIRST. */
 QTRI_INLINE void draw_list(const qtri_mesh_job *draw, const qtri_mesh_faces *faces, bool narrow,
-                           bool simple, bool quick)
+                           bool simple)
 {
     const bool tinted = is_tinted(draw);
     const uint8_t *triangles = faces->triangles;
@@ -302,13 +307,8 @@ QTRI_INLINE void draw_list(const qtri_mesh_job *draw, const qtri_mesh_faces *fac
         qtri_vertex *vertex[3];
         qtri_mesh_get(index, vertex, vertices, triangle, narrow);
         const uint32_t edges = edges_of(draw, index, vertex, FIRST, simple);
-        if (edges == 0) {
-            continue;
-        }
-        if (quick) {
-            draw_edges(draw, triangle, vertex, edges, tinted);
-        } else {
-            draw_visible(draw, triangle, vertex, edges);
+        if (edges != 0) {
+            draw_visible(draw, triangle, vertex, edges, tinted, simple);
         }
     }
 }
@@ -316,35 +316,22 @@ QTRI_INLINE void draw_list(const qtri_mesh_job *draw, const qtri_mesh_faces *fac
 /* Draws the edges that triangles have noted. */
 QTRI_INLINE void draw_noted(const qtri_mesh_job *draw, bool narrow, bool simple)
 {
-    const int size = narrow ? 3 : 6;
     const bool tinted = is_tinted(draw);
+    const int size = narrow ? 3 : 6;
     qtri_vertex *vertices = draw->vertices;
     const qtri_vertex *end = vertices + (noted_count(draw->mesh) + NOTES - 1) / NOTES;
     const uint8_t *first = qtri_mesh_triangle(draw->mesh, 0, narrow);
     for (const qtri_vertex *at = vertices; at != end; at++, first += NOTES * size) {
         const uint8_t *triangle = first;
         for (uint32_t notes = at->index; notes != 0; notes >>= NOTE_BITS, triangle += size) {
-            const uint32_t edges = notes & EDGES_ALL;
-            if (edges == 0) {
-                continue;
-            }
             uint32_t index[3];
             qtri_vertex *vertex[3];
-            qtri_mesh_get(index, vertex, vertices, triangle, narrow);
-            if (simple && !QTRI_SHARE) {
-                draw_edges(draw, triangle, vertex, edges, tinted);
-            } else {
-                draw_visible(draw, triangle, vertex, edges);
+            if ((notes & EDGES_ALL) != 0) {
+                qtri_mesh_get(index, vertex, vertices, triangle, narrow);
+                draw_visible(draw, triangle, vertex, notes & EDGES_ALL, tinted, simple);
             }
         }
     }
-}
-
-/* visit_triangles() of any mesh, out of line. */
-QTRI_NOINLINE static void visit_any(const qtri_mesh_job *draw, uint32_t number, edge_owner who,
-                                    bool simple, bool draws)
-{
-    visit_triangles(draw, number, who, qtri_mesh_has_bytes(draw->mesh), simple, draws, false);
 }
 
 /*
@@ -363,9 +350,9 @@ QTRI_NOINLINE static bool draw_faces(qtri_mesh_job *draw)
     while (culling->next(&faces, draw)) {
         const bool simple = back && faces.inside;
         if (!QTRI_SHARE && simple && !narrow) {
-            draw_list(draw, &faces, false, true, true);
+            draw_list(draw, &faces, false, true);
         } else {
-            draw_list(draw, &faces, narrow, simple, false);
+            draw_list(draw, &faces, narrow, simple);
         }
     }
     return true;
@@ -374,14 +361,15 @@ QTRI_NOINLINE static bool draw_faces(qtri_mesh_job *draw)
 void qtri_wireframe_mesh(qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
+    const bool narrow = qtri_mesh_has_bytes(mesh);
     edge_owner who = edge_owner_by_job(draw);
     uint32_t number = 0;
     if (who == FIRST && draw_faces(draw)) {
         return;
     }
-    const bool inside = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices);
-    const bool simple = inside && draw->primitive.material->cull == QTRI_CULL_BACK;
-    const bool quick = !QTRI_SHARE && simple && !qtri_mesh_has_bytes(mesh);
+    const bool simple = qtri_mesh_transform(draw, 0, mesh->vertex_count, draw->vertices) &&
+                        draw->primitive.material->cull == QTRI_CULL_BACK;
+    const bool quick = !QTRI_SHARE && simple && !narrow;
     clear_notes(draw);
     if (quick && who == FIRST) {
         visit_triangles(draw, 0, FIRST, false, true, true, true);
@@ -393,7 +381,7 @@ void qtri_wireframe_mesh(qtri_mesh_job *draw)
             draw_noted(draw, false, true);
         } else {
             visit_any(draw, 0, LAST, simple, false);
-            draw_noted(draw, qtri_mesh_has_bytes(mesh), false);
+            draw_noted(draw, narrow, simple);
         }
         number = noted_count(mesh); /* and those that have no notes */
         who = EVERY;
