@@ -30,7 +30,287 @@ bool qtri_stroker_init(qtri_stroker *stroker, const qtri_surface *surface,
                                    stroke->alpha, stroke->edges != NULL);
 }
 
-/* Rows ----------------------------------------------------------------------------------------- */
+/* ---- Parts ---- */
+
+/* Whether a part is so short that the disc around one end may reach beyond the other end. */
+static bool is_short(const qtri_stroke_place *place)
+{
+    const uint32_t dx = qtri_magnitude32(place->end[1].x_24p8 - place->end[0].x_24p8);
+    const uint32_t dy = qtri_magnitude32(place->end[1].y_24p8 - place->end[0].y_24p8);
+    const uint32_t reach = (uint32_t)place->radius_24p8 + 1;
+    return dx <= reach && dy <= reach;
+}
+
+/*
+ * Where the first or the last part ends flat and is short, the disc of its joint would make a shape
+ * of it that is not convex: each of these discs is a part of its own, behind all others.
+ */
+static uint32_t count_of(const qtri_stroker *stroker)
+{
+    const bool has_discs = !stroker->closed && stroker->cap != QTRI_CAP_ROUND;
+    return stroker->count + (has_discs ? 2 : 0);
+}
+
+/* Finds a part's place and, where `end` is not NULL, its ends; false: it is not drawn. */
+static bool find_part(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place,
+                      qtri_stroke_end end[2])
+{
+    const uint32_t last = stroker->count - 1;
+    const uint32_t owner = part <= last ? part : part == last + 1 ? 0 : last;
+    if (!stroker->source(stroker->from, owner, place->end, end)) {
+        return false;
+    }
+    place->radius_24p8 = stroker->radius;
+    place->caps[0] = owner == 0 && !stroker->closed ? stroker->cap : QTRI_CAP_ROUND;
+    place->caps[1] = owner == last && !stroker->closed ? stroker->cap : QTRI_CAP_ROUND;
+    if (part <= last) {
+        return true;
+    }
+    const int joint = owner == 0 ? 1 : 0;
+    const bool is_disc = is_short(place);
+    place->end[1 - joint] = place->end[joint];
+    place->caps[0] = place->caps[1] = QTRI_CAP_ROUND;
+    if (end != NULL) {
+        end[1 - joint] = end[joint];
+    }
+    return is_disc;
+}
+
+/*
+ * A joint's disc belongs to the part before it: the next one begins flat, unless it is so short
+ * that the disc reaches out of it.
+ */
+static void set_joints(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place)
+{
+    qtri_stroke_place before;
+    if (is_short(place)) {
+        if (place->caps[0] != place->caps[1]) { /* one is a joint's: round */
+            place->caps[place->caps[0] == QTRI_CAP_ROUND ? 0 : 1] = QTRI_CAP_BUTT;
+        }
+    } else if (place->caps[0] == QTRI_CAP_ROUND && part > 0 &&
+               find_part(stroker, part - 1, &before, NULL) &&
+               before.end[1].x_24p8 == place->end[0].x_24p8 &&
+               before.end[1].y_24p8 == place->end[0].y_24p8) {
+        place->caps[0] = QTRI_CAP_BUTT;
+    }
+}
+
+/* Pixels that a part may touch. A corner of a square cap is 3/2 radii away at most; a small disc's
+   polygon reaches out of it. */
+static qtri_stroke_box box_of(const qtri_stroke_place *place)
+{
+    const bool has_corners = place->caps[0] == QTRI_CAP_SQUARE || place->caps[1] == QTRI_CAP_SQUARE;
+    const int32_t radius = place->radius_24p8;
+    const int32_t reach = radius + (radius >> (has_corners ? 1 : 4)) + 2;
+    const qtri_point *a = &place->end[0], *b = &place->end[1];
+    const qtri_stroke_box box = {
+        (int16_t)((qtri_least32(a->x_24p8, b->x_24p8) - reach) >> 8),
+        (int16_t)((qtri_least32(a->y_24p8, b->y_24p8) - reach) >> 8),
+        (int16_t)(((qtri_greatest32(a->x_24p8, b->x_24p8) + reach) >> 8) + 1),
+        (int16_t)(((qtri_greatest32(a->y_24p8, b->y_24p8) + reach) >> 8) + 1)};
+    return box;
+}
+
+static inline bool do_overlap(const qtri_stroke_box *a, const qtri_stroke_box *b)
+{
+    return a->y0 < b->y1 && b->y0 < a->y1 && a->x0 < b->x1 && b->x0 < a->x1;
+}
+
+static void add_box(qtri_stroke_box *sum, const qtri_stroke_box *box)
+{
+    sum->x0 = box->x0 < sum->x0 ? box->x0 : sum->x0;
+    sum->y0 = box->y0 < sum->y0 ? box->y0 : sum->y0;
+    sum->x1 = box->x1 > sum->x1 ? box->x1 : sum->x1;
+    sum->y1 = box->y1 > sum->y1 ? box->y1 : sum->y1;
+}
+
+/* Finds the boxes of all blocks; returns their union, empty where no part is drawn. */
+static qtri_stroke_box find_blocks(qtri_stroker *stroker)
+{
+    const qtri_stroke_box none = {INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN};
+    const uint32_t count = count_of(stroker);
+    qtri_stroke_box all = none;
+    stroker->block_parts = (count + QTRI_STROKE_BLOCKS - 1) / QTRI_STROKE_BLOCKS;
+    for (uint32_t part = 0; part < count;) {
+        qtri_stroke_box *block = &stroker->block[part / stroker->block_parts];
+        const uint32_t left = count - part;
+        const uint32_t end = part + (left < stroker->block_parts ? left : stroker->block_parts);
+        *block = none;
+        for (; part < end; part++) {
+            qtri_stroke_place place;
+            if (find_part(stroker, part, &place, NULL)) {
+                const qtri_stroke_box box = box_of(&place);
+                add_box(block, &box);
+            }
+        }
+        add_box(&all, block);
+    }
+    return all;
+}
+
+/* The next part from `part` on that overlaps the box, and its own box, or QTRI_STROKE_NONE. */
+static uint32_t next_near(const qtri_stroker *stroker, uint32_t part, const qtri_stroke_box *box,
+                          qtri_stroke_box *own)
+{
+    const uint32_t count = count_of(stroker);
+    while (part < count) {
+        const uint32_t block = part / stroker->block_parts;
+        const uint32_t end = (block + 1) * stroker->block_parts;
+        if (!do_overlap(&stroker->block[block], box)) {
+            part = end;
+        }
+        for (; part < end && part < count; part++) {
+            qtri_stroke_place place;
+            if (find_part(stroker, part, &place, NULL)) {
+                *own = box_of(&place);
+                if (do_overlap(own, box)) {
+                    return part;
+                }
+            }
+        }
+    }
+    return QTRI_STROKE_NONE;
+}
+
+/* ---- Shapes ---- */
+
+static void init_shape(qtri_stroker *stroker, qtri_stroke_shape *shape,
+                       const qtri_stroke_place *place)
+{
+    const bool has_ring = stroker->edges != NULL;
+    if (has_ring && stroker->ring.radius != place->radius_24p8) {
+        stroker->edges->set_ring(&stroker->ring, place->radius_24p8);
+    }
+    qtri_stroke_shape_init(shape, place, has_ring ? &stroker->ring : NULL);
+    shape->min_x = INT32_MIN; /* not known */
+    shape->max_x = INT32_MAX;
+}
+
+/* An entry of the cache for another shape: free, of a shape above the row, or not of the window. */
+static qtri_stroke_shape *free_shape(qtri_stroker *stroker)
+{
+    const qtri_stroke_window *w = &stroker->window;
+    for (uint32_t i = 0; i < QTRI_STROKE_SHAPES; i++) {
+        qtri_stroke_shape *s = &stroker->shape[i];
+        if (s->part == QTRI_STROKE_NONE || s->bottom <= w->row * 256) {
+            return s;
+        }
+    }
+    qtri_stroke_shape *next;
+    uint32_t i;
+    do {
+        stroker->next_shape =
+            stroker->next_shape != 0 ? stroker->next_shape - 1 : QTRI_STROKE_SHAPES - 1;
+        next = &stroker->shape[stroker->next_shape];
+        for (i = 0; i < w->shape_count && w->shape[i] != next; i++) {
+        }
+    } while (i < w->shape_count);
+    return next;
+}
+
+/* A part's shape, from the cache or made. */
+static qtri_stroke_shape *find_shape(qtri_stroker *stroker, uint32_t part)
+{
+    for (int i = 0; i < QTRI_STROKE_SHAPES; i++) {
+        if (stroker->shape[i].part == part) {
+            return &stroker->shape[i];
+        }
+    }
+    qtri_stroke_place place;
+    qtri_stroke_shape *shape = free_shape(stroker);
+    (void)find_part(stroker, part, &place, NULL);
+    set_joints(stroker, part, &place);
+    init_shape(stroker, shape, &place);
+    shape->part = part;
+    return shape;
+}
+
+/* Lists the parts that overlap a box; false: there are more than there is room for. */
+static bool list_parts(qtri_stroker *stroker, const qtri_stroke_box *box)
+{
+    qtri_stroke_box own;
+    stroker->near_count = 0;
+    stroker->others = QTRI_STROKE_NONE;
+    for (uint32_t part = 0; (part = next_near(stroker, part, box, &own)) != QTRI_STROKE_NONE;
+         part++) {
+        if (stroker->near_count == QTRI_STROKE_NEAR) {
+            stroker->others = part;
+            return false;
+        }
+        stroker->near[stroker->near_count].part = part;
+        stroker->near[stroker->near_count++].box = own;
+    }
+    return true;
+}
+
+/* The box of the window's columns in its row. */
+static qtri_stroke_box row_box(const qtri_stroke_window *w)
+{
+    const qtri_stroke_box box = {(int16_t)w->coverage.x, (int16_t)w->row, (int16_t)w->coverage.end,
+                                 (int16_t)(w->row + 1)};
+    return box;
+}
+
+qtri_stroke_shape *qtri_stroker_find_next(qtri_stroker *stroker, uint32_t part)
+{
+    const qtri_stroke_box box = row_box(&stroker->window);
+    qtri_stroke_box own;
+    for (uint32_t i = 0; i < stroker->near_count; i++) {
+        const qtri_stroke_near *near = &stroker->near[i];
+        if (near->part >= part && do_overlap(&near->box, &box)) {
+            return find_shape(stroker, near->part);
+        }
+    }
+    part = part > stroker->others ? part : stroker->others;
+    part = next_near(stroker, part, &box, &own);
+    return part != QTRI_STROKE_NONE ? find_shape(stroker, part) : NULL;
+}
+
+/* Adds a part's shape if it is in the row; false: the window has no room for another one. */
+static bool add_shape(qtri_stroker *stroker, uint32_t part)
+{
+    qtri_stroke_window *w = &stroker->window;
+    qtri_stroke_shape *s = find_shape(stroker, part);
+    const int32_t first = s->top >> 8, end = (s->bottom + 255) >> 8; /* rows */
+    if (first <= w->row && w->row < end) {
+        w->shape[w->shape_count++] = s;
+        w->same_end = qtri_least32(w->same_end, end);
+    } else if (first > w->row) {
+        w->same_end = qtri_least32(w->same_end, first);
+    }
+    return w->shape_count < QTRI_STROKE_SHAPES;
+}
+
+/* Lists all shapes of the window's columns in its row, or none. Mostly there is room, and neither
+   this row nor rows with the same shapes look one up again. */
+static void find_shapes(qtri_stroker *stroker)
+{
+    qtri_stroke_window *w = &stroker->window;
+    const qtri_stroke_box box = row_box(w);
+    qtri_stroke_box own;
+    w->shape_count = 0;
+    w->is_complete = true;
+    w->same_end = stroker->others == QTRI_STROKE_NONE ? INT32_MAX : w->row + 1;
+    for (uint32_t i = 0; i < stroker->near_count && w->is_complete; i++) {
+        const qtri_stroke_near *near = &stroker->near[i];
+        if (near->box.y0 > w->row) {
+            w->same_end = qtri_least32(w->same_end, near->box.y0);
+        } else if (do_overlap(&near->box, &box)) {
+            w->is_complete = add_shape(stroker, near->part);
+        }
+    }
+    for (uint32_t part = stroker->others;
+         w->is_complete && (part = next_near(stroker, part, &box, &own)) != QTRI_STROKE_NONE;
+         part++) {
+        w->is_complete = add_shape(stroker, part);
+    }
+    if (!w->is_complete) {
+        w->shape_count = 0;
+        w->same_end = w->row;
+    }
+}
+
+/* ---- Rows ---- */
 
 /* Hard edges: covers pixels whose centres lie inside. */
 static void cover_hard(qtri_stroker *stroker)
@@ -142,10 +422,10 @@ QTRI_NOINLINE static void draw_looks(qtri_stroker *stroker, int32_t first, int32
         while (i < end && weight[i - first] != 0 && w->part[i] == part) {
             i++;
         }
-        (void)qtri_stroker_find_part(stroker, part, &place, ends);
+        (void)find_part(stroker, part, &place, ends);
         qtri_stroke_look_init(&stroker->look, ends);
-        draw_span(stroker, qtri_stroker_shape(stroker, part), w->coverage.x + from,
-                  w->coverage.x + i, weight + (from - first));
+        draw_span(stroker, find_shape(stroker, part), w->coverage.x + from, w->coverage.x + i,
+                  weight + (from - first));
     }
 }
 
@@ -196,7 +476,7 @@ static void draw_row(qtri_stroker *stroker, int32_t x)
         if (w->row >= w->same_end || w->coverage.x != x) { /* or the window narrows */
             w->coverage.x = x;
             w->coverage.end = x + width;
-            qtri_stroker_find_shapes(stroker);
+            find_shapes(stroker);
         }
         if (!w->is_complete && width > MIN_WIDTH) {
             width >>= 1;
@@ -206,26 +486,10 @@ static void draw_row(qtri_stroker *stroker, int32_t x)
             stroker->shape[i].min_x = w->is_complete ? INT32_MAX : INT32_MIN;
             stroker->shape[i].max_x = w->is_complete ? INT32_MIN : INT32_MAX;
         }
-        draw_window(stroker);
+        if (!w->is_complete || w->shape_count != 0) {
+            draw_window(stroker);
+        }
         x += width;
-    }
-}
-
-/* Draws rows y0 .. y1-1 of the strip from column x on, whose parts are listed. */
-static void draw_strip(qtri_stroker *stroker, int32_t x, int32_t y0, int32_t y1)
-{
-    int32_t first = y1, end = y0;
-    for (uint32_t i = 0; i < stroker->near_count; i++) {
-        first = qtri_least32(first, stroker->near[i].box.y0);
-        end = qtri_greatest32(end, stroker->near[i].box.y1);
-    }
-    if (stroker->others == QTRI_STROKE_NONE) {
-        y0 = qtri_greatest32(first, y0);
-        y1 = qtri_least32(end, y1);
-    }
-    stroker->window.same_end = INT32_MIN;
-    for (stroker->window.row = y0; stroker->window.row < y1; stroker->window.row++) {
-        draw_row(stroker, x);
     }
 }
 
@@ -256,9 +520,9 @@ void qtri_stroker_draw_part(qtri_stroker *stroker, const qtri_stroke_place *plac
                                 place->caps[0] == QTRI_CAP_ROUND);
         return;
     }
-    qtri_stroke_box box = qtri_stroke_box_of(place);
+    qtri_stroke_box box = box_of(place);
     box = clip_box(stroker, &box);
-    qtri_stroker_init_shape(stroker, &stroker->shape[0], place);
+    init_shape(stroker, &stroker->shape[0], place);
     stroker->has_one_look = true;
     w->shape[0] = &stroker->shape[0];
     w->shape_count = 1;
@@ -312,14 +576,14 @@ void qtri_stroker_draw(qtri_stroker *stroker, qtri_stroke_source source, const v
     if (stroker->count == 1) {
         qtri_stroke_place place;
         qtri_stroke_end end[2];
-        if (qtri_stroker_find_part(stroker, 0, &place, end)) {
+        if (find_part(stroker, 0, &place, end)) {
             qtri_stroke_look_init(&stroker->look, end);
             qtri_stroker_draw_part(stroker, &place);
         }
         return;
     }
     stroker->has_one_look = find_look(stroker);
-    qtri_stroke_box all = qtri_stroker_find_blocks(stroker);
+    qtri_stroke_box all = find_blocks(stroker);
     all = clip_box(stroker, &all);
     for (int32_t x = all.x0; x < all.x1; x += QTRI_COVERAGE_WINDOW) {
         int32_t height = all.y1 - all.y0;
@@ -327,17 +591,20 @@ void qtri_stroker_draw(qtri_stroker *stroker, qtri_stroke_source source, const v
             const int32_t end = qtri_least32(y + height, all.y1);
             const qtri_stroke_box strip = {(int16_t)x, (int16_t)y,
                                            (int16_t)(x + QTRI_COVERAGE_WINDOW), (int16_t)end};
-            if (!qtri_stroker_list_parts(stroker, &strip) && height > 1) {
+            if (!list_parts(stroker, &strip) && height > 1) {
                 height = (height + 1) >> 1; /* fewer rows, fewer parts */
                 continue;
             }
-            draw_strip(stroker, x, y, end);
-            y = end;
+            stroker->window.same_end = INT32_MIN;
+            for (; y < end; y++) {
+                stroker->window.row = y;
+                draw_row(stroker, x);
+            }
         }
     }
 }
 
-/* On the screen -------------------------------------------------------------------------------- */
+/* ---- On the screen ---- */
 
 /* A polyline on the screen, and the qtri_stroke_source of its parts. */
 typedef struct polyline {
@@ -345,7 +612,7 @@ typedef struct polyline {
     uint32_t count;
 } polyline;
 
-static bool find_part(const void *from, uint32_t part, qtri_point at[2], qtri_stroke_end end[2])
+static bool find_ends(const void *from, uint32_t part, qtri_point at[2], qtri_stroke_end end[2])
 {
     const polyline *line = from;
     for (uint32_t i = 0; i < 2; i++) {
@@ -371,7 +638,7 @@ void qtri_raster_polyline(const qtri_surface *surface, const qtri_material *mate
     qtri_stroker stroker;
     const polyline line = {v, count};
     if (count > 0 && qtri_stroker_init(&stroker, surface, material, stroke, false)) {
-        qtri_stroker_draw(&stroker, find_part, &line, count, stroke->closed);
+        qtri_stroker_draw(&stroker, find_ends, &line, count, stroke->closed);
     }
 }
 

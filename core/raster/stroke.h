@@ -123,28 +123,6 @@ void qtri_stroke_point_cover(qtri_stroke_disc *disc, const qtri_stroke_block *bl
 
 #define QTRI_STROKE_NONE UINT32_MAX
 
-/* stroke_parts.c: finds a part's place and ends; false: it is not drawn. Behind the source's parts
-   there may be discs of joints. */
-bool qtri_stroker_find_part(const qtri_stroker *stroker, uint32_t part, qtri_stroke_place *place,
-                            qtri_stroke_end end[2]);
-
-/* Pixels that a part may touch. */
-qtri_stroke_box qtri_stroke_box_of(const qtri_stroke_place *place);
-
-/* Finds the boxes of all blocks; returns their union, empty where no part is drawn. */
-qtri_stroke_box qtri_stroker_find_blocks(qtri_stroker *stroker);
-
-/* Lists the parts that overlap a box; false: there are more than there is room for. */
-bool qtri_stroker_list_parts(qtri_stroker *stroker, const qtri_stroke_box *box);
-
-void qtri_stroker_init_shape(qtri_stroker *stroker, qtri_stroke_shape *shape,
-                             const qtri_stroke_place *place);
-/* A part's shape, from the cache or made. */
-qtri_stroke_shape *qtri_stroker_shape(qtri_stroker *stroker, uint32_t part);
-
-/* Finds the shapes of the window's columns in its row. */
-void qtri_stroker_find_shapes(qtri_stroker *stroker);
-
 /* The shape of the row's next part from `part` on, where there is no room for all; NULL: none. */
 qtri_stroke_shape *qtri_stroker_find_next(qtri_stroker *stroker, uint32_t part);
 
