@@ -35,27 +35,22 @@ static limits limits_of(const qtri_line_job *job, const qtri_line_path *l)
     return l->steep ? steep : flat;
 }
 
-/* Moves w to the first pixel inside; returns how many follow that are, of those before `end`. */
-static int32_t clip(qtri_line_walk *w, const limits *in, int32_t end)
+int32_t qtri_line_clip(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l,
+                       int32_t end)
 {
-    end = qtri_least32(end, in->end);
+    const limits in = limits_of(job, l);
+    end = qtri_least32(end, in.end);
     while (w->k < end &&
-           (w->k < in->begin || (uint32_t)(w->minor.value - in->minor) >= in->minor_count)) {
+           (w->k < in.begin || (uint32_t)(w->minor.value - in.minor) >= in.minor_count)) {
         qtri_dda_next(&w->minor);
         w->k++;
     }
     qtri_dda ahead = w->minor;
     int32_t k = w->k;
-    for (; k < end && (uint32_t)(ahead.value - in->minor) < in->minor_count; k++) {
+    for (; k < end && (uint32_t)(ahead.value - in.minor) < in.minor_count; k++) {
         qtri_dda_next(&ahead);
     }
     return k - w->k;
-}
-
-int32_t qtri_line_clip_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l)
-{
-    const limits in = limits_of(job, l);
-    return clip(w, &in, l->count);
 }
 
 /* A ramp along a line from pixel `start`, with which a chunk begins. */
@@ -77,19 +72,18 @@ QTRI_NOINLINE static void ramp_init(qtri_line_ramp *r, int32_t from, int32_t to,
     r->step = (uint32_t)quotient * 256u + (uint32_t)qtri_divide(remainder * 256, by);
 }
 
-/* The colours of a line's ends; without any, those of a and b in their light, which are not
-   turned. */
-static const qtri_line_color *colors_of(qtri_line_color lit[2], const qtri_line_job *job,
-                                        const qtri_vertex *a, const qtri_vertex *b,
-                                        const qtri_line_color *color, bool *turned)
+/* The colours of a line's ends: color[turned] at a, or the material's in the light of a and b. */
+static void set_ends(qtri_line_color at_a, qtri_line_color at_b, const qtri_line_job *job,
+                     const qtri_vertex *a, const qtri_vertex *b, const qtri_line_color *color,
+                     bool turned)
 {
-    if (color != NULL) {
-        return color;
+    if (color == NULL) {
+        qtri_line_color_set(at_a, &job->to->material.color, a->intensity_q15);
+        qtri_line_color_set(at_b, &job->to->material.color, b->intensity_q15);
+    } else {
+        memcpy(at_a, color[turned], sizeof color[0]);
+        memcpy(at_b, color[!turned], sizeof color[0]);
     }
-    qtri_line_color_set(lit[0], &job->to->material.color, a->intensity_q15);
-    qtri_line_color_set(lit[1], &job->to->material.color, b->intensity_q15);
-    *turned = false;
-    return (const qtri_line_color *)lit;
 }
 
 bool qtri_line_has_table(const qtri_line_job *job)
@@ -104,7 +98,6 @@ bool qtri_line_has_table(const qtri_line_job *job)
 void qtri_line_look(qtri_stroke_look *look, const qtri_line_job *job, const qtri_vertex *a,
                     const qtri_vertex *b, const qtri_line_color *color, bool turned)
 {
-    qtri_line_color lit[2];
     qtri_stroke_end end[2];
     end[0].depth_16p8 = a->depth_16p8 & job->depth_mask;
     end[1].depth_16p8 = b->depth_16p8 & job->depth_mask;
@@ -116,9 +109,7 @@ void qtri_line_look(qtri_stroke_look *look, const qtri_line_job *job, const qtri
         look->light_step = (int32_t)b->intensity_q15 - (int32_t)a->intensity_q15;
         return;
     }
-    color = colors_of(lit, job, a, b, color, &turned);
-    memcpy(end[0].color_8p16, color[turned], sizeof end[0].color_8p16);
-    memcpy(end[1].color_8p16, color[!turned], sizeof end[1].color_8p16);
+    set_ends(end[0].color_8p16, end[1].color_8p16, job, a, b, color, turned);
     qtri_stroke_look_init(look, end);
 }
 
@@ -127,12 +118,11 @@ QTRI_NOINLINE static void set_colors(qtri_line_run *run, const qtri_line_job *jo
                                      const qtri_line_path *l, const qtri_divider *by, int32_t start,
                                      const qtri_line_color *color)
 {
-    qtri_line_color lit[2];
+    qtri_line_color first, last;
     uint32_t from[3], to[3];
-    bool turned = l->turned;
-    color = colors_of(lit, job, l->first, l->last, color, &turned);
-    job->packing->channels(from, (const uint32_t *)color[turned]);
-    job->packing->channels(to, (const uint32_t *)color[!turned]);
+    set_ends(first, last, job, l->first, l->last, color, l->turned);
+    job->packing->channels(from, (const uint32_t *)first);
+    job->packing->channels(to, (const uint32_t *)last);
     run->has_one_color = true;
     for (int i = 0; i < 3; i++) {
         const int32_t half = 0x8000; /* rounds */
@@ -194,7 +184,7 @@ QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_pa
         run.walk.k = k;
         qtri_dda_init(&run.walk.minor, l->minor, l->delta, l->length, l->along + 256 * k, 0);
         k = qtri_least32(count, start + QTRI_LINE_CHUNK);
-        run.count = clip(&run.walk, &in, k);
+        run.count = qtri_line_clip(&run.walk, job, l, k);
         if (run.count > 0) {
             ramp_init(&run.z, qtri_line_depth(job, l->first), qtri_line_depth(job, l->last),
                       l->along, &by, start);
@@ -216,12 +206,9 @@ void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_v
     }
     qtri_line_run run;
     qtri_divider by;
-    qtri_line_walk_short(&run.walk, &l);
-    run.count = qtri_line_is_inside(job, &l) ? l.count : qtri_line_clip_short(&run.walk, job, &l);
-    if (run.count <= 0) {
+    if (!qtri_line_run_begin(&run, &by, job, &l, true)) {
         return;
     }
-    qtri_line_run_depth(&run, &by, job, &l, true);
     if (color == NULL && qtri_line_has_table(job)) {
         qtri_line_run_light(&run, &l, &by);
         run.color[1] = run.color[2] = run.color[0]; /* they do not count */
