@@ -286,9 +286,7 @@ static void note_part(const qtri_edge_axis *axis, const part *e)
 /* floor(2^up x i / 2^log2) modulo 2^32, for |x| < 2^24, i <= 2^log2 <= 2^10 and up <= 8. */
 static inline uint32_t fraction_of(int32_t x, int32_t i, int32_t log2, int32_t up)
 {
-    const int32_t low = x & (((int32_t)1 << log2) - 1);
-    const uint32_t high = (uint32_t)(x >> log2) * (uint32_t)i;
-    return (high << up) + (uint32_t)(((low * i) << up) >> log2);
+    return (uint32_t)((qtri_mul_s32(x, i) * ((int64_t)1 << up)) >> log2); /* < 2^42 */
 }
 
 /* Part i of 2^log2 of edge e, which moves from `minor` by `delta` on the minor axis, 24.8. */

@@ -221,23 +221,14 @@ static void set_arc(qtri_stroke_piece *p, const qtri_stroke_ring *ring, const qt
     while (k + 1 < ring->last && ring_up(ring, k + 1) >= level) {
         k++;
     }
-    const int32_t upper = sign * ring->half[k];
-    const int32_t lower = sign * ring->half[k + 1];
-    const int32_t slope = sign * ring->slope_q16[k];
+    const int32_t up = down < 0 ? -1 : 1;
+    const int32_t upper = down < 0 ? k : k + 1, lower = down < 0 ? k + 1 : k; /* vertices */
     p->vertex = k;
-    if (down < 0) {
-        p->top = center->y_24p8 - ring_up(ring, k);
-        p->bottom = center->y_24p8 - ring_up(ring, k + 1);
-        p->x0 = center->x_24p8 + upper;
-        p->x1 = center->x_24p8 + lower;
-        p->slope_q16 = slope;
-    } else {
-        p->top = center->y_24p8 + ring_up(ring, k + 1);
-        p->bottom = center->y_24p8 + ring_up(ring, k);
-        p->x0 = center->x_24p8 + lower;
-        p->x1 = center->x_24p8 + upper;
-        p->slope_q16 = -slope;
-    }
+    p->top = center->y_24p8 + up * ring_up(ring, upper);
+    p->bottom = center->y_24p8 + up * ring_up(ring, lower);
+    p->x0 = center->x_24p8 + sign * ring->half[upper];
+    p->x1 = center->x_24p8 + sign * ring->half[lower];
+    p->slope_q16 = -up * sign * ring->slope_q16[k];
 }
 
 /* Clips a piece to levels `top` to `bottom`. */
