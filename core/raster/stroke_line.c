@@ -40,9 +40,6 @@ typedef struct thin_line {
     int32_t share_across;       /* of its length a pixel across */
     qtri_stroke_look look;
     bool steep; /* along is y */
-    /* Where pixels are stored as they are found: row 0 of the frame, and bytes. */
-    uint8_t *pixels, *depths;
-    ptrdiff_t pixel_along, pixel_across, depth_along, depth_across;
 } thin_line;
 
 /*
@@ -122,7 +119,6 @@ QTRI_NOINLINE static void add_end_column(int32_t *cell, const thin_line *w, int3
     }
 }
 
-/* Clips cells to the bounds. */
 static void clip_cells(const thin_line *w, cells *c)
 {
     for (; c->across < w->bounds[2] && c->cell != c->end; c->across++) {
@@ -135,7 +131,6 @@ static void clip_cells(const thin_line *w, cells *c)
     }
 }
 
-/* Draws a column in any format. */
 static void draw_any(const thin_line *w, const cells *c)
 {
     qtri_stroke_target *to = w->job->to;
@@ -165,31 +160,34 @@ QTRI_INLINE void draw_pixels(const thin_line *w, const cells *c, bool has_depth)
 {
     const int32_t *cell = c->cell;
     const int32_t *const end = c->end;
-    uint8_t *pixel = w->pixels + c->along * w->pixel_along + c->across * w->pixel_across;
-    uint8_t *depth =
-        has_depth ? w->depths + c->along * w->depth_along + c->across * w->depth_across : NULL;
+    const qtri_surface *surface = w->job->to->state.surface;
+    const ptrdiff_t x = w->steep ? c->across : c->along;
+    const ptrdiff_t row = (w->steep ? c->along : c->across) - surface->first_row;
+    const ptrdiff_t pixel_step = w->steep ? 2 : surface->pitch;
+    const ptrdiff_t depth_step = w->steep ? 1 : surface->depth_pitch;
+    uint8_t *pixel = surface->pixels + row * surface->pitch + 2 * x;
+    uint16_t *depth = has_depth ? surface->depth + row * surface->depth_pitch + x : NULL;
     int32_t share_q24 = c->share, sum = c->sum;
     do {
         sum += *cell++;
         if (sum >= MIN_COVER) {
             const uint32_t share = qtri_stroke_share(qtri_stroke_clamped_share(share_q24));
-            uint16_t *at = (uint16_t *)(void *)depth;
             const uint32_t z = (qtri_stroke_depth_at(&w->look, share) + 0x8000u) >> 16;
-            if (!has_depth || z < *at) {
+            if (!has_depth || z < *depth) {
                 uint16_t *to = (uint16_t *)(void *)pixel;
                 const uint32_t cover = (uint32_t)qtri_least32(sum, QTRI_COVERAGE_FULL);
                 const uint32_t weight = qtri_stroke_weight(cover, 65536) & 0x1FFu;
                 const uint32_t word = qtri_stroke_lit_color_at(&w->look, share);
                 if (has_depth && sum >= QTRI_COVERAGE_FULL / 2) {
-                    *at = (uint16_t)z;
+                    *depth = (uint16_t)z;
                 }
                 *to = (uint16_t)qtri_color_fade(QTRI_IN_565, word, weight, *to);
             }
         }
         share_q24 += w->share_across;
-        pixel += w->pixel_across;
+        pixel += pixel_step;
         if (has_depth) {
-            depth += w->depth_across;
+            depth += depth_step;
         }
     } while (cell != end);
 }
@@ -311,30 +309,17 @@ static bool set_ends(thin_line *w, const qtri_line_job *job, const qtri_line_pat
            low <= w->bounds[3];
 }
 
-/* Chooses how columns are drawn. */
 static void set_draw(thin_line *w)
 {
     const qtri_stroke_target *to = w->job->to;
-    const qtri_surface *surface = to->state.surface;
     const qtri_options *o = &to->state.options;
     const bool nearer = o->depth == QTRI_LINEAR16 && o->compare == QTRI_LESS && !o->read_only;
     if (w->look.light_table == NULL || to->alpha_q16 != 65536 || to->samples != NULL ||
         o->format != QTRI_RGB565 || o->keep || (qtri_tests_depth(o) && !nearer)) {
         w->draw = draw_any;
-        return;
+    } else {
+        w->draw = nearer ? draw_nearer : draw_over;
     }
-    w->draw = nearer ? draw_nearer : draw_over;
-    const ptrdiff_t pitch = surface->pitch;
-    w->pixels = surface->pixels - surface->first_row * pitch;
-    w->pixel_along = w->steep ? pitch : 2;
-    w->pixel_across = w->steep ? 2 : pitch;
-    if (!nearer) {
-        return;
-    }
-    const ptrdiff_t depth_pitch = 2 * surface->depth_pitch;
-    w->depths = (uint8_t *)(void *)(surface->depth - surface->first_row * surface->depth_pitch);
-    w->depth_along = w->steep ? depth_pitch : 2;
-    w->depth_across = w->steep ? 2 : depth_pitch;
 }
 
 void qtri_stroke_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_vertex *b,
