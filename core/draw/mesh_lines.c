@@ -54,8 +54,9 @@ static uint32_t noted_count(const qtri_mesh *mesh)
 /* Which of the triangles that share an edge draws it. */
 typedef enum edge_owner { EVERY, FIRST, LAST } edge_owner;
 
-static edge_owner edge_owner_of(const qtri_material *material, bool has_depth)
+static edge_owner edge_owner_of(const qtri_mesh_job *draw, bool has_depth)
 {
+    const qtri_material *material = draw->primitive.material;
     const qtri_compare compare = material->depth_compare;
     if (material->blend != NULL) {
         return EVERY;
@@ -69,30 +70,18 @@ static edge_owner edge_owner_of(const qtri_material *material, bool has_depth)
     return compare == QTRI_NOT_EQUAL ? EVERY : LAST;
 }
 
-static edge_owner edge_owner_by_job(const qtri_mesh_job *draw)
-{
-    return edge_owner_of(draw->primitive.material, draw->primitive.surface->depth != NULL);
-}
-
-/* Removes the note of an edge; false: there is none. */
-QTRI_INLINE bool was_noted(qtri_vertex *vertex, uint32_t edge)
-{
-    const uint32_t notes = vertex->inv_w;
-    if ((notes & 0xFFFFu) == edge) {
-        vertex->inv_w = notes >> 16;
-        return true;
-    }
-    if (notes >> 16 == edge) {
-        vertex->inv_w = notes & 0xFFFFu;
-        return true;
-    }
-    return false;
-}
-
-/* Whether the triangle draws its edge a b: it does, and notes it, unless a neighbour noted b a. */
+/* Whether the triangle draws its edge a b: it does, and notes it, unless a neighbour noted b a,
+   whose note it removes. */
 QTRI_INLINE bool claim_edge(qtri_vertex *a, qtri_vertex *b, uint32_t from, uint32_t to)
 {
-    if (was_noted(b, (from - to) & 0xFFFFu)) {
+    const uint32_t notes = b->inv_w;
+    const uint32_t edge = (from - to) & 0xFFFFu;
+    if ((notes & 0xFFFFu) == edge) {
+        b->inv_w = notes >> 16;
+        return false;
+    }
+    if (notes >> 16 == edge) {
+        b->inv_w = notes & 0xFFFFu;
         return false;
     }
     a->inv_w = a->inv_w << 16 | ((to - from) & 0xFFFFu);
@@ -103,17 +92,9 @@ QTRI_INLINE bool claim_edge(qtri_vertex *a, qtri_vertex *b, uint32_t from, uint3
 QTRI_INLINE uint32_t claim_edges(qtri_vertex *a, qtri_vertex *b, qtri_vertex *c,
                                  const uint32_t index[3])
 {
-    uint32_t edges = 0;
-    if (claim_edge(a, b, index[0], index[1])) {
-        edges = EDGE_AB;
-    }
-    if (claim_edge(b, c, index[1], index[2])) {
-        edges |= EDGE_BC;
-    }
-    if (claim_edge(c, a, index[2], index[0])) {
-        edges |= EDGE_CA;
-    }
-    return edges;
+    uint32_t edges = claim_edge(a, b, index[0], index[1]) ? EDGE_AB : 0;
+    edges |= claim_edge(b, c, index[1], index[2]) ? EDGE_BC : 0;
+    return edges | (claim_edge(c, a, index[2], index[0]) ? EDGE_CA : 0);
 }
 
 static void clear_notes(const qtri_mesh_job *draw)
@@ -163,21 +144,21 @@ QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const void *tr
         light_q15[0] = light_q15[1] = light_q15[2] = light_q15[from];
         index[0] = index[1] = index[2] = index[from];
     }
+    qtri_vertex corner[4]; /* the first again behind the third */
+    qtri_line_color color[4];
+    for (int i = 0; i < 4; i++) {
+        const int from = i < 3 ? i : 0;
+        corner[i] = *vertex[from];
+        corner[i].intensity_q15 = (uint16_t)light_q15[from];
+        if (colors != NULL) {
+            qtri_line_color_set(color[i], &colors[index[from]], light_q15[from]);
+        }
+    }
     for (int i = 0; i < 3; i++) {
-        qtri_vertex end[2];
-        qtri_line_color color[2];
-        if ((edges >> i & 1) == 0) {
-            continue;
+        if ((edges >> i & 1) != 0) {
+            line->draw(line, &corner[i], &corner[i + 1],
+                       colors != NULL ? (const qtri_line_color *)&color[i] : NULL);
         }
-        for (int k = 0; k < 2; k++) {
-            const int from = i + k < 3 ? i + k : 0;
-            end[k] = *vertex[from];
-            end[k].intensity_q15 = (uint16_t)light_q15[from];
-            if (colors != NULL) {
-                qtri_line_color_set(color[k], &colors[index[from]], light_q15[from]);
-            }
-        }
-        line->draw(line, &end[0], &end[1], colors != NULL ? (const qtri_line_color *)color : NULL);
     }
 }
 
@@ -313,7 +294,6 @@ QTRI_INLINE void draw_list(const qtri_mesh_job *draw, const qtri_mesh_faces *fac
     }
 }
 
-/* Draws the edges that triangles have noted. */
 QTRI_INLINE void draw_noted(const qtri_mesh_job *draw, bool narrow, bool simple)
 {
     const bool tinted = is_tinted(draw);
@@ -362,7 +342,7 @@ void qtri_wireframe_mesh(qtri_mesh_job *draw)
 {
     const qtri_mesh *mesh = draw->mesh;
     const bool narrow = qtri_mesh_has_bytes(mesh);
-    edge_owner who = edge_owner_by_job(draw);
+    edge_owner who = edge_owner_of(draw, draw->primitive.surface->depth != NULL);
     uint32_t number = 0;
     if (who == FIRST && draw_faces(draw)) {
         return;
@@ -407,15 +387,14 @@ void qtri_wireframe_triangle(const qtri_mesh_job *draw, const void *triangle,
 void qtri_wireframe_prepare(const qtri_mesh_job *draw, bool back_only)
 {
     clear_notes(draw);
-    const edge_owner who =
-        edge_owner_of(draw->primitive.material, true); /* bands mostly have depth */
-    visit_any(draw, 0, who, back_only, false);
+    visit_any(draw, 0, edge_owner_of(draw, true), back_only, false); /* bands mostly have depth */
 }
 
 void qtri_wireframe_band(qtri_mesh_job *draw)
 {
-    draw->noted = draw->slot_count >= draw->mesh->vertex_count &&
-                  edge_owner_by_job(draw) == edge_owner_of(draw->primitive.material, true);
+    draw->noted =
+        draw->slot_count >= draw->mesh->vertex_count &&
+        edge_owner_of(draw, draw->primitive.surface->depth != NULL) == edge_owner_of(draw, true);
 }
 
 const qtri_fill qtri_wireframe = QTRI_WIREFRAME_FILL(qtri_primitive_begin_lines);
