@@ -29,7 +29,6 @@ enum {
     CREASE_Q15 = 1 << 11
 };
 
-/* The outline has no edges. */
 static void clear_outline(qtri_outline *outline)
 {
     outline->vertices = NULL;
@@ -479,7 +478,6 @@ enum qtri_error qtri_prepared_find_edges(const qtri_prepared *prepared, qtri_out
 
 /* ---- Noting ---- */
 
-/* Notes the edges in a band's list. */
 static void note_list(finder *f, uint32_t band)
 {
     const qtri_outline *outline = f->outline;

@@ -128,7 +128,6 @@ QTRI_NOINLINE static bool clip_part(const stroke_job *job, uint32_t part, qtri_v
     return true;
 }
 
-/* Interpolates the colours of a clipped part's ends. */
 static void mix_colors(qtri_stroke_end end[2], const int32_t t_q30[2])
 {
     for (int i = 0; i < 3; i++) {

@@ -161,7 +161,6 @@ static void draw_run(qtri_stroke_target *to, const qtri_line_run *run, qtri_line
     }
 }
 
-/* Draws a line of more than a chunk, by chunks. */
 QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_path *l,
                                     const qtri_line_color *color, qtri_line_runs draw)
 {

@@ -243,7 +243,6 @@ static bool list_parts(qtri_stroker *stroker, const qtri_stroke_box *box)
     return true;
 }
 
-/* The box of the window's columns in its row. */
 static qtri_stroke_box row_box(const qtri_stroke_window *w)
 {
     const qtri_stroke_box box = {(int16_t)w->coverage.x, (int16_t)w->row, (int16_t)w->coverage.end,
