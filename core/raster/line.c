@@ -25,20 +25,18 @@ typedef struct limits {
     uint32_t minor_count;
 } limits;
 
-static limits limits_of(const qtri_line_job *job, const qtri_line_path *l)
+static limits limits_of(const qtri_line_job *job, int32_t position, bool steep)
 {
     const qtri_rect *b = &job->to->state.bounds;
-    const limits steep = {b->y0 - l->position, b->y1 - l->position, b->x0,
-                          (uint32_t)(b->x1 - b->x0)};
-    const limits flat = {b->x0 - l->position, b->x1 - l->position, b->y0,
-                         (uint32_t)(b->y1 - b->y0)};
-    return l->steep ? steep : flat;
+    const limits down = {b->y0 - position, b->y1 - position, b->x0, (uint32_t)(b->x1 - b->x0)};
+    const limits right = {b->x0 - position, b->x1 - position, b->y0, (uint32_t)(b->y1 - b->y0)};
+    return steep ? down : right;
 }
 
-int32_t qtri_line_clip(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l,
+int32_t qtri_line_clip(qtri_line_walk *w, const qtri_line_job *job, int32_t position, bool steep,
                        int32_t end)
 {
-    const limits in = limits_of(job, l);
+    const limits in = limits_of(job, position, steep);
     end = qtri_least32(end, in.end);
     while (w->k < end &&
            (w->k < in.begin || (uint32_t)(w->minor.value - in.minor) >= in.minor_count)) {
@@ -164,7 +162,7 @@ static void draw_run(qtri_stroke_target *to, const qtri_line_run *run, qtri_line
 QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_path *l,
                                     const qtri_line_color *color, qtri_line_runs draw)
 {
-    const limits in = limits_of(job, l);
+    const limits in = limits_of(job, l->position, l->steep);
     qtri_divider by;
     qtri_line_run run;
     const int32_t minor_first = (l->minor >> 8) - in.minor;
@@ -183,7 +181,7 @@ QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_pa
         run.walk.k = k;
         qtri_dda_init(&run.walk.minor, l->minor, l->delta, l->length, l->along + 256 * k, 0);
         k = qtri_least32(count, start + QTRI_LINE_CHUNK);
-        run.count = qtri_line_clip(&run.walk, job, l, k);
+        run.count = qtri_line_clip(&run.walk, job, l->position, l->steep, k);
         if (run.count > 0) {
             ramp_init(&run.z, qtri_line_depth(job, l->first), qtri_line_depth(job, l->last),
                       l->along, &by, start);

@@ -259,9 +259,9 @@ QTRI_INLINE int32_t qtri_line_depth(const qtri_line_job *job, const qtri_vertex 
     return (int32_t)((end->depth_16p8 & job->depth_mask) >> 1);
 }
 
-/* Moves w to the first pixel inside the bounds; returns how many follow that are, of those before
-   pixel `end`. */
-int32_t qtri_line_clip(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l,
+/* Moves w to the first pixel of a path that is inside the bounds; returns how many follow that are,
+   of those before pixel `end`. */
+int32_t qtri_line_clip(qtri_line_walk *w, const qtri_line_job *job, int32_t position, bool steep,
                        int32_t end);
 
 /* Sets a short line's walk and count of pixels, run->z, 0 without depth, and the divider of its
@@ -276,9 +276,8 @@ QTRI_INLINE bool qtri_line_run_begin(qtri_line_run *run, qtri_divider *by, const
                            (uint32_t)(l->first->at.y_24p8 - job->top_24p8) < job->height_24p8 &&
                            (uint32_t)(l->last->at.y_24p8 - job->top_24p8) < job->height_24p8;
     if (!is_inside) {
-        const qtri_line_path path = *l; /* copies: these need not be in memory */
-        qtri_line_walk first = run->walk;
-        run->count = qtri_line_clip(&first, job, &path, l->count);
+        qtri_line_walk first = run->walk; /* a copy: run->walk need not be in memory */
+        run->count = qtri_line_clip(&first, job, l->position, l->steep, l->count);
         run->walk = first;
         if (run->count <= 0) {
             return false;
