@@ -60,29 +60,15 @@ static uint32_t luma_of(const qtri_colors *kind, uint32_t color)
     return (2 * (color >> 16 & 0xFF) + 4 * (color >> 8 & 0xFF) + (color & 0xFF)) >> 3;
 }
 
-static const qtri_colors *kind_of(const void *window);
-
-#define NAME(name)      name##_any
-#define COLOR           uint32_t
-#define LUMA(c)         ((int32_t)((c) >> LUMA_SHIFT))
-#define MIX(w, a, b, s) qtri_mix_colors(kind_of(w), a, b, s)
-#define LUMA_ROWS
+#define NAME(name)           name##_any
+#define COLOR                uint32_t
+#define LUMA(c)              ((int32_t)((c) >> LUMA_SHIFT))
+#define MIX(w, a, b, s)      qtri_mix_colors((w)->kind, a, b, s)
+#define MEMBERS              const qtri_colors *kind;
 #define LIGHT                uint32_t
 #define LIGHTS(w, i)         ((w)->row[i])
 #define LUMAS(w, i, x, side) (LUMA((w)->row[i][x]) + LUMA((w)->row[i][(x) + (side)]))
 #include "fxaa.inc"
-
-/* A window that knows its kind of colour. */
-typedef struct kind_window {
-    window_any window;
-    const qtri_colors *kind;
-} kind_window;
-
-static const qtri_colors *kind_of(const void *window)
-{
-    const kind_window *w = window;
-    return w->kind;
-}
 
 static void decode_row(const qtri_surface *surface, int32_t y, uint32_t *out)
 {
@@ -102,25 +88,25 @@ QTRI_NOINLINE static void filter_rows_any(const qtri_surface *surface, qtri_rect
     const qtri_format *format = surface->format;
     const int32_t first = bounds.x0 > 0 ? bounds.x0 : 1;
     const int32_t end = bounds.x1 < width ? bounds.x1 : width - 1;
-    kind_window w = {{{NULL, NULL, NULL, NULL, NULL}}, format->colors};
+    window_any w = {{NULL, NULL, NULL, NULL, NULL}, format->colors};
     for (int32_t y = bounds.y0 - 2; y < bounds.y1; y++) {
         /* Row y + 2 is decoded before it is filtered, in place of y - 3. */
         uint32_t *slot = memory + (ptrdiff_t)((y + 2) % ROWS) * width;
         for (int i = 0; i < ROWS - 1; i++) {
-            w.window.row[i] = w.window.row[i + 1];
+            w.row[i] = w.row[i + 1];
         }
-        w.window.row[ROWS - 1] = NULL;
+        w.row[ROWS - 1] = NULL;
         if (y + 2 < bounds.y1) {
             decode_row(surface, y + 2, slot);
-            w.window.row[ROWS - 1] = slot;
+            w.row[ROWS - 1] = slot;
         }
-        if (w.window.row[1] == NULL || w.window.row[3] == NULL) { /* no row above, or below */
+        if (w.row[1] == NULL || w.row[3] == NULL) { /* no row above, or below */
             continue;
         }
         uint8_t *row = qtri_surface_at(surface, 0, y);
         for (int32_t x = first; x < end; x++) {
-            const uint32_t old = w.window.row[2][x];
-            const uint32_t color = filter_any(&w.window, x, width);
+            const uint32_t old = w.row[2][x];
+            const uint32_t color = filter_any(&w, x, width);
             if (color != old) {
                 const uint32_t stored = qtri_stored_of(format, color & 0xFFFFFF);
                 format->pixels->store(row + x * (ptrdiff_t)format->pixels->bytes, &stored, 1, 1);
@@ -156,7 +142,7 @@ static inline int32_t kept_sum(const uint16_t *lumas, int32_t x, int32_t side)
 
 #define NAME(name)   name##_565
 #define COLOR        uint16_t
-#define LUMA_ROWS    const uint16_t *lumas[5]; /* of rows 1 to 3 */
+#define MEMBERS      const uint16_t *lumas[5]; /* of rows 1 to 3 */
 #define LIGHT        uint16_t
 #define LUMA(l)      ((int32_t)(l))
 #define LIGHTS(w, i) ((w)->lumas[i])
