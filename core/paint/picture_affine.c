@@ -70,94 +70,53 @@ static bool invert(const qtri_affine *m, inverse *to)
            divide(m->xx, determinant, &to->vy);
 }
 
-/* t / step for step > 0 and |t| < 2^62, rounded up. */
-static int64_t divide_up(int64_t t, uint32_t step)
-{
-    bool half;
-    const uint64_t n = t > 0 ? (uint64_t)t + step - 1 : 0 - (uint64_t)t;
-    const uint64_t q = qtri_divide64(n, step, 0, &half);
-    return t > 0 ? (int64_t)q : -(int64_t)q;
-}
-
-/* k step = t + rest, 0 <= rest < step: t / step rounded up. */
-typedef struct quotient {
-    int64_t k;
-    int32_t rest;
-} quotient;
-
-static void quotient_init(quotient *q, int64_t t, int32_t step)
-{
-    q->k = divide_up(t, (uint32_t)step);
-    q->rest = (int32_t)((uint32_t)q->k * (uint32_t)step - (uint32_t)t);
-}
+/* A column of a row, and a coordinate there. */
+typedef struct bound {
+    int64_t at; /* |.| < 2^47 */
+    int32_t column;
+} bound;
 
 /*
- * A texture coordinate along a row of the surface, and from row to row: the columns at which it
- * enters and leaves the image. It is linear, so that this is one run, whose ends move from
- * row to row by a quotient: `whole` of it, and 1 more as often as `part` of a step makes up a step.
+ * A texture coordinate along a row of the surface, and the columns at which it enters and leaves
+ * the image. It is linear: all rows together move either column by no more than a row's width.
  */
 typedef struct axis {
-    int64_t start; /* in the row's first column, |.| < 2^47; where steps are negative as seen from
-                      the other side: limit - 1 less it */
-    int32_t step;  /* a column, >= 0 */
-    int32_t row;   /* a row */
-    int32_t limit; /* 0 <= start + k step < limit is inside */
-    quotient low, high;
-    int32_t whole, part; /* -row is whole step + part */
+    bound low, high; /* of high, the coordinate less the image's size */
+    int32_t step;    /* a column, >= 0: a negative one is mirrored */
+    int32_t row;     /* a row */
 } axis;
 
-static void axis_init(axis *x, int64_t start, int32_t step, int32_t row, int32_t limit)
+/* Begins before the first row. */
+static void axis_init(axis *x, int64_t start, int32_t step, int32_t row, int32_t size)
 {
     const bool is_mirrored = step < 0;
-    x->start = is_mirrored ? limit - 1 - start : start;
     x->step = is_mirrored ? -step : step;
     x->row = is_mirrored ? -row : row;
-    x->limit = limit;
-    x->whole = 0;
-    x->part = 0;
-    if (step != 0) {
-        quotient_init(&x->low, -x->start, x->step);
-        quotient_init(&x->high, limit - x->start, x->step);
-    }
-    if (step != 0 && row != 0) { /* rounded down: what is left over is part */
-        x->whole = -(int32_t)divide_up(x->row, (uint32_t)x->step);
-        x->part = (int32_t)(0 - (uint32_t)x->row - (uint32_t)x->whole * (uint32_t)x->step);
-    }
+    x->low.column = 0;
+    x->high.column = 0;
+    x->low.at = (is_mirrored ? size - 1 - start : start) - x->row;
+    x->high.at = x->low.at - size;
 }
 
-/* Cuts columns *first .. *end-1 to those where the coordinate is inside the picture. */
-static void axis_clip(const axis *x, int32_t *first, int32_t *end)
+/* Goes on to the next row, and the first of columns 0..count whose coordinate is 0 or more. */
+static inline void bound_next(bound *b, const axis *x, int32_t count)
 {
-    if (x->step == 0) {
-        *end = x->start < 0 || x->start >= x->limit ? 0 : *end;
-        return;
+    int64_t at = b->at + x->row;
+    int32_t column = b->column;
+    for (; at < 0 && column < count; column++) {
+        at += x->step;
     }
-    if (x->low.k > *first) {
-        *first = x->low.k < *end ? (int32_t)x->low.k : *end;
+    for (; at >= x->step && column > 0; column--) {
+        at -= x->step;
     }
-    if (x->high.k < *end) {
-        *end = x->high.k > 0 ? (int32_t)x->high.k : 0;
-    }
+    b->at = at;
+    b->column = column;
 }
 
-static inline void quotient_next(quotient *q, const axis *x)
+static void axis_next(axis *x, int32_t count)
 {
-    q->k += x->whole;
-    q->rest -= x->part;
-    if (q->rest < 0) {
-        q->rest += x->step;
-        q->k++;
-    }
-}
-
-static void axis_next(axis *x)
-{
-    if (x->step == 0) {
-        x->start += x->row;
-    } else if (x->row != 0) {
-        quotient_next(&x->low, x);
-        quotient_next(&x->high, x);
-    }
+    bound_next(&x->low, x, count);
+    bound_next(&x->high, x, count);
 }
 
 typedef struct run {
@@ -172,36 +131,25 @@ typedef struct run {
     const uint8_t *kept; /*   and its first pixel on the surface; NULL: none */
 } run;
 
-/* Loads stored pixels along u and v, which stay within the image, below 2^29, all the way. */
-static void load_pixels(const run *r, int32_t u, int32_t v, uint32_t *stored, int32_t count)
+/* Loads stored pixels along u and v, which stay within the image; a step past the end may wrap. */
+static void load_pixels(const run *r, uint32_t u, uint32_t v, uint32_t *stored, int32_t count)
 {
     const qtri_image *image = r->image;
     const uint8_t *pixels = (const uint8_t *)image->pixels;
     const int32_t bytes = image->format->pixels->bytes;
     const ptrdiff_t pitch = image->pitch;
-    const int32_t du = r->inverse.ux;
-    const int32_t dv = r->inverse.vx;
-    if (bytes == 2 && dv == 0) {
-        const uint16_t *row = (const uint16_t *)(const void *)(pixels + (v >> 16) * pitch);
-        for (; count > 0; count--) {
-            *stored++ = row[u >> 16];
-            u = (int32_t)((uint32_t)u + (uint32_t)du);
-        }
-        return;
-    }
+    const uint32_t du = (uint32_t)r->inverse.ux;
+    const uint32_t dv = (uint32_t)r->inverse.vx;
     if (bytes == 2) {
-        for (; count > 0; count--) {
-            const uint8_t *row = pixels + (v >> 16) * pitch;
+        for (; count > 0; count--, u += du, v += dv) {
+            const uint8_t *row = pixels + (ptrdiff_t)(v >> 16) * pitch;
             *stored++ = ((const uint16_t *)(const void *)row)[u >> 16];
-            u = (int32_t)((uint32_t)u + (uint32_t)du);
-            v = (int32_t)((uint32_t)v + (uint32_t)dv);
         }
         return;
     }
-    for (; count > 0; count--) {
-        *stored++ = image->format->pixels->load(pixels + (v >> 16) * pitch + (u >> 16) * bytes);
-        u = (int32_t)((uint32_t)u + (uint32_t)du); /* one step past the end wraps, unused */
-        v = (int32_t)((uint32_t)v + (uint32_t)dv);
+    for (; count > 0; count--, u += du, v += dv) {
+        const uint8_t *row = pixels + (ptrdiff_t)(v >> 16) * pitch;
+        *stored++ = image->format->pixels->load(row + (ptrdiff_t)(u >> 16) * bytes);
     }
 }
 
@@ -311,15 +259,15 @@ QTRI_NOINLINE static bool walk_pixels(const run *r, uint8_t *to, int32_t count)
 /* Paints pixels that are converted, or blended. */
 static void paint_batches(const run *r, uint8_t *to, int32_t count)
 {
-    int32_t u = r->u;
-    int32_t v = r->v;
+    uint32_t u = (uint32_t)r->u;
+    uint32_t v = (uint32_t)r->v;
     uint32_t stored[QTRI_PICTURE_BATCH];
     for (; count > 0; count -= QTRI_PICTURE_BATCH) {
         const int32_t n = qtri_least32(count, QTRI_PICTURE_BATCH);
         load_pixels(r, u, v, stored, n);
         qtri_picture_put(r->surface, r->image, to, stored, n, r->a);
-        u = (int32_t)((uint32_t)u + (uint32_t)r->inverse.ux * (uint32_t)n);
-        v = (int32_t)((uint32_t)v + (uint32_t)r->inverse.vx * (uint32_t)n);
+        u += (uint32_t)r->inverse.ux * (uint32_t)n;
+        v += (uint32_t)r->inverse.vx * (uint32_t)n;
         to += (ptrdiff_t)r->surface->format->pixels->bytes * n;
     }
 }
@@ -401,18 +349,17 @@ void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *imag
     axis down;
     axis_init(&across, u, r.inverse.ux, r.inverse.uy, image->width * 65536);
     axis_init(&down, v, r.inverse.vx, r.inverse.vy, image->height * 65536);
+    const int32_t count = bounds.x1 - bounds.x0;
     for (int32_t row = bounds.y0; row < bounds.y1; row++) {
-        int32_t first = 0;
-        int32_t end = bounds.x1 - bounds.x0;
-        axis_clip(&across, &first, &end);
-        axis_clip(&down, &first, &end);
+        axis_next(&across, count);
+        axis_next(&down, count);
+        const int32_t first = qtri_greatest32(across.low.column, down.low.column);
+        const int32_t end = qtri_least32(across.high.column, down.high.column);
         if (first < end) {
             r.u = (int32_t)(u + (int64_t)r.inverse.ux * first);
             r.v = (int32_t)(v + (int64_t)r.inverse.vx * first);
             paint_run(&r, qtri_surface_at(surface, bounds.x0 + first, row), end - first);
         }
-        axis_next(&across);
-        axis_next(&down);
         u += r.inverse.uy; /* exactly: a row is 65536 of y */
         v += r.inverse.vy;
     }
