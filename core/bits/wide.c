@@ -53,16 +53,15 @@ void qtri_wide_add_to(qtri_wide *a, const qtri_wide *b)
     qtri_wide_set(a, sum, large->e);
 }
 
-/* A magnitude, negative where the signs of a and b differ. */
-static int64_t with_sign(uint64_t size, const qtri_wide *a, const qtri_wide *b)
+int64_t qtri_mul_q62(int64_t a, int64_t b)
 {
-    return (int64_t)((a->m < 0) == (b->m < 0) ? size : 0 - size);
+    const uint64_t size = qtri_mul_high64(qtri_magnitude64(a) << 1, qtri_magnitude64(b) << 1);
+    return (a < 0) == (b < 0) ? (int64_t)size : -(int64_t)size;
 }
 
 void qtri_wide_mul_by(qtri_wide *a, const qtri_wide *b)
 {
-    uint64_t size = qtri_mul_high64(qtri_magnitude64(a->m) << 1, qtri_magnitude64(b->m) << 1);
-    qtri_wide_set(a, with_sign(size, a, b), a->e + b->e - 62);
+    qtri_wide_set(a, qtri_mul_q62(a->m, b->m), a->e + b->e - 62);
 }
 
 void qtri_wide_add_product(qtri_wide *sum, const qtri_wide *a, const qtri_wide *b)
@@ -88,8 +87,9 @@ void qtri_wide_div_by(qtri_wide *a, const qtri_wide *b)
         return;
     }
     bool half;
-    uint64_t quotient = qtri_divide64(qtri_magnitude64(a->m), qtri_magnitude64(b->m), 61, &half);
-    qtri_wide_set(a, with_sign(quotient, a, b), a->e - b->e + 61);
+    const int64_t quotient =
+        (int64_t)qtri_divide64(qtri_magnitude64(a->m), qtri_magnitude64(b->m), 61, &half);
+    qtri_wide_set(a, (a->m < 0) == (b->m < 0) ? quotient : -quotient, a->e - b->e + 61);
 }
 
 qtri_wide qtri_wide_sqrt(qtri_wide a)
@@ -108,10 +108,13 @@ qtri_wide qtri_wide_sqrt(qtri_wide a)
     return root;
 }
 
-int64_t qtri_mul_q62(int64_t a, int64_t b)
+int32_t qtri_wide_least(const qtri_wide *v, int count)
 {
-    const uint64_t size = qtri_mul_high64(qtri_magnitude64(a) << 1, qtri_magnitude64(b) << 1);
-    return (a < 0) == (b < 0) ? (int64_t)size : -(int64_t)size;
+    int32_t least = INT32_MAX;
+    for (int i = 0; i < count; i++) {
+        least = v[i].m != 0 && v[i].e < least ? v[i].e : least;
+    }
+    return least;
 }
 
 /*
@@ -123,13 +126,8 @@ bool qtri_wide_unit_q62(int64_t unit_q62[3], const qtri_wide v[3])
 {
     uint64_t x[3];
     uint64_t square = 0;
-    int32_t least = QTRI_WIDE_EXPONENT_MAX + 1;
-    for (int i = 0; i < 3; i++) {
-        if (v[i].m != 0 && v[i].e < least) {
-            least = v[i].e;
-        }
-    }
-    if (least > QTRI_WIDE_EXPONENT_MAX) {
+    const int32_t least = qtri_wide_least(v, 3);
+    if (least == INT32_MAX) {
         return false;
     }
     for (int i = 0; i < 3; i++) {
@@ -186,23 +184,9 @@ qtri_wide qtri_wide_inner(const qtri_wide a[3], const qtri_wide b[3])
     return sum;
 }
 
-/* ---- As values ---- */
-
 qtri_wide qtri_wide_make(int64_t m, int32_t e)
 {
     qtri_wide result;
     qtri_wide_set(&result, m, e);
     return result;
-}
-
-qtri_wide qtri_wide_mul(qtri_wide a, qtri_wide b)
-{
-    qtri_wide_mul_by(&a, &b);
-    return a;
-}
-
-qtri_wide qtri_wide_div(qtri_wide a, qtri_wide b)
-{
-    qtri_wide_div_by(&a, &b);
-    return a;
 }

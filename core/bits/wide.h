@@ -20,10 +20,17 @@ typedef struct qtri_wide {
     int32_t e;
 } qtri_wide;
 
-/* x = m 2^-e for any m and e. */
+/* x = m 2^-e for any m and e; and as a value. */
 void qtri_wide_set(qtri_wide *x, int64_t m, int32_t e);
+qtri_wide qtri_wide_make(int64_t m, int32_t e);
 
-/* a += b, a *= b, a /= b; b may be a. Division by 0 as below. */
+/* The least exponent of those that are not 0, the longest one's; INT32_MAX if all are 0. */
+int32_t qtri_wide_least(const qtri_wide *v, int count);
+
+/*
+ * a += b, a *= b, a /= b; b may be a. a / 0 is the largest magnitude with the sign of a; 0 / 0 is
+ * 0.
+ */
 void qtri_wide_add_to(qtri_wide *a, const qtri_wide *b);
 void qtri_wide_mul_by(qtri_wide *a, const qtri_wide *b);
 void qtri_wide_div_by(qtri_wide *a, const qtri_wide *b);
@@ -31,11 +38,6 @@ void qtri_wide_div_by(qtri_wide *a, const qtri_wide *b);
 /* sum += a b, or sum -= a b. */
 void qtri_wide_add_product(qtri_wide *sum, const qtri_wide *a, const qtri_wide *b);
 void qtri_wide_sub_product(qtri_wide *sum, const qtri_wide *a, const qtri_wide *b);
-
-/* As above, with values. a / 0 is the largest magnitude with the sign of a; 0 / 0 is 0. */
-qtri_wide qtri_wide_make(int64_t m, int32_t e);
-qtri_wide qtri_wide_mul(qtri_wide a, qtri_wide b);
-qtri_wide qtri_wide_div(qtri_wide a, qtri_wide b);
 
 /* a < 0 gives 0. */
 qtri_wide qtri_wide_sqrt(qtri_wide a);

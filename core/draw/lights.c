@@ -227,10 +227,7 @@ bool qtri_clipped_is_back(const qtri_clip_vertex v[3])
         qtri_wide_set(&p[i][2], v[i].w, 0);
     }
     qtri_wide_cross(cross, p[0], p[1]);
-    qtri_wide sum = qtri_wide_mul(cross[0], p[2][0]);
-    qtri_wide_add_product(&sum, &cross[1], &p[2][1]);
-    qtri_wide_add_product(&sum, &cross[2], &p[2][2]);
-    return sum.m > 0;
+    return qtri_wide_inner(cross, p[2]).m > 0;
 }
 
 static void shade_clipped(const qtri_mesh_job *draw, const void *indices,

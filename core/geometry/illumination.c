@@ -46,13 +46,7 @@ static void turn_back(qtri_wide v[3], const qtri_light_space *space)
 /* The least `bits` with all |v| below 2^bits. */
 static int32_t bits_of(const qtri_wide v[3])
 {
-    int32_t bits = -4 * QTRI_WIDE_EXPONENT_MAX;
-    for (int i = 0; i < 3; i++) {
-        if (v[i].m != 0) {
-            bits = qtri_greatest32(bits, 62 - v[i].e);
-        }
-    }
-    return bits;
+    return 62 - qtri_least32(qtri_wide_least(v, 3), 4 * QTRI_WIDE_EXPONENT_MAX);
 }
 
 static bool unit_q14(int32_t out[3], const qtri_wide v[3])
@@ -126,9 +120,12 @@ static void set_even_space(qtri_light_space *space, int32_t m[3][4], int32_t exp
         unit = qtri_wide_make(compact->extent, 39);
         origin = compact->origin;
     }
-    const qtri_wide square = qtri_wide_make(qtri_linear_dot(m, 0, 0), 2 * exponent);
-    space->inverse = qtri_wide_div(qtri_wide_make(1, 0), qtri_wide_mul(square, unit));
-    space->unit = qtri_wide_mul(qtri_wide_sqrt(square), unit);
+    qtri_wide scale = qtri_wide_make(qtri_linear_dot(m, 0, 0), 2 * exponent); /* its square */
+    space->unit = qtri_wide_sqrt(scale);
+    qtri_wide_mul_by(&space->unit, &unit);
+    qtri_wide_mul_by(&scale, &unit);
+    space->inverse = qtri_wide_make(1, 0);
+    qtri_wide_div_by(&space->inverse, &scale);
     qtri_wide_from_vec3(space->origin, &origin);
     for (int i = 0; i < 3; i++) {
         qtri_wide_div_by(&space->origin[i], &unit);

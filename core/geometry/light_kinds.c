@@ -265,9 +265,12 @@ static uint32_t set_part(const qtri_wide *x, int32_t more, int32_t *up)
     return (uint32_t)(x->m >> 46);
 }
 
-static qtri_wide fraction_of(q16 x)
+/* x, at least 0, divided by `by`. */
+static qtri_wide fraction_of(q16 x, const qtri_wide *by)
 {
-    return qtri_wide_make(x < 0 ? 0 : x, 16);
+    qtri_wide fraction = qtri_wide_make(x < 0 ? 0 : x, 16);
+    qtri_wide_div_by(&fraction, by);
+    return fraction;
 }
 
 /* Attenuation and color are divided by the largest channel, so that color is 1 at most. */
@@ -288,11 +291,12 @@ static bool prepare_point(qtri_source *out, const qtri_light_source *source,
         out->color_q12[i] = (uint32_t)share + (half ? 1u : 0u);
     }
     const qtri_wide by = qtri_wide_make(most, 16);
-    const qtri_wide constant = qtri_wide_div(fraction_of(source->constant), by);
-    qtri_wide linear = qtri_wide_div(fraction_of(source->linear), by);
-    qtri_wide quadratic = qtri_wide_div(fraction_of(source->quadratic), by);
-    linear = qtri_wide_mul(linear, space->unit);
-    quadratic = qtri_wide_mul(qtri_wide_mul(quadratic, space->unit), space->unit);
+    const qtri_wide constant = fraction_of(source->constant, &by);
+    qtri_wide linear = fraction_of(source->linear, &by);
+    qtri_wide quadratic = fraction_of(source->quadratic, &by);
+    qtri_wide_mul_by(&linear, &space->unit);
+    qtri_wide_mul_by(&quadratic, &space->unit);
+    qtri_wide_mul_by(&quadratic, &space->unit);
     qtri_light_place(out->at, &out->of.far.exponent, space, &source->position);
     out->of.far.linear = set_part(&linear, 0, &out->of.far.linear_up);
     out->of.far.quadratic = set_part(&quadratic, 16, &out->of.far.quadratic_up);

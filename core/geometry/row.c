@@ -11,19 +11,12 @@
  */
 void qtri_row_from_wide(qtri_row *row, const qtri_wide element[4])
 {
-    int32_t exponent = INT32_MAX;
+    const int32_t least = qtri_wide_least(element, 3);
+    const int32_t exponent = qtri_least32(least != INT32_MAX ? least - 32 : INT32_MAX,
+                                          element[3].m != 0 ? element[3].e - 18 : INT32_MAX);
+    row->exponent = exponent == INT32_MAX ? 0 : exponent; /* 0: a row of zeros */
     for (int i = 0; i < 4; i++) {
-        int32_t own = element[i].e - (i < 3 ? 32 : 18);
-        if (element[i].m != 0 && own < exponent) {
-            exponent = own;
-        }
-    }
-    if (exponent == INT32_MAX) {
-        exponent = 0; /* a row of zeros */
-    }
-    row->exponent = exponent;
-    for (int i = 0; i < 4; i++) {
-        int32_t shift = element[i].e - exponent - (i < 3 ? 0 : 16);
+        int32_t shift = element[i].e - row->exponent - (i < 3 ? 0 : 16);
         int64_t rounded = qtri_shift_round(element[i].m, shift);
         if (i < 3) {
             row->m[i] = (int32_t)rounded;
@@ -296,16 +289,11 @@ void qtri_linear_normals(int32_t out_q28[3][3], const qtri_transform *object_to_
         }
     }
     qtri_wide cofactor[3][3]; /* columns */
-    int32_t least = INT32_MAX;
     for (int i = 0; i < 3; i++) {
         int next = i < 2 ? i + 1 : 0;
         qtri_wide_cross(cofactor[i], column[next], column[3 - i - next]);
-        for (int row = 0; row < 3; row++) {
-            if (cofactor[i][row].m != 0 && cofactor[i][row].e < least) {
-                least = cofactor[i][row].e;
-            }
-        }
     }
+    const int32_t least = qtri_wide_least(cofactor[0], 9);
     bool mirrored = qtri_wide_inner(column[0], cofactor[0]).m < 0;
     for (int i = 0; i < 3; i++) {
         for (int row = 0; row < 3; row++) {

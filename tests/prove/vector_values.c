@@ -269,7 +269,12 @@ void prove_wide(void)
     qtri_wide v[3] = {wide(), wide(), wide()}, w[3] = {wide(), wide(), wide()}, product[3];
     qtri_wide_add_to(&sum, &b);
     sum = wide();
-    qtri_wide_mul(a, b), qtri_wide_div(a, b), qtri_wide_sqrt(a);
+    qtri_wide_mul_by(&sum, &b);
+    sum = wide();
+    qtri_wide_div_by(&sum, &b);
+    sum = wide();
+    qtri_wide_sqrt(a);
+    qtri_wide_least(v, 3);
     qtri_wide_add_product(&sum, &a, &b);
     sum = wide();
     qtri_wide_sub_product(&sum, &a, &b);
@@ -285,11 +290,13 @@ void prove_wide_div(void)
     const int64_t most = ((int64_t)1 << 62) - 1;
     qtri_wide a = wide(), b = wide();
     b.m = 0;
-    qtri_wide_div(a, b);
+    qtri_wide_div_by(&a, &b);
+    a = wide();
     b.m = Frama_C_long_long_interval(1, most);
-    qtri_wide_div(a, b);
+    qtri_wide_div_by(&a, &b);
+    a = wide();
     b.m = Frama_C_long_long_interval(-most, -1);
-    qtri_wide_div(a, b);
+    qtri_wide_div_by(&a, &b);
 }
 
 // specified: qtri_sqrt64_floor
