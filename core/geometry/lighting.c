@@ -13,7 +13,8 @@ static void set_plain_row(qtri_lighting *lighting, bool is_bytes)
 {
     int32_t m[3];
     for (int i = 0; i < 3; i++) {
-        int64_t product_q46 = (int64_t)lighting->towards_q30[i] * lighting->diffuse; /* <= 2^48 */
+        int64_t product_q46 =
+            qtri_mul_s32(lighting->towards_q30[i], lighting->diffuse); /* <= 2^48 */
         const uint64_t above = qtri_magnitude64(product_q46) >> 12;
         /* The factor is 2^64 / 127, rounded up by less than 2^-36 of the 2^36 that above may be. */
         const int32_t size =

@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include <string.h>
-
 #include "../bits/bits.h"
 #include "../bits/wide.h"
 #include "projector.h"
@@ -51,7 +49,8 @@ void qtri_projector_init(qtri_projector *projector, const qtri_transform *object
     int32_t height = qtri_hold32(viewport->height, 0, QTRI_VIEWPORT_MAX);
     fold_viewport(&projector->row.wide[0], object_to_clip, 0, width, 2 * x + width);
     fold_viewport(&projector->row.wide[1], object_to_clip, 1, -height, 2 * y + height);
-    memcpy(&projector->row.wide[2], &object_to_clip->row[2], 2 * sizeof(qtri_row));
+    projector->row.wide[2] = object_to_clip->row[2];
+    projector->row.wide[3] = object_to_clip->row[3];
 
     int32_t least = INT32_MAX;
     for (int i = 0; i < 4; i++) {
