@@ -42,14 +42,10 @@ static void check_circle(const qtri_surface *surface, const qtri_point *center, 
 {
     QTRI_ASSERT(surface != NULL);
     QTRI_ASSERT(center != NULL);
-    if (radius <= 0 || radius > QTRI_SURFACE_MAX || center->x_24p8 < radius ||
-        center->y_24p8 < radius || center->x_24p8 > QTRI_SURFACE_MAX ||
-        center->y_24p8 > QTRI_SURFACE_MAX) {
-        return;
-    }
-    const qtri_area box = {center->x_24p8 - radius, center->y_24p8 - radius,
-                           center->x_24p8 + radius, center->y_24p8 + radius};
-    QTRI_ASSERT(!is_plain_area(surface, &box, center->x_24p8 | center->y_24p8 | radius));
+    const qtri_point c = qtri_hold_point(center);
+    const int32_t r = qtri_hold_24p8(radius);
+    const qtri_area box = {c.x_24p8 - r, c.y_24p8 - r, c.x_24p8 + r, c.y_24p8 + r};
+    QTRI_ASSERT(r <= 0 || !is_plain_area(surface, &box, c.x_24p8 | c.y_24p8 | r));
 }
 
 static void check_points(const qtri_surface *surface, const qtri_point *point, int32_t count)
