@@ -92,25 +92,6 @@ uint32_t qtri_sqrt32_round(uint32_t x)
 }
 
 /*
- * floor(n / s) for s in [2^15, 2^16), n < (2^16 + 1) s, with y_q15 s within 2^-13 of 2^31. The
- * first estimate is within 11: 2^16 2^-13, 2 for the bits of n cut off, 1. What is left over times
- * y again is within 1/64; with 1/32 less it is never too much, and too little by 1 at most.
- */
-static inline uint32_t quotient_by_root(uint32_t n, uint32_t s, uint32_t y_q15)
-{
-#if QTRI_DIVIDE
-    (void)y_q15;
-    return n / s;
-#else
-    uint32_t quotient = ((n >> 16) * y_q15) >> 15;
-    int32_t rest = (int32_t)(n - quotient * s);                               /* < 2^20 */
-    int32_t step = ((rest >> 6) * (int32_t)y_q15 - ((int32_t)1 << 20)) >> 25; /* 31 bits */
-    quotient += (uint32_t)step;
-    return quotient + (n - quotient * s >= s);
-#endif
-}
-
-/*
  * The remainder is x less the root's square.
  *
  * x is normalised by an even number of zeros; m is its upper half, r its root. The seed, and so
@@ -140,7 +121,7 @@ uint32_t qtri_sqrt64_floor(uint64_t x, uint64_t *remainder)
         short_by += 2 * s + 1; /* <= 2 s */
     }
     uint32_t half = (short_by << 15) | ((uint32_t)(normal & UINT32_MAX) >> 17);
-    uint32_t low = quotient_by_root(half, s, y_q15);
+    uint32_t low = half / s; /* s >= 2^15 */
     uint32_t root = ((s << 16) + (low < 0xFFFFu ? low : 0xFFFFu)) >> (zeros >> 1);
 
     uint64_t rest = x - qtri_mul_u32(root, root); /* modulo 2^64 */
