@@ -6,13 +6,7 @@
 
 #include "../bits/bits.h"
 
-enum { CHORDS = 16, WINDOW = QTRI_COVERAGE_WINDOW };
-
-typedef struct window {
-    qtri_coverage coverage;
-    const qtri_crossing *chorded; /* the last crossing of several chords, NULL at first, */
-    int32_t half[CHORDS];         /*   and half of its circle's width at each chord's end */
-} window;
+enum { WINDOW = QTRI_COVERAGE_WINDOW };
 
 /*
  * log2 of the chords that an arc is drawn as, 1, 4 or 16. One of length l leaves the arc of radius
@@ -37,17 +31,15 @@ static int32_t chords_log2_of(const qtri_crossing *c)
 }
 
 /* Adds the coverage by a crossing that begins before the window's end. */
-static void add_crossing(window *w, const qtri_crossing *c, int32_t row)
+static void add_crossing(qtri_coverage *w, const qtri_crossing *c, int32_t row)
 {
     const int32_t chords_log2 = c->arc == NULL ? 0 : chords_log2_of(c);
     const int32_t chords = (int32_t)1 << chords_log2;
     const int32_t most = qtri_greatest32(c->x0, c->x1);
-    if (chords == 1 || most <= w->coverage.x * 256) {
-        qtri_coverage_add(&w->coverage, c->x0, c->y0, c->x1, c->y1, c->winding);
+    if (chords == 1 || most <= w->x * 256) {
+        qtri_coverage_add(w, c->x0, c->y0, c->x1, c->y1, c->winding);
         return;
     }
-    const bool is_known = w->chorded != NULL && w->chorded->y0 == c->y0 &&
-                          w->chorded->y1 == c->y1 && qtri_ink_is_mirrored(w->chorded->arc, c->arc);
     const qtri_ink_arc *arc = &c->arc->as.arc;
     int32_t x = c->x0;
     int32_t y = c->y0;
@@ -55,16 +47,12 @@ static void add_crossing(window *w, const qtri_crossing *c, int32_t row)
         const int32_t to_y = c->y0 + (((c->y1 - c->y0) * i) >> chords_log2);
         int32_t to = c->x1;
         if (i < chords) {
-            if (!is_known) {
-                w->half[i] = qtri_ink_half_chord(c->arc, row * 256 + to_y);
-            }
-            to = arc->center_x + (arc->side < 0 ? -w->half[i] : w->half[i]);
+            to = arc->center_x + arc->side * qtri_ink_half_chord(c->arc, row * 256 + to_y);
         }
-        qtri_coverage_add(&w->coverage, x, y, to, to_y, c->winding);
+        qtri_coverage_add(w, x, y, to, to_y, c->winding);
         x = to;
         y = to_y;
     }
-    w->chorded = c;
 }
 
 /* Coverage, 0..255, from a sum; winding numbers above 1 count as 1. */
@@ -81,30 +69,30 @@ static uint32_t coverage_of(int32_t sum)
  * pass through; *next: the column where the first edge behind the window begins. Sums are those up
  * to *busy, and one more, which an edge that is its side adds nothing to.
  */
-static void fill_window(window *w, const qtri_crossings *crossings, int32_t row, int32_t *busy,
-                        int32_t *next)
+static void fill_window(qtri_coverage *w, const qtri_crossings *crossings, int32_t row,
+                        int32_t *busy, int32_t *next)
 {
-    w->coverage.end = w->coverage.x + WINDOW;
-    *busy = w->coverage.x;
+    w->end = w->x + WINDOW;
+    *busy = w->x;
     *next = INT32_MAX;
     int32_t position = 0;
     qtri_crossing room;
     const qtri_crossing *c;
     while ((c = qtri_crossings_next(crossings, &position, &room)) != NULL) {
         const int32_t first = qtri_least32(c->x0, c->x1) >> 8;
-        if (first >= w->coverage.x + WINDOW) {
+        if (first >= w->x + WINDOW) {
             *next = qtri_least32(*next, first);
         } else {
             *busy = qtri_greatest32(*busy, (qtri_greatest32(c->x0, c->x1) + 255) >> 8);
         }
     }
-    const int32_t last = qtri_least32(*busy - w->coverage.x + 1, WINDOW);
+    const int32_t last = qtri_least32(*busy - w->x + 1, WINDOW);
     for (int32_t i = 0; i <= last; i++) {
-        w->coverage.sum[i] = 0;
+        w->sum[i] = 0;
     }
     position = 0;
     while ((c = qtri_crossings_next(crossings, &position, &room)) != NULL) {
-        if (qtri_least32(c->x0, c->x1) >> 8 < w->coverage.x + WINDOW) {
+        if (qtri_least32(c->x0, c->x1) >> 8 < w->x + WINDOW) {
             add_crossing(w, c, row);
         }
     }
@@ -116,35 +104,34 @@ static void smooth_row(const qtri_painter *painter, const qtri_contour *contour,
     qtri_crossings crossings;
     qtri_crossings_init(&crossings, contour, row);
     const int32_t end = painter->bounds.x1;
-    window w;
-    w.chorded = NULL;
-    w.coverage.x = qtri_greatest32(painter->bounds.x0, crossings.first);
-    while (w.coverage.x < end) {
+    qtri_coverage w;
+    w.x = qtri_greatest32(painter->bounds.x0, crossings.first);
+    while (w.x < end) {
         int32_t busy;
         int32_t next;
         fill_window(&w, &crossings, row, &busy, &next);
-        int32_t count = qtri_least32(qtri_least32(busy, end) - w.coverage.x, WINDOW);
+        int32_t count = qtri_least32(qtri_least32(busy, end) - w.x, WINDOW);
         int32_t sum = 0;
         if (count > 0) {
             uint8_t coverage[WINDOW];
             for (int32_t i = 0; i < count; i++) {
                 // NOLINTNEXTLINE(clang-analyzer-core.*): fill_window() has set those up to `busy`
-                sum += w.coverage.sum[i];
+                sum += w.sum[i];
                 coverage[i] = (uint8_t)coverage_of(sum);
             }
-            painter->ink->cover(painter, qtri_surface_at(painter->surface, w.coverage.x, row),
-                                count, coverage);
+            painter->ink->cover(painter, qtri_surface_at(painter->surface, w.x, row), count,
+                                coverage);
         }
-        w.coverage.x += count;
-        if (busy > w.coverage.x) {
+        w.x += count;
+        if (busy > w.x) {
             continue; /* the window was too short */
         }
-        sum += w.coverage.sum[count]; /* no edge goes further */
+        sum += w.sum[count]; /* no edge goes further */
         const uint32_t even = coverage_of(sum);
         if (even != 0) {
-            qtri_painter_span(painter, row, w.coverage.x, next, even);
+            qtri_painter_span(painter, row, w.x, next, even);
         }
-        w.coverage.x = next;
+        w.x = next;
     }
 }
 
