@@ -61,7 +61,10 @@ int64_t qtri_mul_q62(int64_t a, int64_t b)
 
 void qtri_wide_mul_by(qtri_wide *a, const qtri_wide *b)
 {
-    qtri_wide_set(a, qtri_mul_q62(a->m, b->m), a->e + b->e - 62);
+    /* Without qtri_mul_q62(), whose frame is on the deepest stack of transforms. */
+    const uint64_t size = qtri_mul_high64(qtri_magnitude64(a->m) << 1, qtri_magnitude64(b->m) << 1);
+    const int64_t product = (a->m < 0) == (b->m < 0) ? (int64_t)size : -(int64_t)size;
+    qtri_wide_set(a, product, a->e + b->e - 62);
 }
 
 void qtri_wide_add_product(qtri_wide *sum, const qtri_wide *a, const qtri_wide *b)

@@ -30,7 +30,7 @@ LOOP(draw_smooth, IN_888, ON_ANY_FORMAT, .shade = all->shade)
 LOOP(draw_smooth_gray, QTRI_IN_GRAY << QTRI_ASK_KIND, .format = QTRI_GRAY8, .pixel_bytes = 1,
      .shade = all->shade)
 LOOP(draw_texture_of_565,
-     ((all->asks & 3) == QTRI_IN_GRAY ? QTRI_IN_GRAY : QTRI_IN_888) << QTRI_ASK_KIND |
+     (uint32_t)((all->asks & 3) == QTRI_IN_GRAY ? QTRI_IN_GRAY : QTRI_IN_888) << QTRI_ASK_KIND |
          (ASK(TWO_WORDS) & all->asks) | ASK(DISCARD),
      ON_ANY_FORMAT, .texel = QTRI_TEXEL_RGB565, .key = 1, .shade = all->shade)
 LOOP(draw_texture, (KINDS | ASK(TWO_WORDS) | ASK(DISCARD) | ASK(ALPHA)) & all->asks, ON_ANY_FORMAT,
