@@ -20,21 +20,20 @@
 
 #include "../raster/any_loops.inc"
 
-/* Of any format. */
+/* Of any format. Texels of other formats than surfaces have are never in 565. */
 #define KINDS         (3u << QTRI_ASK_KIND | ASK(565))
 #define IN_888        (QTRI_IN_888 << QTRI_ASK_KIND | (ASK(TWO_WORDS) & all->asks))
+#define IN_GRAY       (QTRI_IN_GRAY << QTRI_ASK_KIND)
+#define OF_TEXELS     ((all->asks & 3) == QTRI_IN_GRAY ? IN_GRAY : IN_888)
 #define ON_ANY_FORMAT .format = all->format, .pixel_bytes = all->pixel_bytes
 
 LOOP(draw_flat, (KINDS & all->asks) | ASK(PLAIN), ON_ANY_FORMAT, .shade = QTRI_FLAT)
 LOOP(draw_smooth, IN_888, ON_ANY_FORMAT, .shade = all->shade)
-LOOP(draw_smooth_gray, QTRI_IN_GRAY << QTRI_ASK_KIND, .format = QTRI_GRAY8, .pixel_bytes = 1,
-     .shade = all->shade)
-LOOP(draw_texture_of_565,
-     (uint32_t)((all->asks & 3) == QTRI_IN_GRAY ? QTRI_IN_GRAY : QTRI_IN_888) << QTRI_ASK_KIND |
-         (ASK(TWO_WORDS) & all->asks) | ASK(DISCARD),
-     ON_ANY_FORMAT, .texel = QTRI_TEXEL_RGB565, .key = 1, .shade = all->shade)
-LOOP(draw_texture, (KINDS | ASK(TWO_WORDS) | ASK(DISCARD) | ASK(ALPHA)) & all->asks, ON_ANY_FORMAT,
-     .texel = all->texel != QTRI_NO_TEXEL ? all->texel : QTRI_TEXEL_RGB565, .key = all->key,
+LOOP(draw_smooth_gray, IN_GRAY, .format = QTRI_GRAY8, .pixel_bytes = 1, .shade = all->shade)
+LOOP(draw_texture_of_565, OF_TEXELS | ASK(DISCARD), ON_ANY_FORMAT, .texel = QTRI_TEXEL_RGB565,
+     .key = 1, .shade = all->shade)
+LOOP(draw_texture, OF_TEXELS | ((ASK(565) | ASK(DISCARD) | ASK(ALPHA)) & all->asks), ON_ANY_FORMAT,
+     .texel = all->texel != QTRI_NO_TEXEL ? all->texel : QTRI_TEXEL_XRGB8888, .key = all->key,
      .shade = all->shade)
 
 QTRI_BODY_ALONE void draw_other(qtri_pixel_walk *w, bool bent, int32_t count)
