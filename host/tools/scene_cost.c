@@ -59,8 +59,8 @@ static const struct {
                 [FLOAT16] = {{16.4, 152}, {5.7, 97}},
                 [LINEAR24] = {{23.5, 22}, {20, 15}},
                 [LINEAR32] = {{16.3, 0}, {8.5, 13}},
-                [XRGB8888] = {{116.5, 374}, {77.9, 188}},
-                [GRAY8] = {{101.3, 383}, {68.7, 227}},
+                [XRGB8888] = {{68.5, 260}, {39.9, 145}},
+                [GRAY8] = {{16.4, 240}, {15.1, 145}},
                 [GENERIC_DEPTH] = {{242.1, 350}, {177.2, 205}},
             },
         [SCENE_KIND_TEXTURED] =
@@ -68,8 +68,8 @@ static const struct {
                 [FLOAT16] = {{17.1, 140}, {7.3, 83}},
                 [LINEAR24] = {{27.8, 37}, {21.3, 21}},
                 [LINEAR32] = {{11.6, 32}, {10.1, 21}},
-                [XRGB8888] = {{200.9, 237}, {139.3, 166}},
-                [GRAY8] = {{227.1, 300}, {152.5, 164}},
+                [XRGB8888] = {{113, 280}, {74, 170}},
+                [GRAY8] = {{125, 250}, {83, 160}},
                 [GENERIC_DEPTH] = {{323.7, 311}, {228, 149}},
             },
         [SCENE_KIND_LINES] =
@@ -108,7 +108,7 @@ static const double clear_depth[][CORES] = {[SCENE_LINEAR16] = {.5, .5},
 enum { BLENDED, BLENDED_FLAT, BLENDED_GENERIC, BLENDED_DEPTH, BLENDS };
 static const double blends[BLENDS][CORES] = {[BLENDED] = {55, 29},
                                              [BLENDED_FLAT] = {35, 19},
-                                             [BLENDED_GENERIC] = {235, 155},
+                                             [BLENDED_GENERIC] = {280, 190},
                                              [BLENDED_DEPTH] = {112, 66}};
 
 static int blend_of(enum scene_kind kind, enum way way)
