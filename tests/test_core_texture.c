@@ -224,7 +224,7 @@ TEST(clamps_each_axis)
 
 TEST(small_triangles_clamp_each_axis)
 {
-    enum { COLUMNS = 32, SIDE = 8 };
+    enum { COLUMNS = 32, CELL = 8 };
     static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
     static uint16_t texels[256]; /* of a format for which a pipeline is named */
     canvas c = canvas_new(&qtri_rgb565, COLUMNS, COLUMNS);
@@ -249,7 +249,7 @@ TEST(small_triangles_clamp_each_axis)
         qtri_vec3 at[4];
         qtri_vec2 uvs[4];
         for (int i = 0; i < 4; i++) {
-            const int32_t x = i == 1 || i == 2 ? SIDE : 0, y = i >= 2 ? SIDE : 0;
+            const int32_t x = i == 1 || i == 2 ? CELL : 0, y = i >= 2 ? CELL : 0;
             at[i] = vec3_of(x - COLUMNS / 2, COLUMNS / 2 - y, -5);
             uvs[i].x = (origin + x) * (Q16_ONE / 16);
             uvs[i].y = (origin + y) * (Q16_ONE / 16);
@@ -263,7 +263,7 @@ TEST(small_triangles_clamp_each_axis)
         give_vertices(&view, vertices, 4);
         canvas_clear(&c);
         qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &m);
-        assert_texel_a_pixel(&c.surface, &texture, origin, SIDE);
+        assert_texel_a_pixel(&c.surface, &texture, origin, CELL);
     }
     canvas_free(&c);
 }
