@@ -25,30 +25,37 @@ typedef struct limits {
     uint32_t minor_count;
 } limits;
 
-static limits limits_of(const qtri_line_job *job, int32_t position, bool steep)
+static limits limits_of(const qtri_line_job *job, const qtri_line_path *l)
 {
     const qtri_rect *b = &job->to->state.bounds;
-    const limits down = {b->y0 - position, b->y1 - position, b->x0, (uint32_t)(b->x1 - b->x0)};
-    const limits right = {b->x0 - position, b->x1 - position, b->y0, (uint32_t)(b->y1 - b->y0)};
-    return steep ? down : right;
+    const limits steep = {b->y0 - l->position, b->y1 - l->position, b->x0,
+                          (uint32_t)(b->x1 - b->x0)};
+    const limits flat = {b->x0 - l->position, b->x1 - l->position, b->y0,
+                         (uint32_t)(b->y1 - b->y0)};
+    return l->steep ? steep : flat;
 }
 
-int32_t qtri_line_clip(qtri_line_walk *w, const qtri_line_job *job, int32_t position, bool steep,
-                       int32_t end)
+/* Moves w to the first pixel inside; returns how many follow that are, of those before `end`. */
+static int32_t clip(qtri_line_walk *w, const limits *in, int32_t end)
 {
-    const limits in = limits_of(job, position, steep);
-    end = qtri_least32(end, in.end);
+    end = qtri_least32(end, in->end);
     while (w->k < end &&
-           (w->k < in.begin || (uint32_t)(w->minor.value - in.minor) >= in.minor_count)) {
+           (w->k < in->begin || (uint32_t)(w->minor.value - in->minor) >= in->minor_count)) {
         qtri_dda_next(&w->minor);
         w->k++;
     }
     qtri_dda ahead = w->minor;
     int32_t k = w->k;
-    for (; k < end && (uint32_t)(ahead.value - in.minor) < in.minor_count; k++) {
+    for (; k < end && (uint32_t)(ahead.value - in->minor) < in->minor_count; k++) {
         qtri_dda_next(&ahead);
     }
     return k - w->k;
+}
+
+int32_t qtri_line_clip_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l)
+{
+    const limits in = limits_of(job, l);
+    return clip(w, &in, l->count);
 }
 
 /* A ramp along a line from pixel `start`, with which a chunk begins. */
@@ -162,7 +169,7 @@ static void draw_run(qtri_stroke_target *to, const qtri_line_run *run, qtri_line
 QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_path *l,
                                     const qtri_line_color *color, qtri_line_runs draw)
 {
-    const limits in = limits_of(job, l->position, l->steep);
+    const limits in = limits_of(job, l);
     qtri_divider by;
     qtri_line_run run;
     const int32_t minor_first = (l->minor >> 8) - in.minor;
@@ -181,7 +188,7 @@ QTRI_NOINLINE static void draw_long(const qtri_line_job *job, const qtri_line_pa
         run.walk.k = k;
         qtri_dda_init(&run.walk.minor, l->minor, l->delta, l->length, l->along + 256 * k, 0);
         k = qtri_least32(count, start + QTRI_LINE_CHUNK);
-        run.count = qtri_line_clip(&run.walk, job, l->position, l->steep, k);
+        run.count = clip(&run.walk, &in, k);
         if (run.count > 0) {
             ramp_init(&run.z, qtri_line_depth(job, l->first), qtri_line_depth(job, l->last),
                       l->along, &by, start);
@@ -203,9 +210,12 @@ void qtri_line_draw(const qtri_line_job *job, const qtri_vertex *a, const qtri_v
     }
     qtri_line_run run;
     qtri_divider by;
-    if (!qtri_line_run_begin(&run, &by, job, &l, true)) {
+    qtri_line_walk_short(&run.walk, &l);
+    run.count = qtri_line_is_inside(job, &l) ? l.count : qtri_line_clip_short(&run.walk, job, &l);
+    if (run.count <= 0) {
         return;
     }
+    qtri_line_run_depth(&run, &by, job, &l, true);
     if (color == NULL && qtri_line_has_table(job)) {
         qtri_line_run_light(&run, &l, &by);
         run.color[1] = run.color[2] = run.color[0]; /* they do not count */

@@ -222,6 +222,18 @@ QTRI_INLINE void qtri_line_walk_short(qtri_line_walk *w, const qtri_line_path *l
     w->minor.denominator = (uint32_t)denominator;
 }
 
+/* Whether both ends are inside the bounds. */
+QTRI_INLINE bool qtri_line_is_inside(const qtri_line_job *job, const qtri_line_path *l)
+{
+    return (uint32_t)(l->first->at.x_24p8 - job->left_24p8) < job->width_24p8 &&
+           (uint32_t)(l->last->at.x_24p8 - job->left_24p8) < job->width_24p8 &&
+           (uint32_t)(l->first->at.y_24p8 - job->top_24p8) < job->height_24p8 &&
+           (uint32_t)(l->last->at.y_24p8 - job->top_24p8) < job->height_24p8;
+}
+
+/* Moves w to the first pixel inside of a short line; returns how many follow that are. */
+int32_t qtri_line_clip_short(qtri_line_walk *w, const qtri_line_job *job, const qtri_line_path *l);
+
 /* A ramp between values of a short line's ends, at pixel 0, `along` from the first; `by`: length.
  */
 QTRI_INLINE void qtri_line_ramp_short(qtri_line_ramp *r, int32_t from, int32_t to, int32_t along,
@@ -259,37 +271,16 @@ QTRI_INLINE int32_t qtri_line_depth(const qtri_line_job *job, const qtri_vertex 
     return (int32_t)((end->depth_16p8 & job->depth_mask) >> 1);
 }
 
-/* Moves w to the first pixel of a path that is inside the bounds; returns how many follow that are,
-   of those before pixel `end`. */
-int32_t qtri_line_clip(qtri_line_walk *w, const qtri_line_job *job, int32_t position, bool steep,
-                       int32_t end);
-
-/* Sets a short line's walk and count of pixels, run->z, 0 without depth, and the divider of its
-   ramps. False: it has no pixel. */
-QTRI_INLINE bool qtri_line_run_begin(qtri_line_run *run, qtri_divider *by, const qtri_line_job *job,
+/* Sets the divider of a short line's ramps, and run->z, 0 without depth. */
+QTRI_INLINE void qtri_line_run_depth(qtri_line_run *run, qtri_divider *by, const qtri_line_job *job,
                                      const qtri_line_path *l, bool has_depth)
 {
-    qtri_line_walk_short(&run->walk, l);
-    run->count = l->count;
-    const bool is_inside = (uint32_t)(l->first->at.x_24p8 - job->left_24p8) < job->width_24p8 &&
-                           (uint32_t)(l->last->at.x_24p8 - job->left_24p8) < job->width_24p8 &&
-                           (uint32_t)(l->first->at.y_24p8 - job->top_24p8) < job->height_24p8 &&
-                           (uint32_t)(l->last->at.y_24p8 - job->top_24p8) < job->height_24p8;
-    if (!is_inside) {
-        qtri_line_walk first = run->walk; /* a copy: run->walk need not be in memory */
-        run->count = qtri_line_clip(&first, job, l->position, l->steep, l->count);
-        run->walk = first;
-        if (run->count <= 0) {
-            return false;
-        }
-    }
     qtri_divider_init_short(by, (uint32_t)l->length);
     run->z.value = run->z.step = 0;
     if (has_depth) {
         qtri_line_ramp_short(&run->z, qtri_line_depth(job, l->first), qtri_line_depth(job, l->last),
                              l->along, by);
     }
-    return true;
 }
 
 /*

@@ -23,9 +23,18 @@ QTRI_BODY void draw_lit(const qtri_options *o, const qtri_line_job *job, const q
     }
     qtri_line_run run;
     qtri_divider by;
-    if (!qtri_line_run_begin(&run, &by, job, &l, qtri_needs_depth(o))) {
-        return;
+    qtri_line_walk_short(&run.walk, &l);
+    run.count = l.count;
+    if (!qtri_line_is_inside(job, &l)) {
+        const qtri_line_path path = l; /* copies: these need not be in memory */
+        qtri_line_walk first = run.walk;
+        run.count = qtri_line_clip_short(&first, job, &path);
+        run.walk = first;
+        if (run.count <= 0) {
+            return;
+        }
     }
+    qtri_line_run_depth(&run, &by, job, &l, qtri_needs_depth(o));
     qtri_line_run_light(&run, &l, &by);
     qtri_line_run_place(&run, job, &l, 0);
     qtri_line_run_draw(o, &run);

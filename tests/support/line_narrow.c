@@ -5,7 +5,7 @@
 #define QTRI_LONG_MULTIPLY 0
 #define QTRI_DIVIDE        0
 
-#define qtri_line_clip        narrow_line_clip
+#define qtri_line_clip_short  narrow_line_clip_short
 #define qtri_line_draw        narrow_line_draw
 #define qtri_line_end         narrow_line_end
 #define qtri_line_job_init    narrow_line_job_init
