@@ -140,9 +140,8 @@ QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const void *tr
         }
     }
     if (!qtri_is_smooth(draw->primitive.material)) {
-        const int from = qtri_provoking_of(draw->primitive.material);
-        light_q15[0] = light_q15[1] = light_q15[2] = light_q15[from];
-        index[0] = index[1] = index[2] = index[from];
+        /* All have one light: it is by vertex for smooth shading alone. */
+        index[0] = index[1] = index[2] = index[qtri_provoking_of(draw->primitive.material)];
     }
     qtri_vertex corner[4]; /* the first again behind the third */
     qtri_line_color color[4];

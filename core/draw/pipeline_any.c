@@ -21,13 +21,12 @@
 #include "../raster/any_loops.inc"
 
 /* Of any format. Texels of other formats than surfaces have are never in 565. */
-#define KINDS         (3u << QTRI_ASK_KIND | ASK(565))
 #define IN_888        (QTRI_IN_888 << QTRI_ASK_KIND | (ASK(TWO_WORDS) & all->asks))
 #define IN_GRAY       (QTRI_IN_GRAY << QTRI_ASK_KIND)
 #define OF_TEXELS     ((all->asks & 3) == QTRI_IN_GRAY ? IN_GRAY : IN_888)
 #define ON_ANY_FORMAT .format = all->format, .pixel_bytes = all->pixel_bytes
 
-LOOP(draw_flat, (KINDS & all->asks) | ASK(PLAIN), ON_ANY_FORMAT, .shade = QTRI_FLAT)
+LOOP(draw_flat, ASK(PLAIN), ON_ANY_FORMAT, .shade = QTRI_FLAT)
 LOOP(draw_smooth, IN_888, ON_ANY_FORMAT, .shade = all->shade)
 LOOP(draw_smooth_gray, IN_GRAY, .format = QTRI_GRAY8, .pixel_bytes = 1, .shade = all->shade)
 LOOP(draw_texture_of_565, OF_TEXELS | ASK(DISCARD), ON_ANY_FORMAT, .texel = QTRI_TEXEL_RGB565,
@@ -99,6 +98,9 @@ static qtri_pixels_loop *loop_of(const qtri_draw_state *state)
     if (has_effect) {
         return loop_of_effect(state);
     }
+    if (qtri_has_constant_color(o) && !qtri_tests_depth(o) && o->pixel_bytes != 3) {
+        return draw_fill;
+    }
     if (is_565 && o->texel == QTRI_NO_TEXEL) {
         return o->shade == QTRI_COLORS ? draw_colors_565
                : qtri_is_lit(o)        ? draw_lit_565
@@ -122,24 +124,19 @@ static qtri_pixels_loop *loop_of(const qtri_draw_state *state)
                                          : draw_smooth;
 }
 
+/* Where there are no depths, one stands for all: each pixel passes, and loops need not ask. */
 static const qtri_pipeline *choose(const qtri_pipeline *generic, qtri_draw_state *state)
 {
     qtri_options *o = &state->options;
-    state->loop = loop_of(state);
     (void)qtri_draw_state_ask(generic, state);
+    state->loop = loop_of(state);
     state->key = o->key ? state->key : UINT32_MAX;
-    if (qtri_tests_depth(o) || state->loop == draw_other) {
-        return generic;
+    if (!qtri_tests_depth(o) && state->loop != draw_other) {
+        o->asks |= ASK(TEST);
+        o->depth_bytes = 0;
+        state->depth = &state->no_depth;
+        state->depth_pitch = state->no_depth = 0;
     }
-    if ((state->loop == draw_flat || state->loop == draw_flat_565) && o->pixel_bytes != 3) {
-        state->loop = draw_fill;
-        return generic;
-    }
-    /* One depth stands for all: each pixel passes, and loops need not ask. */
-    o->asks |= ASK(TEST);
-    o->depth_bytes = 0;
-    state->depth = &state->no_depth;
-    state->depth_pitch = state->no_depth = 0;
     return generic;
 }
 

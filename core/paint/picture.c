@@ -238,9 +238,9 @@ QTRI_INLINE void keyed_row(uint32_t bytes, uint8_t *to, const uint8_t *from, int
     }
 }
 
-/* Pixels that are stored as they are, or whose bytes swap; none of 16 bits is UINT32_MAX. */
-static void paint_keyed(const qtri_surface *surface, const qtri_image *image, uint8_t *to,
-                        const uint8_t *from, int32_t count, int32_t rows, bool swaps)
+/* Stores pixels as they are, or with their bytes swapped, which are two: none is UINT32_MAX. */
+static void paint_pixels(const qtri_surface *surface, const qtri_image *image, uint8_t *to,
+                         const uint8_t *from, int32_t count, int32_t rows, bool swaps)
 {
     const uint32_t mask = qtri_picture_key_mask(image);
     const uint32_t key = image->has_key ? image->key & mask : UINT32_MAX;
@@ -285,7 +285,7 @@ void qtri_image_blend(const qtri_surface *surface, const qtri_image *image, int3
     const int32_t rows = rect.y1 - rect.y0;
     uint8_t *to = qtri_surface_at(surface, rect.x0, rect.y0);
     if (swaps || (is_alike && image->has_key)) {
-        paint_keyed(surface, image, to, from, count, rows, swaps);
+        paint_pixels(surface, image, to, from, count, rows, swaps);
     } else if (is_alike) {
         copy_rows(to, surface->pitch, from, image->pitch,
                   image->format->pixels->bytes * (size_t)count, rows);

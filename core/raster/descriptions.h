@@ -20,7 +20,8 @@
 #define QTRI_EFFECT(effect)     (sizeof(effect) != 0 ? NULL : &(effect))
 #endif
 
-/* What draws a blend, fog or filter faster than the generic pipeline does by itself. */
+/* What draws a blend, fog, a filter or depths of a format faster than the generic pipeline alone.
+ */
 typedef struct qtri_effect {
     const qtri_pipeline *const *pipelines;
     /* The generic pipeline's loop for RGB565 with this effect alone and no key; NULL: none. */

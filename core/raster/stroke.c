@@ -186,6 +186,17 @@ static void init_shape(qtri_stroker *stroker, qtri_stroke_shape *shape,
     shape->max_x = INT32_MAX;
 }
 
+/* Whether the window has this shape in use. */
+static bool is_in_row(const qtri_stroke_window *w, const qtri_stroke_shape *shape)
+{
+    for (uint32_t i = 0; i < w->shape_count; i++) {
+        if (w->shape[i] == shape) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* An entry of the cache for another shape: free, of a shape above the row, or not of the window. */
 static qtri_stroke_shape *free_shape(qtri_stroker *stroker)
 {
@@ -197,14 +208,11 @@ static qtri_stroke_shape *free_shape(qtri_stroker *stroker)
         }
     }
     qtri_stroke_shape *next;
-    uint32_t i;
     do {
         stroker->next_shape =
             stroker->next_shape != 0 ? stroker->next_shape - 1 : QTRI_STROKE_SHAPES - 1;
         next = &stroker->shape[stroker->next_shape];
-        for (i = 0; i < w->shape_count && w->shape[i] != next; i++) {
-        }
-    } while (i < w->shape_count);
+    } while (is_in_row(w, next));
     return next;
 }
 
