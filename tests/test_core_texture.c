@@ -222,6 +222,28 @@ TEST(clamps_each_axis)
     canvas_free(&c);
 }
 
+/* A view of pixels whose origin is the middle of a square of so many columns, at z = -5. */
+static qtri_view view_of_pixels(int32_t columns)
+{
+    const q16 half = columns * (Q16_ONE / 2);
+    qtri_view view;
+    qtri_view_init(&view, columns, columns);
+    qtri_transform_ortho(&view.projection, -half, half, -half, half, Q16(1), Q16(9));
+    return view;
+}
+
+/* Clears the canvas and draws a mesh of at most four vertices. */
+static void draw_alone(canvas *c, qtri_view *view, const qtri_mesh *mesh,
+                       const qtri_material *material)
+{
+    qtri_vertex vertices[4];
+    qtri_transform pose;
+    qtri_transform_identity(&pose);
+    give_vertices(view, vertices, 4);
+    canvas_clear(c);
+    qtri_draw_mesh(&c->surface, view, &pose, mesh, material);
+}
+
 TEST(small_triangles_clamp_each_axis)
 {
     enum { COLUMNS = 32, CELL = 8 };
@@ -231,14 +253,10 @@ TEST(small_triangles_clamp_each_axis)
     qtri_texture texture = {
         .texels = texels, .format = &qtri_texel_rgb565, .width_log2 = 4, .height_log2 = 4};
     qtri_material m = plain_material();
-    qtri_view view;
-    qtri_transform pose;
+    qtri_view view = view_of_pixels(COLUMNS);
     m.texture = &texture;
     m.texture_mode = QTRI_REPLACE;
     m.depth_compare = QTRI_LESS;
-    qtri_view_init(&view, COLUMNS, COLUMNS);
-    qtri_transform_ortho(&view.projection, -Q16(16), Q16(16), -Q16(16), Q16(16), Q16(1), Q16(9));
-    qtri_transform_identity(&pose);
     for (uint16_t i = 0; i < LENGTH_OF(texels); i++) {
         texels[i] = i;
     }
@@ -259,10 +277,7 @@ TEST(small_triangles_clamp_each_axis)
                                 .triangles = triangles,
                                 .vertex_count = 4,
                                 .triangle_count = 2};
-        qtri_vertex vertices[4];
-        give_vertices(&view, vertices, 4);
-        canvas_clear(&c);
-        qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &m);
+        draw_alone(&c, &view, &mesh, &m);
         assert_texel_a_pixel(&c.surface, &texture, origin, CELL);
     }
     canvas_free(&c);
@@ -358,13 +373,9 @@ TEST(levels_begin_at_their_step)
                                   .level_count = LEVELS - 1};
     qtri_material material = plain_material();
     canvas c = canvas_new(&qtri_gray8, COLUMNS, COLUMNS);
-    qtri_view view;
-    qtri_transform pose;
+    qtri_view view = view_of_pixels(COLUMNS);
     material.texture = &texture;
     material.texture_mode = QTRI_REPLACE;
-    qtri_view_init(&view, COLUMNS, COLUMNS);
-    qtri_transform_ortho(&view.projection, -Q16(32), Q16(32), -Q16(32), Q16(32), Q16(1), Q16(9));
-    qtri_transform_identity(&pose);
     for (int level = 0; level < LEVELS; level++) {
         memset(texels8[level], 10 + level, sizeof texels8[level]);
     }
@@ -382,10 +393,7 @@ TEST(levels_begin_at_their_step)
                                         .triangles = triangle,
                                         .vertex_count = 3,
                                         .triangle_count = 1};
-                qtri_vertex vertices[3];
-                give_vertices(&view, vertices, 3);
-                canvas_clear(&c);
-                qtri_draw_mesh(&c.surface, &view, &pose, &mesh, &material);
+                draw_alone(&c, &view, &mesh, &material);
                 const int32_t drawn = (int32_t)stored_pixel(&c.surface, 0, 0) - 10;
                 if (drawn != level + (turn & 1)) {
                     fail_msg("%d pixels, %d: level %d", (int)n, (int)by, (int)drawn);

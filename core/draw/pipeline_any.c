@@ -4,7 +4,8 @@
  * has loops in which most are constants, any comparison of depths included. Millions of
  * instructions on a Cortex-M0+ by draw_other, and by these: flat S1l 14.9, 1.4; colours S2l 17.7,
  * 3.6; a texture S3l 15.5, 3.0, of 888 S3v 9.2, 5.0; a lit mesh S4kl 14.9, 7.8; on GRAY8 S4kg 15.6,
- * 8.4.
+ * 8.4; without depths rgb565/off/flat/level of the matrix .40 by draw_flat_565, .09 as words; a
+ * texture on XRGB8888, xrgb8888/less/replace/rgb565/nearest/repeat/level, 3.5 by draw_texture, 2.7.
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -41,14 +42,21 @@ QTRI_BODY_ALONE void draw_other(qtri_pixel_walk *w, bool bent, int32_t count)
     draw_pixels(o, w, bent, count, o->depth_bytes);
 }
 
-/* One colour without depths: a row of words. */
+/* One colour without depths: rows of words, and short ones pixel by pixel. */
 QTRI_BODY_ALONE void draw_fill(qtri_pixel_walk *w, bool bent, int32_t count)
 {
-    const uint32_t bytes = w->state->options.pixel_bytes;
-    const uint32_t ones = bytes == 1 ? 0x01010101u : bytes == 2 ? 0x00010001u : 1;
-    (void)bent;
-    qtri_fill_words(w->pixel, 0, (uint32_t)count * bytes, 1, w->color * ones);
+    const uint32_t bytes = w->state->options.pixel_bytes, color = w->color;
+    uint8_t *pixel = w->pixel;
     w->pixel += (uint32_t)count * bytes;
+    (void)bent;
+    if (count >= 8) {
+        const uint32_t ones = bytes == 1 ? 0x01010101u : bytes == 2 ? 0x00010001u : 1;
+        qtri_fill_words(pixel, 0, (uint32_t)count * bytes, 1, color * ones);
+        return;
+    }
+    for (; pixel != w->pixel; pixel += bytes) {
+        qtri_save(bytes, pixel, color);
+    }
 }
 
 /* In colours of 565. */
