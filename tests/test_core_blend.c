@@ -5,6 +5,8 @@
 #include "support/core.h"
 #include "support/steps.h"
 
+#include "qtri/body/state.h"
+
 enum { WIDTH = 96, HEIGHT = 80 };
 
 static const qtri_blend *const blends[] = {&qtri_blend_alpha, &qtri_blend_add, &qtri_blend_multiply,
@@ -313,6 +315,55 @@ static void random_fog(qtri_fog *fog, uint64_t *seed)
     } else {
         qtri_fog_exp(fog, color, range, random_in(seed, 0, 2 * Q16_ONE));
     }
+}
+
+/*
+ * Along rows of any slope, steps of the fog's table and ends of linear fog among their pixels: each
+ * has what the table has for its depth.
+ */
+TEST(fog_along_rows_is_that_of_each_depth)
+{
+    uint64_t seed = 44;
+    canvas c = canvas_new(&qtri_xrgb8888, WIDTH, HEIGHT);
+    for (int n = 0; n < random_cases(1500); n++) {
+        const uint32_t steep = (uint32_t)1 << random_in(&seed, 12, 24);
+        qtri_material m = blended(NULL, 255);
+        qtri_screen_vertex v[3] = {screen_at(128, 128), screen_at(128 + 256 * 128, 128),
+                                   screen_at(128, 128 + 256 * 128)};
+        const int32_t right = random_in(&seed, -(int32_t)steep / 2, (int32_t)steep / 2);
+        const int32_t down = random_in(&seed, -(int32_t)steep / 2, (int32_t)steep / 2);
+        const uint32_t z0 = 0x80000000u + (uint32_t)random_in(&seed, -(1 << 29), 1 << 29);
+        qtri_fog fog;
+        const qtri_fog_range range = {Q16_ONE / 4, random_in(&seed, Q16_ONE, 100 * Q16_ONE),
+                                      random_flag(&seed)};
+        const qtri_rgb black = {0, 0, 0};
+        const q16 first = random_in(&seed, Q16_ONE / 4, 2 * Q16_ONE);
+        if (random_flag(&seed)) {
+            qtri_fog_linear(&fog, black, range, first, first + random_in(&seed, 6000, 2 * Q16_ONE));
+        } else {
+            qtri_fog_exp2(&fog, black, range, first);
+        }
+        m.depth_compare = QTRI_ALWAYS;
+        m.fog = &fog;
+        for (int i = 0; i < 3; i++) {
+            v[i].depth_16p16 = z0;
+            v[i].color_8p16[0] = v[i].color_8p16[1] = v[i].color_8p16[2] = 255 << 16;
+        }
+        v[1].depth_16p16 += (uint32_t)right * 128;
+        v[2].depth_16p16 += (uint32_t)down * 128;
+        c.surface.scissor.x0 = random_in(&seed, 0, WIDTH / 2);
+        qtri_raster_triangle(&c.surface, qtri_pipelines_default, &m, v);
+        for (int32_t i = 0; i < 64 * 64; i++) {
+            const int32_t x = i % 64, y = i / 64;
+            const uint32_t z = z0 + (uint32_t)right * (uint32_t)x + (uint32_t)down * (uint32_t)y;
+            const uint32_t share = qtri_fog_share(&fog, z + 0x8000u);
+            if (x >= c.surface.scissor.x0) {
+                const double green = stored_pixel(&c.surface, x, y) >> 8 & 255;
+                assert_true(fabs(green - share * 255.0 / (1 << 24)) < 1.02);
+            }
+        }
+    }
+    canvas_free(&c);
 }
 
 /* What is far off in steps of RGB565: a pixel from channels 0..255. */

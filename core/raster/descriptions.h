@@ -102,6 +102,16 @@ typedef int64_t (*qtri_fog_law)(q16 z, q16 a, q16 b);
 void qtri_fog_set(qtri_fog *fog, qtri_fog_range range, q16 z0, q16 z1, qtri_fog_law share, q16 a,
                   q16 b);
 
+/* A stretch of t = ~depth, 16.16, along which the share that fog leaves is linear: low + rise part
+   / 2^bits, in 1/1024, where t has `part` of it behind, and `ahead` before it. */
+typedef struct qtri_fog_stretch {
+    uint32_t behind, ahead, bits;
+    int32_t low, rise;
+} qtri_fog_stretch;
+
+/* The stretch of a depth with the half that rounds. */
+void qtri_fog_find_stretch(qtri_fog_stretch *stretch, const qtri_fog *fog, uint32_t depth_16p16);
+
 /* A material's shading, &qtri_flat_last if it names none. */
 static inline const qtri_shading *qtri_shading_of(const qtri_material *material)
 {

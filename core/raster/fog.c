@@ -105,29 +105,51 @@ void qtri_fog_set(qtri_fog *fog, qtri_fog_range range, q16 z0, q16 z1, qtri_fog_
  * Shares are kept by t = ~depth, 16.16: 1/2 more than how far the depth is from 65535.0, for depths
  * come with the half that rounds. With perspective t is nearly 65535 near / z, so that eighths of
  * octaves are equally fine in z near and far; where only a small part of them would count, equal
- * steps are finer. Within a step a share is linear in t: 2^12 times a rise of at most 2^17 is below
- * 2^30.
+ * steps are finer. Within a step, which has 2^*bits of t, a share is linear in t. Makes *t what
+ * of it is in its step, or in the first or beyond the last, where shares do not change, 0.
  */
+static inline uint32_t find_step(const qtri_fog *fog, uint32_t *t, uint32_t *bits)
+{
+    *bits = fog->step_bits;
+    if (*bits != 0) {
+        const uint32_t inside = *t > fog->first ? *t - fog->first : 0;
+        const uint32_t step = (inside >> *bits) + 1;
+        *t = step > STEPS ? 0 : inside;
+        return step > STEPS ? STEPS + 1 : step;
+    }
+    if (*t >> 16 == 0) {
+        *bits = 16;
+        return 0;
+    }
+    *bits = 28 - (uint32_t)qtri_clz32(*t); /* 13..28 */
+    return (*bits - 13) * 8 + (*t >> *bits & 7) + 1;
+}
+
+/* 2^12 times a rise of at most 2^17 is below 2^30. */
 uint32_t qtri_fog_share(const qtri_fog *fog, uint32_t depth_16p16)
 {
     const int32_t full = (int32_t)1024 << PART_BITS;
-    uint32_t t = ~depth_16p16, step, bits = fog->step_bits; /* a step has 2^bits of t */
-    if (bits != 0) {
-        t = t > fog->first ? t - fog->first : 0;
-        step = (t >> bits) + 1;
-        if (step > STEPS) {
-            step = STEPS + 1;
-            t = 0;
-        }
-    } else if (t >> 16 == 0) {
-        step = 0;
-        bits = 16;
-    } else {
-        bits = 28 - (uint32_t)qtri_clz32(t); /* 13..28 */
-        step = (bits - 13) * 8 + (t >> bits & 7) + 1;
-    }
+    uint32_t t = ~depth_16p16, bits;
+    const uint32_t step = find_step(fog, &t, &bits);
     const int32_t part = (int32_t)(t << (32 - bits) >> (32 - PART_BITS)), low = fog->share[step];
     const int32_t share = low * (1 << PART_BITS) + (1 << (PART_BITS - 1)) +
                           part * (fog->share[step + 1] - low); /* 1024 2^12 is 1 */
     return (uint32_t)(share < 0 ? 0 : share > full ? full : share) << (24 - 10 - PART_BITS);
+}
+
+void qtri_fog_find_stretch(qtri_fog_stretch *stretch, const qtri_fog *fog, uint32_t depth_16p16)
+{
+    const uint32_t t = ~depth_16p16;
+    uint32_t in_step = t;
+    const uint32_t step = find_step(fog, &in_step, &stretch->bits);
+    const uint32_t last = ((uint32_t)1 << stretch->bits) - 1;
+    stretch->low = fog->share[step];
+    stretch->rise = fog->share[step + 1] - stretch->low;
+    stretch->behind = in_step & last;
+    stretch->ahead = last - stretch->behind;
+    if (fog->step_bits != 0 && (t < fog->first || step > STEPS)) {
+        stretch->rise = 0;
+        stretch->behind = t < fog->first ? t : t - fog->first - (STEPS << stretch->bits);
+        stretch->ahead = t < fog->first ? fog->first - t : ~t;
+    }
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Pieces of rows along which attributes are linear, what bounds leave of pieces, and fog. */
+#include "descriptions.h"
 #include "large_setup.h"
 
 void qtri_large_planes_move(qtri_large_job *job)
@@ -166,44 +167,70 @@ int32_t qtri_large_linear_piece(qtri_large_job *job)
 /* Fog --------------------------------------------------------------------------------------------
  */
 
-enum { FOG_PIXELS = 32, FOG_ERROR = 1 << 14 /* half of 1/256: between it may be twice that */ };
+enum { FOG_FULL = 1 << 24 };
 
-static uint32_t fog_at(const qtri_large *t, int32_t x)
+/* Cuts fog to its range; returns for how many pixels, n at most, it stays out of it, or within. */
+static int32_t clamp_fog(qtri_large *t, int32_t n)
 {
-    return qtri_fog_share(t->state->fog, t->row_z + (uint32_t)x * t->z_step);
+    const int32_t fog = (int32_t)t->fog, step = (int32_t)t->fog_step;
+    const uint32_t speed = qtri_magnitude32(step);
+    const int32_t over = fog < 0 ? fog : fog > FOG_FULL ? fog - FOG_FULL : 0;
+    uint32_t most = (uint32_t)n;
+    if (over != 0) {
+        if ((over < 0) == (step > 0) && step != 0) {
+            most = (qtri_magnitude32(over) + speed - 1) / speed;
+        }
+        t->fog = over < 0 ? 0 : FOG_FULL;
+        t->fog_step = 0;
+    } else if (step != 0) {
+        most = (uint32_t)(step > 0 ? FOG_FULL - fog : fog) / speed + 1;
+    }
+    return most < (uint32_t)n ? (int32_t)most : n;
 }
 
-/*
- * Between pixels `first` and `last` fog is linear if it is so in the middle: bisects, from the left
- * end of the row on, what has more. All are within the row, whose depth is in range.
- */
+/* 2^14 rise part / 2^bits, to nearest: |rise| <= 2^16, |part| <= 2^31. */
+static int32_t fog_of(const qtri_fog_stretch *s, int32_t part)
+{
+    return (int32_t)(((int64_t)s->rise * part * (1 << 14) + ((int64_t)1 << s->bits >> 1)) >>
+                     s->bits);
+}
+
+/* Sets fog from column t->fog_x on: a line up to the end of the stretch. A rounded step strays by
+   2^-7 of 1/256 over 2^10 pixels, from the stretch's first pixel in the whole row, so that what is
+   drawn of the row does not matter. */
+static void find_fog(qtri_large *t)
+{
+    const int32_t x = t->fog_x, by = (int32_t)(0 - t->z_step);
+    const uint32_t speed = qtri_magnitude32(by);
+    uint32_t passed = 0, n = (uint32_t)(t->row_right - x);
+    qtri_fog_stretch s;
+    qtri_fog_find_stretch(&s, t->state->fog, t->row_z + (uint32_t)x * t->z_step);
+    const uint32_t ahead = by < 0 ? s.behind : s.ahead, behind = by < 0 ? s.ahead : s.behind;
+    t->fog_step = (uint32_t)fog_of(&s, by);
+    if (speed != 0 && ahead / speed < n) {
+        n = ahead / speed + 1;
+    }
+    if (behind >= speed && speed != 0) {
+        passed = behind / speed;
+        passed = passed < (uint32_t)(x - t->row_left) ? passed : (uint32_t)(x - t->row_left);
+    }
+    t->fog = (uint32_t)(s.low * (1 << 14) + (1 << 13) + /* as qtri_fog_share() */
+                        fog_of(&s, (int32_t)(s.behind - passed * (uint32_t)by))) +
+             passed * t->fog_step;
+    const int32_t end = s.low + s.rise;
+    if ((s.low | end | (1024 - s.low) | (1024 - end)) < 0) {
+        n = (uint32_t)clamp_fog(t, (int32_t)n);
+    }
+    t->fog += 0x8000u;
+    t->fog_end = x + (int32_t)n;
+}
+
 int32_t qtri_large_next_fog(qtri_large *t, int32_t count)
 {
-    const int32_t x = t->fog_x;
-    int32_t first = t->row_left + ((x - t->row_left) & -FOG_PIXELS);
-    int32_t last = qtri_least32(first + FOG_PIXELS, t->row_right) - 1;
-    uint32_t from = fog_at(t, first), to = fog_at(t, last);
-    while (last - first > 1) {
-        const int32_t middle = (first + last) >> 1;
-        const uint32_t f = fog_at(t, middle);
-        const int32_t on_chord =
-            (int32_t)from +
-            qtri_divide32((int32_t)(to - from), (uint32_t)(last - first)) * (middle - first);
-        if (qtri_magnitude32(on_chord - (int32_t)f) <= FOG_ERROR) {
-            break;
-        }
-        if (x <= middle) {
-            last = middle;
-            to = f;
-        } else {
-            first = middle + 1;
-            from = fog_at(t, first);
-        }
+    if (t->fog_x == t->fog_end) {
+        find_fog(t);
     }
-    const int32_t n = last - first;
-    t->fog_step = n > 0 ? (uint32_t)qtri_divide32((int32_t)(to - from), (uint32_t)n) : 0;
-    t->fog = from + 0x8000u + t->fog_step * (uint32_t)(x - first);
-    const int32_t done = qtri_least32(count, last + 1 - x);
-    t->fog_x = x + done;
-    return done;
+    const int32_t n = qtri_least32(count, t->fog_end - t->fog_x);
+    t->fog_x += n;
+    return n;
 }

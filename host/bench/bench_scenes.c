@@ -98,6 +98,7 @@ const bench_scene bench_scenes[] = {
     {.name = "B5", QUAD(&bench_screen, rainbow), .blend = &qtri_blend_vertex_alpha},
     {.name = "B6", QUAD(&bench_turned, rainbow), .blend = &qtri_blend_vertex_alpha},
     {.name = "F2", QUAD(&bench_screen, rainbow), .fog = true},
+    {.name = "F11", QUAD(&bench_turned, white), .textured = true, .fog = true},
     {.name = "F4", MESH(COMPACT(spot), Q16(150)), .fog = true},
     {.name = "B7", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .blend = &qtri_blend_alpha},
     {.name = "F6", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .fog = true},

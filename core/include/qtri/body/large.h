@@ -161,9 +161,9 @@ typedef struct qtri_large {
     int32_t frame_width;
     qtri_large_edges edges;
 
-    int32_t x;     /* where the row's next pieces start; x1 - 1 while clamped ones are left */
-    int32_t fog_x; /* column that fog is asked for next */
-    uint32_t fog, fog_step;
+    int32_t x; /* where the row's next pieces start; x1 - 1 while clamped ones are left */
+    int32_t fog_x, fog_end; /* column that fog is asked for next; up to which it is linear */
+    uint32_t fog, fog_step; /* there, 8.16 with a half; a pixel's step */
 
     qtri_large_samples *samples; /* with four samples a pixel */
 
@@ -474,6 +474,9 @@ QTRI_BODY void qtri_large_colored_pixels(const qtri_options *o, qtri_pixel_body 
             w->fog_step = t->fog_step;
         }
         qtri_large_octaves(o, pixel, w, bent, n);
+        if (o->fog) {
+            t->fog = w->fog;
+        }
         count -= n;
     } while (o->fog && count > 0);
 }
@@ -618,7 +621,7 @@ QTRI_BODY void qtri_large_begin_row(const qtri_options *o, qtri_large *t, qtri_p
         w->y = t->y;
     }
     if (o->fog) {
-        t->fog_x = t->x0;
+        t->fog_x = t->fog_end = t->x0;
     }
     if (qtri_large_has_pieces(o)) {
         t->x = t->x0;
