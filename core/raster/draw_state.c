@@ -233,9 +233,11 @@ static void set_colors(qtri_draw_state *state, const qtri_material *material)
     state->weight[2] = material->color.b + (material->color.b >> 7);
     if (o->fog) {
         state->fog = material->fog;
-        state->fog_color = qtri_kind_of(o) == QTRI_IN_GRAY
-                               ? qtri_pixel_888_to_luma(material->fog->color)
-                               : material->fog->color;
+        const qtri_color_kind kind = qtri_kind_of(o);
+        const uint32_t color = material->fog->color;
+        state->fog_color = kind == QTRI_IN_GRAY       ? qtri_pixel_888_to_luma(color)
+                           : kind == QTRI_IN_FINE_565 ? qtri_pixel_888_to_fine(color)
+                                                      : color;
     }
 }
 

@@ -16,6 +16,7 @@
 #include "descriptions.h"
 #include "any_loops.inc"
 
+#define IN_FINE   (QTRI_IN_FINE_565 << QTRI_ASK_KIND)
 #define TEXEL_565 (all->texel != QTRI_NO_TEXEL ? QTRI_TEXEL_RGB565 : QTRI_NO_TEXEL)
 
 ON_RGB565(draw_blended, ASK(READ) | (all->asks & (ASK(TWO_WORDS) | ASK(PACKED) | ASK(TABLE))),
@@ -23,15 +24,19 @@ ON_RGB565(draw_blended, ASK(READ) | (all->asks & (ASK(TWO_WORDS) | ASK(PACKED) |
           .blend = all->blend == QTRI_ALPHA ? QTRI_ALPHA
                    : all->blend == QTRI_ADD ? QTRI_ADD
                                             : QTRI_MULTIPLY)
-ON_RGB565(draw_sprite, QTRI_IN_888 << QTRI_ASK_KIND | ASK(READ) | ASK(ALPHA) | ASK(ALPHA_USED),
-          .texel = all->texel == QTRI_TEXEL_ARGB4444   ? QTRI_TEXEL_ARGB4444
-                   : all->texel == QTRI_TEXEL_ARGB1555 ? QTRI_TEXEL_ARGB1555
-                   : all->texel == QTRI_TEXEL_ALPHA8   ? QTRI_TEXEL_ALPHA8
-                                                       : QTRI_TEXEL_ARGB8888,
-          .shade = all->shade == QTRI_FLAT ? QTRI_FLAT : QTRI_TINT,
-          .blend = all->blend == QTRI_ALPHA ? QTRI_ALPHA : QTRI_ADD)
-ON_RGB565(draw_fogged, QTRI_IN_888 << QTRI_ASK_KIND | (all->asks & ASK(TWO_WORDS)),
-          .texel = TEXEL_565, .shade = all->shade, .fog = 1)
+#define SPRITE                                                                                     \
+    .texel = all->texel == QTRI_TEXEL_ARGB4444   ? QTRI_TEXEL_ARGB4444                             \
+             : all->texel == QTRI_TEXEL_ARGB1555 ? QTRI_TEXEL_ARGB1555                             \
+             : all->texel == QTRI_TEXEL_ALPHA8   ? QTRI_TEXEL_ALPHA8                               \
+                                                 : QTRI_TEXEL_ARGB8888,                              \
+    .shade = all->shade == QTRI_FLAT ? QTRI_FLAT : QTRI_TINT
+ON_RGB565(draw_sprite, IN_FINE | ASK(READ) | ASK(ALPHA) | ASK(ALPHA_USED), SPRITE,
+          .blend = QTRI_ALPHA)
+ON_RGB565(draw_light, QTRI_IN_888 << QTRI_ASK_KIND | ASK(READ) | ASK(ALPHA) | ASK(ALPHA_USED),
+          SPRITE, .blend = QTRI_ADD)
+ON_RGB565(draw_fogged, IN_FINE | (all->asks & ASK(TWO_WORDS)), .shade = all->shade, .fog = 1)
+ON_RGB565(draw_fogged_texture, IN_FINE | (all->asks & ASK(TWO_WORDS)), .texel = QTRI_TEXEL_RGB565,
+          .shade = all->shade, .fog = 1)
 ON_RGB565(draw_filtered, ASK(TWO_WORDS), .texel = QTRI_TEXEL_RGB565, .bilinear = 1,
           .shade = all->shade)
 
@@ -48,13 +53,15 @@ qtri_pixels_loop *qtri_blended_loop(const qtri_options *o)
     return is_plain_565(o) ? draw_blended
            : o->blend != QTRI_MULTIPLY && o->texel >= QTRI_TEXEL_ARGB8888 &&
                    o->texel <= QTRI_TEXEL_ALPHA8 && o->shade <= QTRI_TINT
-               ? draw_sprite
+               ? (o->blend == QTRI_ALPHA ? draw_sprite : draw_light)
                : NULL;
 }
 
 qtri_pixels_loop *qtri_fogged_loop(const qtri_options *o)
 {
-    return is_plain_565(o) ? draw_fogged : NULL;
+    return !is_plain_565(o) || qtri_kind_of(o) != QTRI_IN_FINE_565 ? NULL
+           : o->texel == QTRI_NO_TEXEL                             ? draw_fogged
+                                                                   : draw_fogged_texture;
 }
 
 qtri_pixels_loop *qtri_filtered_loop(const qtri_options *o)

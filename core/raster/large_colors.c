@@ -152,7 +152,16 @@ static void set_565(uint32_t out[3], const uint32_t c[3])
     out[2] = qtri_mul_high32(c[2], TO_31);
 }
 
+static void set_fine(uint32_t out[3], const uint32_t c[3])
+{
+    set_565(out, c);
+    out[0] <<= 3;
+    out[1] <<= 2;
+    out[2] <<= 3;
+}
+
 const qtri_large_packing qtri_packing_565 = {set_565, pack_565, 3, QTRI_LARGE_RUN_LOG2, true};
+const qtri_large_packing qtri_packing_fine = {set_fine, pack_888, 3, QTRI_LARGE_RUN_LOG2, false};
 
 /* Runs begin at any pixel of a row. */
 void qtri_large_set_runs(qtri_large *t)

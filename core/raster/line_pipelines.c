@@ -129,7 +129,8 @@ void qtri_line_job_init(qtri_line_job *job, const qtri_surface *surface,
     const qtri_color_kind kind = qtri_kind_of(&to->state.options);
     job->packing = kind == QTRI_IN_565    ? &qtri_packing_565
                    : kind == QTRI_IN_GRAY ? &qtri_packing_gray
-                                          : &qtri_packing_888;
+                   : kind == QTRI_IN_888  ? &qtri_packing_888
+                                          : &qtri_packing_fine;
 }
 
 void qtri_raster_line(const qtri_surface *surface, const qtri_material *material,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The generic pipelines of strokes' spans and of lines: options are read for every pixel. */
 #define QTRI_PIPELINE_IS_ANY
+#define QTRI_PIPELINE_IS_ANY_BY_KIND
 #define QTRI_PIXEL_IS_ALONE
 #include "line_path.h"
 
@@ -11,6 +12,7 @@ static qtri_options options_of(const qtri_draw_state *state, bool is_lit)
     o.shade = is_lit ? QTRI_LIGHT : QTRI_FLAT;
     o.fragment = NULL;
     o.vertex_alpha = o.bilinear = o.key = o.alpha_test = o.large_texture = 0;
+    o.asks = (uint16_t)qtri_find_kind(&o);
     return o;
 }
 

@@ -132,7 +132,8 @@ static bool find_packed(qtri_small_colors *f, const qtri_small_place *p, const q
 
 /* Sets red and blue, n.(16 - down), in halves of c, and green, n.16, in g. */
 static inline void set_two_words(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_small_place *p,
-                                 const qtri_small_colors *f, int32_t full, uint32_t half, int down)
+                                 const qtri_small_colors *f, int32_t full, int32_t full_green,
+                                 uint32_t half, int down)
 {
     const uint32_t round = (uint32_t)1 << (down - 1);
     qtri_small_ramp r, b;
@@ -141,7 +142,7 @@ static inline void set_two_words(qtri_small_ramp *c, qtri_small_ramp *g, const q
     c->at = (r.at >> down << 16) + qtri_small_signed_shift(b.at, down);
     c->dx = ((r.dx + round) >> down << 16) + qtri_small_signed_shift(b.dx + round, down);
     c->dy = ((r.dy + round) >> down << 16) + qtri_small_signed_shift(b.dy + round, down);
-    qtri_small_channel_set(g, p, f->at.g, f->d1.g, f->d2.g, full, half);
+    qtri_small_channel_set(g, p, f->at.g, f->d1.g, f->d2.g, full_green, half);
     qtri_small_ramp_to_first_row(c, p);
     qtri_small_ramp_to_first_row(g, p);
 }
@@ -153,7 +154,8 @@ bool qtri_small_set_colors_888(qtri_small_ramp *c, qtri_small_ramp *g, const qtr
     if (!find_packed(&f, p, t)) {
         return false;
     }
-    set_two_words(c, g, p, &f, 255, 0x8000u, 8);
+    const bool is_fine = qtri_kind_of(&t->state->options) == QTRI_IN_FINE_565;
+    set_two_words(c, g, p, &f, is_fine ? 248 : 255, is_fine ? 252 : 255, 0x8000u, 8);
     return true;
 }
 
@@ -164,7 +166,7 @@ bool qtri_small_set_weights(qtri_small_ramp *c, qtri_small_ramp *g, const qtri_s
     if (!find_packed(&f, p, t)) {
         return false;
     }
-    set_two_words(c, g, p, &f, 256, half, 9);
+    set_two_words(c, g, p, &f, 256, 256, half, 9);
     return true;
 }
 
@@ -287,7 +289,11 @@ bool qtri_small_set_color_curves(qtri_small_color_curves *k, qtri_small_division
     }
     find_channels(channel, p, t, kind == QTRI_IN_GRAY && !textured);
     for (int i = 0; i < 3; i++) {
-        const int32_t full = textured ? 256 : !is_packed ? 255 : i == 1 ? 63 : 31;
+        const int32_t full = textured                   ? 256
+                             : kind == QTRI_IN_FINE_565 ? (i == 1 ? 252 : 248)
+                             : !is_packed               ? 255
+                             : i == 1                   ? 63
+                                                        : 31;
         qtri_small_value *v = &value[i];
         v->value = ((uint32_t)(channel[i][0] * full * 2) + half) << QTRI_SMALL_FINE;
         v->f1 = (channel[i][1] * full) >> 8;

@@ -14,8 +14,14 @@
 #include "../format.h"
 #include "barrier.h"
 
-/* The formats that pixels are computed in: see qtri_kind_of(). */
-typedef enum qtri_color_kind { QTRI_IN_565, QTRI_IN_888, QTRI_IN_GRAY } qtri_color_kind;
+/* The formats that pixels are computed in: see qtri_kind_of(). QTRI_IN_FINE_565: as 888, but red
+   and blue have 8 for one of RGB565, and green 4. */
+typedef enum qtri_color_kind {
+    QTRI_IN_565,
+    QTRI_IN_888,
+    QTRI_IN_GRAY,
+    QTRI_IN_FINE_565
+} qtri_color_kind;
 
 #define QTRI_BODY_LANES_565 0x001F001Fu
 #define QTRI_BODY_LANES_888 0x00FF00FFu
@@ -86,6 +92,15 @@ QTRI_BODY uint32_t qtri_color_fade(qtri_color_kind kind, uint32_t c, uint32_t a,
     const uint32_t l = lanes * 256 + 0x00800080u + (qtri_lanes_of(kind, c) - lanes) * a;
     const uint32_t g = green * 256 + 128 + (qtri_green_of(kind, c) - green) * a;
     return qtri_join(kind, l >> 8 & qtri_lanes_mask(kind), g >> 8);
+}
+
+/* qtri_color_fade() of fine colours to RGB565, rounded once: 248 256 + 1024 < 2^16. */
+QTRI_BODY uint32_t qtri_color_fade_fine(uint32_t c, uint32_t a, uint32_t o)
+{
+    const uint32_t lanes = o & QTRI_BODY_LANES_888, green = qtri_green_888(o);
+    const uint32_t l = lanes * 256 + 0x04000400u + ((c & QTRI_BODY_LANES_888) - lanes) * a;
+    const uint32_t g = green * 256 + 512 + (qtri_green_888(c) - green) * a;
+    return qtri_join_565(l >> 11 & QTRI_BODY_LANES_565, g >> 10);
 }
 
 QTRI_BODY uint32_t qtri_color_scale(qtri_color_kind kind, uint32_t c, uint32_t a)
@@ -204,6 +219,19 @@ QTRI_BODY uint32_t qtri_pixel_888_to_565(uint32_t c)
     QTRI_BODY_BARRIER(factor);
     return lanes >> 27 << 11 | (qtri_body_bits(c, 8, 8) * factor + 505) >> 10 << 5 |
            qtri_body_bits(lanes, 11, 5);
+}
+
+/* Fine: exactly, and to nearest, as c 248 / 255 is c 249 / 256 - .03 at most, and c 252 / 255. */
+QTRI_BODY uint32_t qtri_pixel_565_to_fine(uint32_t c)
+{
+    return qtri_pixel_lanes_565(c) << 3 | (c << 5 & 0xFC00u);
+}
+
+QTRI_BODY uint32_t qtri_pixel_888_to_fine(uint32_t c)
+{
+    return (c & 0xFF000000u) |
+           (((c & QTRI_BODY_LANES_888) * 249 + 0x00800080u) >> 8 & QTRI_BODY_LANES_888) |
+           ((qtri_green_888(c) * 253 + 128) & 0xFF00u);
 }
 
 /* .299 R + .587 G + .114 B, to nearest. */

@@ -61,6 +61,7 @@ typedef struct qtri_large_packing {
 extern const qtri_large_packing qtri_packing_light, qtri_packing_gray;
 extern const qtri_large_packing qtri_packing_565;     /* one word: see pixel.h */
 extern const qtri_large_packing qtri_packing_888;     /* lanes of 8.8 */
+extern const qtri_large_packing qtri_packing_fine;    /* as these: QTRI_IN_FINE_565 */
 extern const qtri_large_packing qtri_packing_weights; /* of texels: lanes of 9.7, 256 is 1 */
 
 /* What a draw call has of a triangle. */
@@ -327,7 +328,8 @@ QTRI_BODY const qtri_large_packing *qtri_large_packing_of(const qtri_options *o)
            : qtri_is_textured(o)             ? &qtri_packing_weights
            : qtri_kind_of(o) == QTRI_IN_565  ? &qtri_packing_565
            : qtri_kind_of(o) == QTRI_IN_GRAY ? &qtri_packing_gray
-                                             : &qtri_packing_888;
+           : qtri_kind_of(o) == QTRI_IN_888  ? &qtri_packing_888
+                                             : &qtri_packing_fine;
 }
 
 QTRI_BODY void qtri_large_begin(const qtri_options *o, qtri_large *t, qtri_pixel_walk *w)

@@ -83,28 +83,43 @@ QTRI_BODY uint32_t qtri_texture_height_log2(const qtri_options *o, const qtri_dr
     return o->mipmapped ? state->level_texture.height_log2 : state->height_log2;
 }
 
-/* The format that pixels are computed in: that of RGB565 and gray surfaces, or 888. RGB565 needs
-   texels of RGB565 and no steps, as fog, of which 888 rounds all at once; gray with a texture needs
-   equal light in all channels, and no QTRI_ADD, which saturates each channel by itself. */
-QTRI_BODY qtri_color_kind qtri_kind_of(const qtri_options *o)
+/* The last that is done to a colour is a mixture: by coverage, alpha, or fog. */
+QTRI_BODY bool qtri_mixes_last(const qtri_options *o)
 {
-#if defined(QTRI_PIPELINE_IS_ANY_BY_ASKS)
-    return (qtri_color_kind)(o->asks & 3);
-#else
-    if (qtri_stores_565(o)) {
-        return (o->texel == QTRI_NO_TEXEL || o->texel == QTRI_TEXEL_RGB565 ||
-                o->texel == QTRI_TEXEL_PALETTE565) &&
-                       !o->fog && !o->vertex_alpha && o->fragment == NULL &&
-                       (!o->covered || o->blend == QTRI_STORE)
-                   ? QTRI_IN_565
-                   : QTRI_IN_888;
+    return o->blend != QTRI_ADD && o->blend != QTRI_MULTIPLY && !o->keep &&
+           (o->covered || o->blend == QTRI_ALPHA || o->fog);
+}
+
+/* The format that pixels are computed in. RGB565: its own where texels have it and nothing rounds
+   colours before the last step; fine where that mixes, from which they are rounded once. Gray with
+   a texture needs equal light in all channels, and no QTRI_ADD, which saturates each by itself. */
+QTRI_BODY qtri_color_kind qtri_find_kind(const qtri_options *o)
+{
+    if (o->fragment != NULL) {
+        return QTRI_IN_888;
     }
-    return o->format == QTRI_GRAY8 && o->fragment == NULL &&
-                   (o->texel == QTRI_NO_TEXEL ||
-                    (o->texel <= QTRI_TEXEL_CHECKER && o->blend != QTRI_ADD &&
-                     (o->shade == QTRI_FLAT || o->shade == QTRI_WHITE_LIGHT)))
+    if (qtri_stores_565(o)) {
+        if (!o->fog && !o->vertex_alpha && (!o->covered || o->blend == QTRI_STORE) &&
+            (o->texel == QTRI_NO_TEXEL || o->texel == QTRI_TEXEL_RGB565 ||
+             o->texel == QTRI_TEXEL_PALETTE565)) {
+            return QTRI_IN_565;
+        }
+        return qtri_mixes_last(o) && !o->per_pixel ? QTRI_IN_FINE_565 : QTRI_IN_888;
+    }
+    return o->format == QTRI_GRAY8 && (o->texel == QTRI_NO_TEXEL ||
+                                       (o->texel <= QTRI_TEXEL_CHECKER && o->blend != QTRI_ADD &&
+                                        (o->shade == QTRI_FLAT || o->shade == QTRI_WHITE_LIGHT)))
                ? QTRI_IN_GRAY
                : QTRI_IN_888;
+}
+
+/* That, or where options are read at run time what they say of it. */
+QTRI_BODY qtri_color_kind qtri_kind_of(const qtri_options *o)
+{
+#if defined(QTRI_PIPELINE_IS_ANY_BY_ASKS) || defined(QTRI_PIPELINE_IS_ANY_BY_KIND)
+    return (qtri_color_kind)(o->asks & 3);
+#else
+    return qtri_find_kind(o);
 #endif
 }
 
@@ -124,7 +139,8 @@ QTRI_BODY bool qtri_has_two_words(const qtri_options *o)
 {
     return QTRI_ASKS(o, QTRI_ASK_TWO_WORDS,
                      o->shade == QTRI_COLORS &&
-                         (qtri_is_textured(o) || qtri_kind_of(o) == QTRI_IN_888));
+                         (qtri_is_textured(o) || qtri_kind_of(o) == QTRI_IN_888 ||
+                          qtri_kind_of(o) == QTRI_IN_FINE_565));
 }
 
 /* Vertex colours are stepped in one word, all channels of 565. */

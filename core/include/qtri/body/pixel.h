@@ -121,7 +121,8 @@ QTRI_BODY uint32_t qtri_blended(const qtri_options *o, const qtri_pixel_walk *w,
     switch (o->blend) {
     case QTRI_ALPHA: {
         const uint32_t alpha = qtri_pixel_alpha(o, w, texel);
-        return qtri_color_mix(kind, color, alpha, stored);
+        return kind == QTRI_IN_FINE_565 && !o->covered ? qtri_color_fade_fine(color, alpha, stored)
+                                                       : qtri_color_mix(kind, color, alpha, stored);
     }
     case QTRI_ADD:
         return qtri_color_add(kind, stored, color, qtri_pixel_alpha(o, w, texel));
@@ -238,7 +239,9 @@ QTRI_BODY uint32_t qtri_pixel_composite(const qtri_options *o, const qtri_pixel_
         color = (color & ~w->state->keep) | (stored & w->state->keep);
     }
     if (o->covered) {
-        color = qtri_color_fade(qtri_kind_of(o), color, w->cover, stored);
+        color = qtri_kind_of(o) == QTRI_IN_FINE_565
+                    ? qtri_color_fade_fine(color, w->cover, stored)
+                    : qtri_color_fade(qtri_kind_of(o), color, w->cover, stored);
     }
     return color;
 }
@@ -315,7 +318,9 @@ QTRI_BODY_PIXEL void qtri_pixel_at(const qtri_options *o, qtri_pixel_walk *w, bo
     if (drawn) {
         if (o->fog) {
             const uint32_t clear = w->fog >> 16;
-            color = qtri_color_fade(qtri_kind_of(o), color, clear, w->fog_color);
+            color = qtri_kind_of(o) == QTRI_IN_FINE_565 && !qtri_reads_pixel(o)
+                        ? qtri_color_fade_fine(color, clear, w->fog_color)
+                        : qtri_color_fade(qtri_kind_of(o), color, clear, w->fog_color);
         }
         if (qtri_has_samples(o)) {
             qtri_samples_write_late(o, w, samples, pixel, depth);
@@ -437,6 +442,8 @@ QTRI_BODY void qtri_walk_begin(const qtri_options *o, qtri_pixel_walk *w,
         w->table = state->table;
         if (qtri_kind_of(o) == QTRI_IN_GRAY) {
             w->color = qtri_pixel_888_to_luma(state->color);
+        } else if (qtri_kind_of(o) == QTRI_IN_FINE_565) {
+            w->color = qtri_pixel_888_to_fine(state->color);
         }
     }
     if (qtri_is_textured(o)) {
@@ -458,15 +465,11 @@ QTRI_BODY uint32_t qtri_walk_color(const qtri_options *o, const qtri_surface *su
     if (qtri_is_textured(o)) {
         return rgb;
     }
-    switch (qtri_kind_of(o)) {
-    case QTRI_IN_565:
-        rgb = qtri_pixel_888_to_565(rgb);
-        break;
-    case QTRI_IN_GRAY:
-        rgb = qtri_pixel_888_to_luma(rgb);
-        break;
-    default:
-        break;
+    const qtri_color_kind kind = qtri_kind_of(o);
+    if (kind != QTRI_IN_888) {
+        rgb = kind == QTRI_IN_565    ? qtri_pixel_888_to_565(rgb)
+              : kind == QTRI_IN_GRAY ? qtri_pixel_888_to_luma(rgb)
+                                     : qtri_pixel_888_to_fine(rgb);
     }
     return qtri_has_constant_color(o) ? qtri_encode(o, surface, rgb) : rgb;
 }

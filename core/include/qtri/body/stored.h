@@ -35,10 +35,10 @@ QTRI_BODY uint32_t qtri_pixel_bytes(const qtri_options *o)
 #endif
 }
 
-/* A colour of the pipeline's kind as it is stored. */
+/* A colour of the pipeline's kind as it is stored; of a fine one a mixture has made RGB565. */
 QTRI_BODY uint32_t qtri_encode(const qtri_options *o, const qtri_surface *surface, uint32_t c)
 {
-    if (qtri_stores_565(o) && qtri_kind_of(o) != QTRI_IN_565) {
+    if (qtri_stores_565(o) && qtri_kind_of(o) == QTRI_IN_888) {
         c = qtri_pixel_888_to_565(c);
     }
     switch (o->format) {
@@ -61,15 +61,22 @@ QTRI_BODY uint32_t qtri_encode(const qtri_options *o, const qtri_surface *surfac
     }
 }
 
+/* A stored pixel of RGB565 as a colour of the kind. */
+QTRI_BODY uint32_t qtri_decode_565(const qtri_options *o, uint32_t stored)
+{
+    return qtri_kind_of(o) == QTRI_IN_565   ? stored
+           : qtri_kind_of(o) == QTRI_IN_888 ? qtri_pixel_565_to_888(stored)
+                                            : qtri_pixel_565_to_fine(stored);
+}
+
 /* A stored pixel as a colour in qtri_kind_of(o). */
 QTRI_BODY uint32_t qtri_decode(const qtri_options *o, const qtri_surface *surface, uint32_t stored)
 {
     switch (o->format) {
     case QTRI_RGB565:
-        return qtri_kind_of(o) == QTRI_IN_565 ? stored : qtri_pixel_565_to_888(stored);
+        return qtri_decode_565(o, stored);
     case QTRI_RGB565_SWAPPED:
-        stored = qtri_swap_16(stored);
-        return qtri_kind_of(o) == QTRI_IN_565 ? stored : qtri_pixel_565_to_888(stored);
+        return qtri_decode_565(o, qtri_swap_16(stored));
     case QTRI_RGB565_EXACT:
         return qtri_pixel_565_to_888(stored);
     case QTRI_RGB888:

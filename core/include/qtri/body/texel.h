@@ -54,9 +54,12 @@ QTRI_BODY uint32_t qtri_texel_stored(const qtri_options *o, const qtri_pixel_wal
     }
 }
 
-/* An RGB565 colour in the format pixels are computed in, which is gray or 888. */
+/* An RGB565 colour in the format pixels are computed in, which is gray, 888 or fine. */
 QTRI_BODY_PART uint32_t qtri_texel_from_565(qtri_color_kind kind, uint32_t c)
 {
+    if (kind == QTRI_IN_FINE_565) {
+        return qtri_pixel_565_to_fine(c);
+    }
     return kind == QTRI_IN_GRAY ? qtri_pixel_565_to_luma(c) : qtri_pixel_565_to_888(c);
 }
 
@@ -65,9 +68,12 @@ QTRI_BODY_PART uint32_t qtri_texel_gray(uint32_t c)
     return qtri_pixel_888_to_luma(c);
 }
 
+/* One of 888, whose alpha stays. */
 QTRI_BODY uint32_t qtri_texel_from_888(qtri_color_kind kind, uint32_t c)
 {
-    return kind == QTRI_IN_GRAY ? qtri_texel_gray(c) : c;
+    return kind == QTRI_IN_GRAY       ? qtri_texel_gray(c)
+           : kind == QTRI_IN_FINE_565 ? qtri_pixel_888_to_fine(c)
+                                      : c;
 }
 
 /* A stored texel as a colour of the kind; with alpha, 0xAARRGGBB. */
@@ -82,20 +88,21 @@ QTRI_BODY uint32_t qtri_texel_color(const qtri_options *o, const qtri_pixel_walk
     case QTRI_TEXEL_XRGB8888:
         return qtri_texel_from_888(kind, t & 0xFFFFFFu);
     case QTRI_TEXEL_GRAY8:
-        return kind == QTRI_IN_GRAY ? t : t * 0x010101u;
+        return kind == QTRI_IN_GRAY ? t : qtri_texel_from_888(kind, t * 0x010101u);
     case QTRI_TEXEL_PALETTE8:
     case QTRI_TEXEL_CHECKER: /* both colours are its palette */
         return qtri_texel_from_888(kind, qtri_pixel_rgb_to_888((const qtri_rgb *)w->palette + t));
     case QTRI_TEXEL_ARGB4444:
-        return qtri_pixel_4444_to_8888(t);
+        return qtri_texel_from_888(kind, qtri_pixel_4444_to_8888(t));
     case QTRI_TEXEL_ARGB1555:
-        return qtri_pixel_1555_to_8888(t);
+        return qtri_texel_from_888(kind, qtri_pixel_1555_to_8888(t));
     case QTRI_TEXEL_ALPHA8:
-        return t << 24 | 0xFFFFFFu;
+        return t << 24 | (kind == QTRI_IN_FINE_565 ? 0xF8FCF8u : 0xFFFFFFu);
     case QTRI_OTHER_TEXEL:
-        return o->fetch != NULL ? t : qtri_texel_other(w->state->texture, t);
+        t = o->fetch != NULL ? t : qtri_texel_other(w->state->texture, t);
+        return qtri_texel_from_888(kind, t);
     default:
-        return t;
+        return qtri_texel_from_888(kind, t);
     }
 }
 
