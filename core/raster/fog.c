@@ -108,7 +108,7 @@ void qtri_fog_set(qtri_fog *fog, qtri_fog_range range, q16 z0, q16 z1, qtri_fog_
  * steps are finer. Within a step, which has 2^*bits of t, a share is linear in t. Makes *t what
  * of it is in its step, or in the first or beyond the last, where shares do not change, 0.
  */
-static inline uint32_t find_step(const qtri_fog *fog, uint32_t *t, uint32_t *bits)
+QTRI_INLINE uint32_t find_step(const qtri_fog *fog, uint32_t *t, uint32_t *bits)
 {
     *bits = fog->step_bits;
     if (*bits != 0) {
@@ -126,7 +126,7 @@ static inline uint32_t find_step(const qtri_fog *fog, uint32_t *t, uint32_t *bit
 }
 
 /* 2^12 times a rise of at most 2^17 is below 2^30. */
-uint32_t qtri_fog_share(const qtri_fog *fog, uint32_t depth_16p16)
+QTRI_INLINE uint32_t share_at(const qtri_fog *fog, uint32_t depth_16p16)
 {
     const int32_t full = (int32_t)1024 << PART_BITS;
     uint32_t t = ~depth_16p16, bits;
@@ -135,6 +135,23 @@ uint32_t qtri_fog_share(const qtri_fog *fog, uint32_t depth_16p16)
     const int32_t share = low * (1 << PART_BITS) + (1 << (PART_BITS - 1)) +
                           part * (fog->share[step + 1] - low); /* 1024 2^12 is 1 */
     return (uint32_t)(share < 0 ? 0 : share > full ? full : share) << (24 - 10 - PART_BITS);
+}
+
+uint32_t qtri_fog_share(const qtri_fog *fog, uint32_t depth_16p16)
+{
+    return share_at(fog, depth_16p16);
+}
+
+uint32_t qtri_fog_along(uint32_t *step, const qtri_fog *fog, uint32_t z, uint32_t z_step,
+                        uint32_t count)
+{
+    const uint32_t first = share_at(fog, z);
+    *step = 0;
+    if (count > 1) {
+        const uint32_t last = share_at(fog, z + (count - 1) * z_step);
+        *step = (uint32_t)qtri_divide32((int32_t)(last - first), count - 1);
+    }
+    return first + 0x8000u;
 }
 
 void qtri_fog_find_stretch(qtri_fog_stretch *stretch, const qtri_fog *fog, uint32_t depth_16p16)

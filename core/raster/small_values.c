@@ -182,12 +182,6 @@ bool qtri_small_set_colors_gray(qtri_small_ramp *c, const qtri_small_place *p, c
     return true;
 }
 
-uint32_t qtri_small_fog_step(uint32_t from, uint32_t to, int32_t count)
-{
-    const int32_t difference = (int32_t)(to - from); /* |.| <= 2^24 */
-    return (uint32_t)qtri_divide32(difference, (uint32_t)count - 1);
-}
-
 /* Light that follows perspective --------------------------------------------------------------- */
 
 void qtri_small_find_light(qtri_small_value *light, const qtri_small *t, const qtri_options *o)

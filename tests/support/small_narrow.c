@@ -11,7 +11,6 @@
 #define qtri_small_color                 narrow_small_color
 #define qtri_small_cut                   narrow_small_cut
 #define qtri_small_find                  narrow_small_find
-#define qtri_small_fog_step              narrow_small_fog_step
 #define qtri_small_lit_channels          narrow_small_lit_channels
 #define qtri_small_set_alpha             narrow_small_set_alpha
 #define qtri_small_set_colors_565        narrow_small_set_colors_565

@@ -148,18 +148,6 @@ QTRI_BODY void qtri_small_curves_next_row(const qtri_options *o, qtri_small_curv
     }
 }
 
-/* Fog along a row of `count` pixels, linear between its ends, whatever is visible of it. */
-QTRI_BODY void qtri_small_set_fog_along(qtri_pixel_walk *w, uint32_t count)
-{
-    const qtri_fog *fog = w->state->fog;
-    const uint32_t first = qtri_fog_share(fog, w->z);
-    w->fog = first + 0x8000u;
-    if (count > 1) { /* else there is no step to take */
-        const uint32_t last = qtri_fog_share(fog, w->z + (count - 1) * w->z_step);
-        w->fog_step = qtri_small_fog_step(first, last, (int32_t)count);
-    }
-}
-
 /* The first depth. Only the generic pipeline may have one in place of all; read from the state by
    others, too, it costs S6 .8 % on a Cortex-M3. */
 QTRI_BODY uint8_t *qtri_small_depths(const qtri_draw_state *state)
@@ -245,14 +233,16 @@ QTRI_BODY void qtri_small_draw_pieces(const qtri_options *o, qtri_pixel_body *pi
     }
 }
 
-/* Sets fog along columns *x..*end-1, unless the row `goes_on` behind others, and leaves of them
-   those that are visible. */
+/* Sets fog along columns *x..*end-1, whatever is visible of them, unless the row `goes_on` behind
+   others, and leaves of them those that are visible. */
 QTRI_BODY void qtri_small_fog_row(const qtri_options *o, qtri_pixel_walk *w,
                                   const qtri_small_place *p, bool curved, bool goes_on, uint32_t *x,
                                   uint32_t *end)
 {
     if (!goes_on) {
-        qtri_small_set_fog_along(w, *end - *x);
+        uint32_t step;
+        w->fog = qtri_fog_along(&step, w->state->fog, w->z, w->z_step, *end - *x);
+        w->fog_step = step;
     }
     if (p->cut) {
         const uint32_t first = (uint32_t)qtri_small_clamp(p->left, (int32_t)*x, (int32_t)*end);

@@ -231,10 +231,6 @@ void qtri_small_set_color_chord(qtri_small_chord *c, qtri_small_chord *g,
                                 uint32_t x);
 void qtri_small_color_curves_next_row(qtri_small_color_curves *k);
 
-/* The step of fog along a row of `count` >= 2 pixels, between its shares at the first and the last.
- */
-uint32_t qtri_small_fog_step(uint32_t from, uint32_t to, int32_t count);
-
 #ifdef __cplusplus
 }
 #endif

@@ -144,6 +144,11 @@ typedef struct qtri_pixel_walk {
    most. In fog.c. */
 uint32_t qtri_fog_share(const qtri_fog *fog, uint32_t depth_16p16);
 
+/* Fog along `count` >= 1 pixels, linear between its shares at the first and the last: a pixel's
+   step, and the first, with the half that rounds. */
+uint32_t qtri_fog_along(uint32_t *step, const qtri_fog *fog, uint32_t z, uint32_t z_step,
+                        uint32_t count);
+
 /* Makes state->level_texture another mipmap level, 0..state->last_level. */
 void qtri_draw_state_set_level(qtri_draw_state *state, uint32_t level);
 
