@@ -8,6 +8,8 @@
 #include "support/random_states.h"
 #include "support/recorded.h"
 
+#include "raster/draw_state.h"
+
 enum { GROUPS = 8, PARTED = 600 };
 
 typedef char a_slot_for_each_vertex[(int)FACES_VERTICES <= (int)STATES_VERTICES ? 1 : -1];
@@ -261,6 +263,44 @@ TEST(parts_have_the_pixels_of_the_whole)
             }
             if (in_parts(kind, n, n % 2 == 0 ? 0 : 9 + rows, columns) != whole) {
                 fail_msg("%s, seed %d: scissors of %d columns differ", kind->name, n, (int)columns);
+            }
+        }
+    }
+}
+
+/* The generic pipeline's loop for all options: a draw that asks for what no other loop has tells
+   which. */
+static qtri_pixels_loop *loop_for_all(void)
+{
+    qtri_draw_state state;
+    memset(&state, 0, sizeof state);
+    state.options.alpha_test = 1;
+    (void)qtri_pipeline_any.choose(&qtri_pipeline_any, &state);
+    return state.loop;
+}
+
+static const qtri_pipeline *choose_loop_for_all(const qtri_pipeline *generic,
+                                                qtri_draw_state *state)
+{
+    (void)qtri_draw_state_ask(generic, state);
+    state->loop = loop_for_all();
+    return generic;
+}
+
+/* Pipelines of the default list, those of effects, and the generic one's loops. */
+TEST(all_loops_draw_what_the_loop_for_all_options_draws)
+{
+    qtri_pipeline for_all = qtri_pipeline_any;
+    const qtri_pipeline *const list[] = {&for_all, NULL};
+    for_all.choose = choose_loop_for_all;
+    for (const random_kind *kind = random_kinds; kind->name != NULL; kind++) {
+        for (int n = 0; kind->picture == random_on_surface && n < random_cases(4 * PARTED); n++) {
+            const uint32_t by_default = in_parts(kind, n, 0, 0);
+            states.pipelines = list;
+            const uint32_t by_one = in_parts(kind, n, 0, 0);
+            states.pipelines = NULL;
+            if (by_default != by_one) {
+                fail_msg("%s, seed %d: differs", kind->name, n);
             }
         }
     }

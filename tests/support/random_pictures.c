@@ -235,7 +235,7 @@ void random_draw_screen(random_states *w, const qtri_surface *surface)
             break;
         default:
             for (int i = 0; i < STATES_CORNERS; i += 3) {
-                qtri_raster_triangle(surface, qtri_pipelines_default, &w->material, w->screen + i);
+                qtri_raster_triangle(surface, w->view.pipelines, &w->material, w->screen + i);
             }
             break;
         }

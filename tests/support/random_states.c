@@ -267,6 +267,12 @@ void random_usual(random_states *w)
     w->view.vertex_count = STATES_VERTICES;
 }
 
+static void init_view(random_states *w)
+{
+    qtri_view_init(&w->view, w->width, w->height);
+    w->view.pipelines = w->pipelines != NULL ? w->pipelines : w->view.pipelines;
+}
+
 void random_view(random_states *w)
 {
     const q16 fovy = random_between(w, Q16(30), Q16(90));
@@ -275,7 +281,7 @@ void random_view(random_states *w)
     const q16 above = random_between(w, Q16(-60), Q16(60));
     const q16 distance = random_between(w, Q16(1), Q16(5));
     const qtri_vec3 center = random_vec(w, Q16(.5));
-    qtri_view_init(&w->view, w->width, w->height);
+    init_view(w);
     if (random_one_in(w, 4)) {
         qtri_transform_ortho(&w->view.projection, -fovy / 20, fovy / 20, -fovy / 24, fovy / 24,
                              near_z, Q16(12));
@@ -373,7 +379,7 @@ void random_solid(random_states *w)
     const q16 distance = random_between(w, Q16(2), Q16(4));
     random_mesh(w);
     w->mesh.extent = Q16(2);
-    qtri_view_init(&w->view, w->width, w->height);
+    init_view(w);
     qtri_transform_perspective(&w->view.projection, fovy, Q16(1) * w->width / w->height, Q16(.3),
                                Q16(12));
     qtri_transform_orbit(&w->view.camera, center, distance, turn, above);

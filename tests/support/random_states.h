@@ -27,6 +27,7 @@ typedef struct random_states {
     int32_t tile_columns;  /* of scissors, which bands are drawn by one after the other; 0: all */
     uint32_t other_depths; /* goes on from here: a checksum of depths that are not 16 bits */
     int32_t width, height; /* of a surface: mostly those above, or about as many pixels */
+    const qtri_pipeline *const *pipelines; /* of all draws; NULL: the default list */
     qtri_view view;
     qtri_vertex vertices[STATES_VERTICES];
     qtri_transform pose;
