@@ -51,7 +51,7 @@ static bool is_described(const bench_scene *scene)
 {
     const bool is_mesh = scene->work == BENCH_MESH;
     return scene->work != BENCH_PAINT && scene->depth == NULL && scene->filter == NULL &&
-           scene->format == NULL && !scene->thin && !scene->hidden &&
+           scene->format == NULL && !scene->thin && !scene->hidden && !scene->sprite &&
            (scene->mesh == NULL || subject_of(scene->mesh) != NULL) &&
            !(is_mesh && (scene->width != 0 || scene->shading == QTRI_PER_PIXEL)) &&
            !(scene->blend == &qtri_blend_vertex_alpha && scene->quad != &bench_screen) &&

@@ -100,6 +100,7 @@ const bench_scene bench_scenes[] = {
     {.name = "F2", QUAD(&bench_screen, rainbow), .fog = true},
     {.name = "F11", QUAD(&bench_turned, white), .textured = true, .fog = true},
     {.name = "F4", MESH(COMPACT(spot), Q16(150)), .fog = true},
+    {.name = "B11", QUAD(&bench_turned, white), .textured = true, .sprite = true, .blend = &qtri_blend_alpha},
     {.name = "B7", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .blend = &qtri_blend_alpha},
     {.name = "F6", MESH(COMPACT(spot_uv), Q16(150)), .textured = true, .fog = true},
     {.name = "D1", QUAD(&bench_screen, orange), FLAT, .depth = &qtri_depth_float16},
@@ -240,6 +241,15 @@ static void set_texels_888(bench_frame *frame)
     frame->texture.format = &qtri_texel_xrgb8888;
 }
 
+static void set_sprite(bench_frame *frame)
+{
+    for (uint32_t i = 0; i < BENCH_TEXTURE_SIDE * BENCH_TEXTURE_SIDE; i++) {
+        const qtri_rgb c = bench_texel(i % BENCH_TEXTURE_SIDE, i / BENCH_TEXTURE_SIDE);
+        frame->texels[i] = (uint16_t)(0x8000 | c.r >> 4 << 8 | c.g >> 4 << 4 | c.b >> 4);
+    }
+    frame->texture.format = &qtri_texel_argb4444;
+}
+
 static void set_texture(bench_frame *frame, qtri_texture_mode mode)
 {
     for (uint32_t i = 0; i < BENCH_TEXTURE_SIDE * BENCH_TEXTURE_SIDE; i++) {
@@ -255,6 +265,9 @@ static void set_texture(bench_frame *frame, qtri_texture_mode mode)
     frame->texture.key = 0xFFFF; /* bench_texel() is not white */
     if (frame->scene->texels_888) {
         set_texels_888(frame);
+    }
+    if (frame->scene->sprite) {
+        set_sprite(frame);
     }
     set_levels(frame);
     frame->material.texture = &frame->texture;

@@ -68,6 +68,7 @@ typedef struct bench_scene {
     bool textured;       /* REPLACE on quads, MODULATE on meshes */
     bool keyed;          /* the texture has a key, which no texel equals */
     bool texels_888;     /* the texture is of XRGB8888 */
+    bool sprite;         /* it is of ARGB4444, half transparent */
     bool thin;           /* a wireframe of smooth lines */
     bool points, hidden; /* points for a polyline; a wireframe without hidden lines */
     bool chart;          /* a polyline of 160 points */
