@@ -88,8 +88,7 @@ static qtri_pixels_loop *loop_of_effect(const qtri_draw_state *state)
                                 : has_blend ? material->blend->effect
                                 : has_fog   ? material->fog->effect
                                             : state->texture->filter->effect;
-    const bool is_alone = has_depth + has_blend + has_fog + (o->bilinear != 0) == 1 && !o->key;
-    qtri_pixels_loop *loop = is_alone && effect != NULL ? effect->loop_of(o) : NULL;
+    qtri_pixels_loop *loop = effect != NULL ? effect->loop_of(o) : NULL;
     return loop != NULL ? loop : draw_other;
 }
 
@@ -99,8 +98,7 @@ static qtri_pixels_loop *loop_of(const qtri_draw_state *state)
     const qtri_options *o = &state->options;
     const bool is_565 = o->format == QTRI_RGB565 || o->format == QTRI_RGB565_SWAPPED;
     const bool has_effect = (o->bilinear | o->fog | o->blend) != 0 || o->depth > QTRI_LINEAR16;
-    if ((o->alpha_test | o->keep | o->large_texture | o->vertex_alpha) != 0 ||
-        o->fragment != NULL || (has_effect && !is_565)) {
+    if ((o->alpha_test | o->keep | o->large_texture) != 0 || o->fragment != NULL) {
         return draw_other;
     }
     if (has_effect) {

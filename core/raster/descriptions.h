@@ -24,7 +24,7 @@
  */
 typedef struct qtri_effect {
     const qtri_pipeline *const *pipelines;
-    /* The generic pipeline's loop for RGB565 with this effect alone and no key; NULL: none. */
+    /* The generic pipeline's loop for these options; NULL: the one for all. */
     qtri_pixels_loop *(*loop_of)(const qtri_options *o);
 } qtri_effect;
 

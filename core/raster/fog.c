@@ -166,7 +166,7 @@ void qtri_fog_find_stretch(qtri_fog_stretch *stretch, const qtri_fog *fog, uint3
     stretch->ahead = last - stretch->behind;
     if (fog->step_bits != 0 && (t < fog->first || step > STEPS)) {
         stretch->rise = 0;
-        stretch->behind = t < fog->first ? t : t - fog->first - (STEPS << stretch->bits);
+        stretch->behind = t < fog->first ? t : t - fog->first - ((uint32_t)STEPS << stretch->bits);
         stretch->ahead = t < fog->first ? fog->first - t : ~t;
     }
 }
