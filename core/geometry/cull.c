@@ -380,11 +380,7 @@ bool qtri_eye_find(qtri_eye *eye, const qtri_projector *projector, const qtri_fa
     int64_t along = 0;
     subtract_w_row(a, &projector->row.compact[0], w.slope_q30);
     subtract_w_row(b, &projector->row.compact[1], w.slope_q30);
-    for (int i = 0; i < 3; i++) {
-        const int next = i < 2 ? i + 1 : 0;
-        const int last = 3 - i - next;
-        cross[i] = qtri_mul_s32(a[next], b[last]) - qtri_mul_s32(a[last], b[next]); /* < 2^61.1 */
-    }
+    qtri_cross64(cross, a, b); /* < 2^61.1 */
     const int32_t down = qtri_align32(k, cross, 30);
     if (down < 0) {
         return false; /* seen from the side */

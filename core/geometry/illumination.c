@@ -309,21 +309,14 @@ void qtri_uneven_normal_q14(int32_t out[3], const int32_t *m_q28, const int32_t 
     (void)qtri_direction_q14(out, turned);
 }
 
-/* Edges are held to 30 bits, their product to 61. */
 void qtri_face_normal(int32_t normal[3], const qtri_vec3 *a, const qtri_vec3 *b, const qtri_vec3 *c)
 {
-    const int64_t e[3] = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z};
-    const int64_t f[3] = {(int64_t)c->x - a->x, (int64_t)c->y - a->y, (int64_t)c->z - a->z};
-    const uint64_t e_all = qtri_magnitude64(e[0]) | qtri_magnitude64(e[1]) | qtri_magnitude64(e[2]);
-    const uint64_t f_all = qtri_magnitude64(f[0]) | qtri_magnitude64(f[1]) | qtri_magnitude64(f[2]);
-    const int32_t e_down = e_all >> 30 != 0 ? 3 : 0; /* below 2^33 */
-    const int32_t f_down = f_all >> 30 != 0 ? 3 : 0;
+    int32_t e[3];
+    int32_t f[3];
     int64_t cross[3];
-    for (int i = 0; i < 3; i++) {
-        const int j = i < 2 ? i + 1 : 0;
-        const int k = 3 - i - j;
-        cross[i] = (e[j] >> e_down) * (f[k] >> f_down) - (e[k] >> e_down) * (f[j] >> f_down);
-    }
+    qtri_face_edge(e, a, b);
+    qtri_face_edge(f, a, c);
+    qtri_cross64(cross, e, f);
     (void)qtri_direction_q14(normal, cross);
 }
 

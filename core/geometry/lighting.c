@@ -209,19 +209,13 @@ static uint32_t light_face(const qtri_lighting *lighting, const int32_t n[3])
                            mantissa16(n[2], zeros));
 }
 
-/* The edges from a to b and to c, divided by 2^3 where one is 2^30 or longer. */
-QTRI_NOINLINE static void get_far_edges(int32_t edge[6], const qtri_vec3 *a, const qtri_vec3 *b,
-                                        const qtri_vec3 *c)
+void qtri_face_edge(int32_t edge[3], const qtri_vec3 *a, const qtri_vec3 *b)
 {
-    const int64_t far[6] = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z,
-                            (int64_t)c->x - a->x, (int64_t)c->y - a->y, (int64_t)c->z - a->z};
-    uint64_t size = 0;
-    for (int i = 0; i < 6; i++) {
-        size |= qtri_magnitude64(far[i]);
-    }
-    const int32_t down = size >> 30 != 0 ? 3 : 0;
-    for (int i = 0; i < 6; i++) {
-        edge[i] = (int32_t)(far[i] >> down);
+    const int64_t e[3] = {(int64_t)b->x - a->x, (int64_t)b->y - a->y, (int64_t)b->z - a->z};
+    const uint64_t all = qtri_magnitude64(e[0]) | qtri_magnitude64(e[1]) | qtri_magnitude64(e[2]);
+    const int32_t down = all >> 30 != 0 ? 3 : 0; /* below 2^33 */
+    for (int i = 0; i < 3; i++) {
+        edge[i] = (int32_t)(e[i] >> down);
     }
 }
 
@@ -234,7 +228,8 @@ uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, c
                           size_of(b->y) | size_of(b->z) | size_of(c->x) | size_of(c->y) |
                           size_of(c->z);
     if (size >> 29 != 0) {
-        get_far_edges(e, a, b, c);
+        qtri_face_edge(e, a, b);
+        qtri_face_edge(&e[3], a, c);
     } else {
         e[0] = b->x - a->x;
         e[1] = b->y - a->y;
@@ -248,14 +243,14 @@ uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, c
         n[1] = e[2] * e[3] - e[0] * e[5];
         n[2] = e[0] * e[4] - e[1] * e[3];
     } else {
-        const int64_t x = qtri_mul_s32(e[1], e[5]) - qtri_mul_s32(e[2], e[4]); /* <= 2^61 */
-        const int64_t y = qtri_mul_s32(e[2], e[3]) - qtri_mul_s32(e[0], e[5]);
-        const int64_t z = qtri_mul_s32(e[0], e[4]) - qtri_mul_s32(e[1], e[3]);
-        const uint64_t all = qtri_magnitude64(x) | qtri_magnitude64(y) | qtri_magnitude64(z);
+        int64_t cross[3];
+        qtri_cross64(cross, e, &e[3]); /* <= 2^61 */
+        const uint64_t all =
+            qtri_magnitude64(cross[0]) | qtri_magnitude64(cross[1]) | qtri_magnitude64(cross[2]);
         const int32_t down = qtri_greatest32(35 - qtri_clz64(all), 0); /* leaves 29 bits */
-        n[0] = (int32_t)(x >> down);
-        n[1] = (int32_t)(y >> down);
-        n[2] = (int32_t)(z >> down);
+        n[0] = (int32_t)(cross[0] >> down);
+        n[1] = (int32_t)(cross[1] >> down);
+        n[2] = (int32_t)(cross[2] >> down);
     }
     return lighting->plain ? light_face(lighting, n) : lighting->uneven->direction(lighting, n);
 }

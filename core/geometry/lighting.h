@@ -64,6 +64,9 @@ uint32_t qtri_lighting_face(const qtri_lighting *lighting, const qtri_vec3 *a, c
  */
 uint32_t qtri_lighting_face8(const qtri_lighting *lighting, const qtri_face8 *face);
 
+/* The edge from a to b, divided by 2^3 where it is 2^30 or longer. */
+void qtri_face_edge(int32_t edge[3], const qtri_vec3 *a, const qtri_vec3 *b);
+
 /* The normal of a vertex of a mesh that has some, Q14: of 8 bits it is shorter by 1/128. */
 static inline void qtri_lit_vertex_normal(int32_t n[3], const qtri_mesh *mesh, uint32_t index)
 {

@@ -371,17 +371,14 @@ static void tilt_error(int32_t error_q30[3], const qtri_attitude_filter *filter,
     const q16 f[3] = {force.x, force.y, force.z};
     int32_t force_q30[3];
     int32_t body_to_world_q30[3][3];
+    int64_t sine_q60[3];
     int64_t excess = (int64_t)qtri_vec3_length(force) - Q16_ONE;
     bool is_gravity = qtri_unit(force_q30, f, 3, 30) &&
                       (excess < 0 ? -excess : excess) <= (int64_t)filter->tolerance;
     qtri_rotation_matrix(body_to_world_q30, filter->attitude.q_q30);
-    const int32_t *up_q30 = body_to_world_q30[1];
+    qtri_cross64(sine_q60, force_q30, body_to_world_q30[1]); /* by the body's up */
     for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3;
-        int k = (i + 2) % 3;
-        int64_t sine_q60 =
-            qtri_mul_s32(force_q30[j], up_q30[k]) - qtri_mul_s32(force_q30[k], up_q30[j]);
-        error_q30[i] = is_gravity ? (int32_t)((sine_q60 + 0x20000000) >> 30) : 0;
+        error_q30[i] = is_gravity ? (int32_t)((sine_q60[i] + 0x20000000) >> 30) : 0;
     }
 }
 

@@ -33,4 +33,12 @@ static inline int32_t qtri_mul_q30(int32_t a_q30, int32_t b_q30)
     return (int32_t)((qtri_mul_s32(a_q30, b_q30) + 0x20000000) >> 30);
 }
 
+/* out = a x b, components below 2^31. */
+static inline void qtri_cross64(int64_t out[3], const int32_t a[3], const int32_t b[3])
+{
+    out[0] = qtri_mul_s32(a[1], b[2]) - qtri_mul_s32(a[2], b[1]);
+    out[1] = qtri_mul_s32(a[2], b[0]) - qtri_mul_s32(a[0], b[2]);
+    out[2] = qtri_mul_s32(a[0], b[1]) - qtri_mul_s32(a[1], b[0]);
+}
+
 #endif

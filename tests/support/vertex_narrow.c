@@ -7,6 +7,7 @@
 
 #define qtri_eye_find             narrow_eye_find
 #define qtri_eye_mirror           narrow_eye_mirror
+#define qtri_face_edge            narrow_face_edge
 #define qtri_light_by_face        narrow_light_by_face
 #define qtri_light_by_vertex      narrow_light_by_vertex
 #define qtri_light_uneven         narrow_light_uneven
