@@ -140,20 +140,14 @@ void qtri_copy(uint8_t *to, const uint8_t *from, size_t bytes)
 
 /* ---- Rectangles ---- */
 
-/* Four pixels of three bytes, as they lie in memory, are three words. */
-typedef union pattern24 {
-    uint32_t word[3];
-    uint8_t byte[12];
-} pattern24;
-
 /* Fills pixels of three bytes: up to a word's begin, eight at a time as words, and the rest. */
 static void fill_row_24(uint8_t *at, int32_t count, uint32_t stored)
 {
-    pattern24 four;
+    uint32_t four[3]; /* pixels */
     for (int i = 0; i < 12; i += 3) {
-        qtri_save(3, four.byte + i, stored);
+        qtri_save(3, (uint8_t *)four + i, stored);
     }
-    const uint32_t a = four.word[0], b = four.word[1], c = four.word[2];
+    const uint32_t a = four[0], b = four[1], c = four[2];
     for (; count > 0 && ((uintptr_t)at & 3) != 0; count--, at += 3) { /* three at most */
         qtri_save(3, at, stored);
     }

@@ -208,21 +208,20 @@ static void set_sources(qtri_illumination *by, const qtri_light *lights,
 static void set_material(qtri_illumination *by, const qtri_light *lights,
                          const qtri_reflection *reflection)
 {
-    static const qtri_rgb black = {0, 0, 0};
-    const bool own = reflection != NULL && reflection->own_ambient;
-    const qtri_rgb ambient = own ? reflection->ambient : black;
-    const qtri_rgb emission = reflection != NULL ? reflection->emission : black;
-    const uint8_t reflects[3] = {ambient.r, ambient.g, ambient.b};
-    const uint8_t emits[3] = {emission.r, emission.g, emission.b};
+    static const qtri_reflection none;
+    const qtri_reflection *r = reflection != NULL ? reflection : &none;
+    const uint8_t reflects[3] = {r->ambient.r, r->ambient.g, r->ambient.b};
+    const uint8_t emits[3] = {r->emission.r, r->emission.g, r->emission.b};
     uint32_t light_q12[3];
     qtri_light_color_q12(light_q12, &lights->color);
     for (int i = 0; i < 3; i++) { /* < 2^19 2^8 */
-        by->base_q15[i] = ((uint32_t)emits[i] << 15) + reflects[i] * (light_q12[i] << 3) + 0x4000;
-        by->ambient_q24[i] = own ? 0 : light_q12[i] << 12;
+        const uint32_t own = r->own_ambient ? reflects[i] : 0;
+        by->base_q15[i] = ((uint32_t)emits[i] << 15) + own * (light_q12[i] << 3) + 0x4000;
+        by->ambient_q24[i] = r->own_ambient ? 0 : light_q12[i] << 12;
     }
-    by->specular = reflection != NULL ? reflection->specular : black;
-    by->shininess = reflection != NULL ? reflection->shininess : NULL;
-    by->two_sided = reflection != NULL && reflection->two_sided;
+    by->specular = r->specular;
+    by->shininess = r->shininess;
+    by->two_sided = r->two_sided;
 }
 
 /*

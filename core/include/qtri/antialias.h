@@ -1,19 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Anti-aliasing: five ways, each with the same pixels for every band and scissor.
+ * Anti-aliasing: five ways, each with the same pixels for every band and scissor. `make antialias`
+ * prints how good each is, what it costs and what memory it takes.
  *
  *   qtri_edges_blend       the edge pass: outlines of meshes. What to use first: the best edges for
  *                          10 to 20 % more instructions and a bit a pixel.
  *   qtri_halve             2x2 samples: all edges and what is in them, for three times the work.
  *   qtri_fxaa              pictures whose geometry is not at hand.
  *   qtri_sum_add           sums of frames: what rests, as smooth as there is time for.
- *   qtri_samples_resolve   4 samples a pixel: triangles that cut through each other; shaded once a
- *                          pixel.
+ *   qtri_samples_resolve   4 samples a pixel, shaded once: triangles that cut through each other.
  *
- * Wireframes have lines of their own, &qtri_smooth_wireframe (stroke.h).
- *
- * frame.h has bands that overlap, which the first and FXAA need. `make antialias` prints how good
- * each is, what it costs and what memory it takes.
+ * Wireframes have &qtri_smooth_wireframe (stroke.h). The edge pass and FXAA need bands that overlap
+ * (frame.h).
  */
 #ifndef QTRI_ANTIALIAS_H
 #define QTRI_ANTIALIAS_H
@@ -37,10 +35,8 @@ extern "C" {
 /*
  * The frame is drawn as always; then each silhouette of a mesh is walked once more, and every pixel
  * that it passes through takes from the pixel across it the share that lies on that side (Sander,
- * Hoppe, Snyder, Gortler 2001; Persson 2011). The pixel across has colour, light, texture and fog
- * already: nothing is shaded again. It is better than four samples a pixel at outlines.
- *
- * A whole frame:
+ * Hoppe, Snyder, Gortler 2001; Persson 2011). Nothing is shaded again. At outlines it is better
+ * than four samples a pixel.
  *
  *     static uint32_t outline_memory[QTRI_OUTLINE_WORDS(996)];
  *     static uint32_t edge_memory[QTRI_EDGES_WORDS(320, 240, QTRI_RGB565_BYTES)];
@@ -53,29 +49,19 @@ extern "C" {
  *     qtri_edges_note(&edges, &outline);           // each mesh that has an outline
  *     qtri_edges_blend(&edges);                    // the depth buffer is spent
  *
- * In bands that overlap by a row (frame.h), so that the pixels are the whole frame's:
+ * In bands that overlap by a row (frame.h) the pixels are those of the whole frame:
  *
- *     qtri_prepared_init(&prepared, memory, sizeof memory);
- *     qtri_prepared_set_outline(&prepared, &outline);            // once, after init
+ *     qtri_prepared_set_outline(&prepared, &outline);            // once, after qtri_prepared_init
  *
  *     qtri_prepare_mesh(&prepared, &frame, &view, &pose, &gear, &material);
  *     qtri_prepared_find_edges(&prepared, &outline);
- *     while (qtri_frame_next_band(&frame, &band)) {
- *         qtri_surface_clear(&band, sky);
- *         qtri_draw_prepared(&band, &prepared);
- *         qtri_frame_join(&frame, &band);
- *         qtri_edges_begin(&edges, &band, edge_memory, ...);
- *         qtri_edges_note(&edges, &outline);
- *         qtri_edges_blend(&edges);
- *         qtri_frame_shown(&frame, &band, &shown);
- *         qtri_panel_write(&panel, &shown);
- *     }
+ *     ... in each band, between qtri_frame_join and qtri_frame_shown: begin, note and blend ...
  *
  * Drawing the overlap again takes three tenths of all that smoothing takes in bands; keeping it
  * takes 2,568 bytes more in 320 columns.
  *
- * What it is not for: edges within textures (a filter), triangles that cut through each other and
- * those that the near plane cuts (neither has an edge there), and what is thinner than a pixel.
+ * It does not smooth edges within textures (a filter does), of triangles that cut through each
+ * other or that the near plane cuts, nor what is thinner than a pixel.
  */
 
 /* ---- Outlines: which edges of a mesh are silhouettes ---- */
@@ -105,10 +91,9 @@ typedef struct qtri_outline {
 } qtri_outline;
 
 /*
- * Words of memory for an outline: constant expressions. A bit a triangle; for a mesh without
- * neighbours a word a vertex more. For bands, lists of the edges that each touches: enough for one
- * in four triangles to have an edge in the outline. With fewer words than the edges need they are
- * found again in every band: slower, the same pixels.
+ * Words of memory for an outline: a bit a triangle, and for a mesh without neighbours a word a
+ * vertex. For bands, lists of the edges that each touches, enough for an edge of one in four
+ * triangles; with fewer words edges are found again in every band: slower, the same pixels.
  */
 #define QTRI_OUTLINE_WORDS(triangles) (((uint32_t)(triangles) + 32u) / 32u)
 #define QTRI_OUTLINE_SUMS(vertices)   ((uint32_t)(vertices))
@@ -126,11 +111,10 @@ enum qtri_error qtri_outline_init(qtri_outline *outline, const qtri_mesh *mesh, 
                                   uint32_t words);
 
 /*
- * qtri_draw_mesh of the outline's mesh, then finds which triangles face the eye. view->vertices
- * must have room for all vertices of the mesh, and stay as they are, as must all that is pointed
- * to, until the edges are noted. QTRI_ERROR_MEMORY: they have not. The mesh is drawn, and has no
- * outline. A wireframe has none either, without an error. Also QTRI_ERROR_MEMORY, and nothing is
- * drawn: qtri_outline_init failed.
+ * qtri_draw_mesh of the outline's mesh, then finds which triangles face the eye. All that is
+ * pointed to, view->vertices too, must stay as it is until the edges are noted. A wireframe has no
+ * outline. QTRI_ERROR_MEMORY: view->vertices has no room for all vertices of the mesh, which is
+ * drawn, and has no outline; or qtri_outline_init failed, and nothing is drawn.
  */
 enum qtri_error qtri_draw_mesh_outlined(const qtri_surface *surface, const qtri_view *view,
                                         const qtri_transform *pose, const qtri_material *material,
@@ -170,10 +154,9 @@ typedef struct qtri_edges {
 
 /*
  * Words of memory for a surface of so many columns and rows, with overlap: a bit a pixel, and for
- * formats of more than two bytes a row of colours. Notes are kept in the surface's depth; where it
- * has none, two bytes a pixel more. Depths of another format than linear16 become that as the pass
- * begins, so edges are compared in steps of 1/65535. Where depth_pitch is not the width,
- * |depth_pitch| counts as the width.
+ * formats of more than two bytes a row of colours; without depth, where notes are kept, two bytes a
+ * pixel more. Depths of another format become linear16 as the pass begins. |depth_pitch| counts as
+ * the width.
  */
 #define QTRI_EDGES_WORDS(width, rows, pixel_bytes)                                                 \
     (((uint32_t)(width) * (uint32_t)(rows) + 31u) / 32u +                                          \
@@ -184,20 +167,18 @@ typedef struct qtri_edges {
 /*
  * Begins a pass over what is drawn on the surface, inside its scissor. Nothing may be drawn on it
  * until the blend. QTRI_ERROR_MEMORY: too few words. QTRI_ERROR_SIZE: |depth_pitch| is less than
- * the width or more than 65536. The pass has no pixels then, and what follows does nothing.
+ * the width or more than 65536. The pass has no pixels then.
  *
- * Pixels of the outermost rows and columns inside the scissor may lack a share from outside of it:
- * a scissor, like a band, needs one pixel more. Inside of that the pixels do not depend on
- * band or scissor. On the frame's border nothing is missing.
+ * Pixels of the outermost rows and columns inside the scissor may lack a share from outside of it,
+ * but for the frame's border: a scissor, like a band, needs one pixel more.
  */
 enum qtri_error qtri_edges_begin(qtri_edges *edges, const qtri_surface *surface, uint32_t *memory,
                                  uint32_t words);
 
 /*
- * Notes the outline's edges where they are seen: where the stored depth is not nearer than the
- * edge's. Where pixels get several notes the greatest share wins. For several meshes pixels may
- * depend on the order, but not on band or scissor. An outline for frames of another size has no
- * edges here.
+ * Notes the outline's edges where the stored depth is not nearer than the edge's. Of several notes
+ * of a pixel the greatest share wins; of several meshes it may depend on their order, but not on
+ * band or scissor. An outline for frames of another size has no edges here.
  */
 void qtri_edges_note(qtri_edges *edges, const qtri_outline *outline);
 
@@ -247,12 +228,10 @@ void qtri_edges_blend(qtri_edges *edges);
 
 /*
  * Makes one pixel of each 2 x 2 of a band, in the band's own memory; *out describes them: a frame
- * of half the size, its rows, half the scissor, rounded outwards, and no depth. Needs no other
- * memory: a band of 2 x 8 rows of 2 x 320 pixels takes 4 x 8 x 320 pixels of colour and depth,
- * 40 KB of RGB565. Pixels outside of out->scissor are not made; those whose four samples lie inside
- * of the band's scissor do not depend on it.
- * QTRI_ERROR_SIZE: width, height, first row or rows are odd. QTRI_ERROR_FORMAT: there is no format.
- * *out is as it was then.
+ * of half the size, its rows, half the scissor, rounded outwards, and no depth. Pixels outside of
+ * out->scissor are not made; those whose four samples lie inside of the band's scissor do not
+ * depend on it. QTRI_ERROR_SIZE: width, height, first row or rows are odd. QTRI_ERROR_FORMAT: there
+ * is no format. *out is as it was then.
  */
 enum qtri_error qtri_halve(const qtri_surface *band, qtri_surface *out);
 
@@ -318,13 +297,12 @@ void qtri_view_jitter(qtri_view *out, const qtri_view *view, uint32_t n, int32_t
  * ---------------------------------------------------------------------------------------------- */
 
 /*
- * Pixels of the formats below have four colours and four depths. Samples lie on a rotated grid,
- * (-1/8, -3/8), (3/8, -1/8), (-3/8, 1/8) and (1/8, 3/8) of a pixel from its centre. A triangle of
- * any kind, lit, textured, clipped or of a mesh, covers a sample by the top-left rule and is
- * compared with the sample's own depth. It is shaded once a pixel: at the centre, or where it does
- * not cover that at the first sample it covers, so that colours and texture coordinates stay in the
- * range of the triangle. With a blend each sample is blended with its own colour. Pixels do not
- * depend on band or scissor.
+ * Pixels of the formats below have four colours and four depths. Samples lie at (-1/8, -3/8), (3/8,
+ * -1/8), (-3/8, 1/8) and (1/8, 3/8) of a pixel from its centre. A triangle covers a sample by the
+ * top-left rule and is compared with its depth. It is shaded once a pixel: at the centre, or where
+ * it does not cover that at the first sample it covers, so that colours and texture coordinates
+ * stay in the range of the triangle. A blend is made once for each colour that a pixel has. Pixels
+ * do not depend on band or scissor.
  *
  *     static uint32_t memory[QTRI_FRAME_BYTES(320, 16, QTRI_RGB565_X4_BYTES) / 4]; // 80 KB
  *     qtri_frame_init(&frame, &qtri_rgb565_x4, 320, 240, 16, memory, sizeof memory);
@@ -338,16 +316,14 @@ void qtri_view_jitter(qtri_view *out, const qtri_view *view, uint32_t n, int32_t
  *
  * Lines, strokes and flat shapes have no samples: they are drawn after the resolve, or colour all
  * samples of a pixel, by the depth of the first. The surfaces may not be dithered or sent before.
- * Of mipmapped textures their first level is drawn.
+ * Of mipmapped textures the first level is drawn.
  *
- * Triangles are drawn by pipelines (pipeline.h): those of a view's list whose options have
- * .samples = 4, and where it has but &qtri_pipeline_any, those that the format names: on RGB565
- * with "less" what is lit, textured, or both has its own, everything else a generic one.
+ * Triangles are drawn by the pipelines (pipeline.h) of a view's list with .samples = 4, and where
+ * it has but &qtri_pipeline_any, by those that the format names: on RGB565 with "less" what is lit,
+ * textured, or both has its own, everything else a generic one.
  *
- * Memory: 16 bytes a pixel of RGB565 with its depths, 26 of XRGB8888; about 3 KB of stack.
- * Meshes of small triangles take three to four times the instructions: for these the edge pass is
- * better for a twentieth of that, and 2x2 samples as good for a third. A blend is made once for
- * each colour that a pixel's samples have.
+ * Memory: 16 bytes a pixel of RGB565 with its depths, 26 of XRGB8888; about 3 KB of stack. Meshes
+ * of small triangles take three to four times the instructions.
  */
 
 /* Formats of four samples a pixel. */

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Dithering: from the pixels of a surface to the few levels of gray or colours that a display can
- * show.
- *
- * Levels run from 0, black, to max_level, white: 1 for an OLED or e-paper with one bit a pixel, 15
- * for four bits. Black and white come out exactly; so does every gray that a level equals.
+ * show. Levels run from 0, black, to max_level, white: 1 for an OLED or e-paper with one bit a
+ * pixel, 15 for four bits. A gray that a level equals comes out exactly.
  *
  * Ordered dither compares with thresholds that repeat over the screen (Bayer 1973). A pixel depends
  * on its own gray and its coordinates in the frame alone: bands and rectangles have no seams, and

@@ -3,9 +3,7 @@
  * Formats of surfaces: what a pixel is, as constant data.
  *
  * A format is chosen by the address of its description, &qtri_rgb565. What an application does not
- * name is not linked, and a format of one's own is such a description in one's own file: how many
- * bytes a pixel has, which kind of colour it is made of, and what turns colours into stored pixels
- * and back.
+ * name is not linked, and a format of one's own is such a description in one's own file:
  *
  *     static void encode(uint32_t *color, int32_t count) { ... each color[i] in place ... }
  *     static uint32_t decode(uint32_t stored) { ... 0x00RRGGBB ... }
@@ -128,41 +126,30 @@ enum {
  *     qtri_frame_init(&frame, &qtri_rgb565, 320, 240, 16, memory, sizeof memory);
  *     qtri_frame_set_depth(&frame, &qtri_depth_float16);
  *
- * Which one. In perspective window z has nearly all its steps close to the near plane: at a
- * distance d faces can be told apart that are d^2 / (65536 near) from each other with linear16,
- * d / 4096 with float16, d^2 / (2^24 near) with linear24.
+ * Which one. Move the near plane away as far as the scene allows, which costs nothing: in
+ * perspective window z has nearly all its steps close to it. Faces can be told apart at a distance
+ * d that are from each other
  *
- * - Move the near plane away as far as the scene allows: that costs nothing.
- * - linear16 is the fastest by far. It is right where far / near is some hundred, and for views
- *   without perspective.
- * - float16 takes the same memory, for wide views: it resolves 1/4096 of every distance. Without
- *   perspective its steps are wasted at the far plane.
- * - linear24 has steps of 1/2^24 in 3 bytes. linear32 tells faces apart that are half as far from
- *   each other, where vertices' own depths end, and saves instructions for the fourth byte.
+ *   linear16   d^2 / (65536 near): the fastest by far, right where far / near is some hundred, and
+ *              without perspective
+ *   float16    d / 4096: for wide views, in the same memory; without perspective its steps are
+ *              wasted at the far plane
+ *   linear24   d^2 / (2^24 near), in 3 bytes
+ *   linear32   half of that, where vertices' own depths end; saves instructions for the fourth byte
  *
  * Measured, near plane .1, far plane 1000: sheets of paper on each other, 30 away, of whose pixels
- * so many show the wrong one; and of a knot that is .1 units wide at the same distance (the
- * reference of `qtri render` compares in double precision; .01 and .05 % are edges that it rounds
- * otherwise). host/scenes/12-depth-*.scene are the sheets that are .04 apart.
+ * so many show the wrong one; and of a knot that is .1 units wide at the same distance
+ * (host/scenes/12-depth-*.scene, where the reference in double precision rounds .01 and .05 %
+ * otherwise; tests/test_scene_depth.c has more, with linear32).
  *
  *     apart        .1       .04      .01      .003     .001     knot
  *     linear16     .82 %    45 %     74 %     80 %     82 %     16 %
  *     float16      .01      .01      .01      8.4      57       .05
  *     linear24     .01      .01      .01      .01      .01      .05
- *     linear32     .01      .01      .01      .01      .01      .05
- *
- * Where linear24 ends linear32 does not yet (tests/test_scene_depth.c); sheets 30 away, and larger
- * ones 100 away:
- *
- *     apart        30: .001   .0005    .0002    100: .01     .005     .002
- *     linear24     .01 %      5.0 %    39 %     .01 %        7.3 %    43 %
- *     linear32     .01        1.4      9.9      .01          .96      12
  *
  * On RGB565 with "less" these formats bring pipelines of their own (pipeline.h), for one colour,
- * light, colours, and RGB565 texels: some 1.5 KB each at -Os.
- *
- * Everything that knows depth takes every format. Only surfaces of four samples (antialias.h) have
- * linear16 alone. A format of one's own is such a description in one's own file.
+ * light, colours, and RGB565 texels: some 1.5 KB each at -Os. Surfaces of four samples
+ * (antialias.h) have linear16 alone. A format of one's own is such a description in one's own file.
  */
 
 /* What fills and reads memory of depths that are not linear16. */

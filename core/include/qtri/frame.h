@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Frames in bands: the rows of a picture a few at a time, so that 320x240 pixels with depth need
- * 20 KB and not 300. qtri_port/screen.h does the loop below for a panel.
+ * Frames in bands: the rows of a picture a few at a time, so that 320x240 pixels with depth need 20
+ * KB and not 300. qtri_port/screen.h does the loop below for a panel.
  *
  *     static uint8_t memory[QTRI_FRAME_BYTES(320, 16, QTRI_RGB565_BYTES)];
  *     qtri_frame_init(&frame, &qtri_rgb565, 320, 240, 16, memory, sizeof memory);
@@ -20,11 +20,14 @@
  * display by DMA while the next is drawn. It must have arrived before the band after that begins.
  *
  * Overlap. What looks at a pixel's neighbours, as anti-aliasing does, gives the pixels of the whole
- * frame if each band has some rows more above and below than it shows:
+ * frame if each band has some rows more above and below than it shows. They are drawn again with
+ * each of the two bands that share them, or kept from one for the next, as they are before a filter
+ * changes them, in `kept`, which takes a tenth of the instructions with the edge pass:
  *
  *     static uint8_t memory[QTRI_FRAME_BYTES(320, 16 + 2 * 1, QTRI_RGB565_BYTES)];
+ *     static uint8_t kept[QTRI_FRAME_KEPT_BYTES(320, 1, QTRI_RGB565_BYTES)];
  *     qtri_frame_init(&frame, &qtri_rgb565, 320, 240, 16, memory, sizeof memory);
- *     qtri_frame_set_overlap(&frame, 1, NULL, 0);
+ *     qtri_frame_set_overlap(&frame, 1, kept, sizeof kept); // NULL, 0: drawn again
  *     while (qtri_frame_next_band(&frame, &band)) {
  *         ... clear and draw `band` ...
  *         qtri_frame_join(&frame, &band);
@@ -33,21 +36,15 @@
  *         qtri_panel_write(&panel, &shown);
  *     }
  *
- * These rows are drawn again with each of the two bands that share them, or kept from one for the
- * next, as they are before a filter changes them, in memory of their own:
- *
- *     static uint8_t kept[QTRI_FRAME_KEPT_BYTES(320, 1, QTRI_RGB565_BYTES)];
- *     qtri_frame_set_overlap(&frame, 1, kept, sizeof kept);
- *
- * For the edge pass that takes a tenth of what drawing them again takes. What is shown then lies
- * `overlap` rows behind what is drawn: of 16 rows and an overlap of 1 the first band shows 15, and
- * the last one more. Bands follow each other: none can be left out, or drawn by another core.
+ * Where rows are kept, what is shown lies `overlap` rows behind what is drawn: of 16 rows and an
+ * overlap of 1 the first band shows 15, and the last one more. No band can be left out then, or
+ * drawn by another core.
  *
  * Changes. A display keeps its picture: only what differs from the last frame must be sent. Whoever
  * draws something that has moved, appeared, gone or changed its looks marks the rectangles where it
- * was and where it is (qtri_prepared_mark does so for prepared meshes), before the first band.
- * qtri_frame_changes is the smallest rectangle that holds all marks. Pixels are not compared: what
- * is marked counts as changed, and what is not marked must be drawn as in the last frame.
+ * was and where it is (qtri_prepared_mark for prepared meshes), before the first band. Pixels are
+ * not compared: what is marked counts as changed, and what is not marked must be drawn as in the
+ * last frame.
  */
 #ifndef QTRI_FRAME_H
 #define QTRI_FRAME_H
@@ -110,8 +107,7 @@ typedef struct qtri_frame {
  *
  * QTRI_ERROR_SIZE: a side or rows outside 1..QTRI_SURFACE_MAX.
  * QTRI_ERROR_FORMAT: format is NULL.
- * QTRI_ERROR_MEMORY: memory is NULL, or bytes < QTRI_FRAME_BYTES(width, rows,
- * format->pixels->bytes).
+ * QTRI_ERROR_MEMORY: memory is NULL, or of fewer bytes than QTRI_FRAME_BYTES.
  * After an error the frame has no bands.
  */
 enum qtri_error qtri_frame_init(qtri_frame *frame, const qtri_format *format, int32_t width,

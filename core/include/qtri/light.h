@@ -22,8 +22,8 @@
  *     emission + ambient' ambient + sum over the sources of
  *         fade color cone (diffuse max(0, n . l) + specular (n . h)^shininess)
  *
- * n is the unit normal, l the direction to the source; h halves the angle between l and the line
- * to the eye, which is taken to be parallel to z of eye space everywhere, as OpenGL does without a
+ * n is the unit normal, l the direction to the source; h halves the angle between l and the line to
+ * the eye, which is taken to be parallel to z of eye space everywhere, as OpenGL does without a
  * local viewer: +z, or -z where the projection looks along +z, as Direct3D's do. A source lights
  * nothing where n . l <= 0, and a highlight is nothing where n . h <= 0. diffuse is the vertex's
  * own colour, or the material's; ambient' is diffuse, or the reflection's own. Products of fade and
@@ -31,31 +31,26 @@
  *
  * Smooth shading: every vertex is lit, with its triangle's normal where it has none. Flat: every
  * triangle, with its own normal, at the mean of its corners, in the provoking one's colour. Normals
- * go through the inverse transpose of camera and pose and are normalised, whatever length they
- * have; a zero one, or a triangle without area, has emission and ambient light only.
+ * of any length go through the inverse transpose of camera and pose and are normalised; a zero one,
+ * or a triangle without area, has emission and ambient light only.
  *
  * A vertex's colours are within 1 of 255 of the formula's, up to a shininess of 128 and a product
- * of fade and color of 4. Where the formula jumps or its arguments cancel they may be off by more:
+ * of fade and color of 4, and off by more where the formula jumps or its arguments cancel: in
  * highlights where n . l is within 2^-13 of 0, or of a source within 8 degrees of straight behind
- * the vertex; the penumbra of a spot light whose cosines are less than .03 apart.
+ * the vertex; in the penumbra of a spot light whose cosines are less than .03 apart.
  *
  * By pixel, material.shading = &qtri_per_pixel: as smooth, but triangles with a vertex 6 pixels and
- * more from their first one, across or down, are lit along their rows, from the place and the
- * normal there: unit normals of the corners, linear on the triangle and made unit again. So two
- * triangles are enough for a floor under a lamp, and a highlight is seen inside of a triangle.
- * Light is found for every eighth pixel of a row, the sixteenth where there are neither highlights
- * nor spot lights, and for more where it bends; between, colours are linear. Small triangles of
- * meshes, within 60 pixels, are compared with light in the middles of their edges: within 1 of 255
- * there, on RGB565 within 4, they are lit at their vertices, and within 8 by the polynomial of
- * second order through these six, if it is as good at the centroid. Colours are within 2 of 255 of
- * the formula's, but for a pixel in some thousands, where an edge of light is sharper than that,
- * within 6. What is narrower on the screen than those distances may be missed: highlights of less
- * than 4 pixels.
- *
- * With one point light it costs a pixel 62 instructions on a Cortex-M3 and 115 on a Cortex-M0+,
- * with highlights 122 and 222, where smooth shading takes 12 and 16 (host/bench/README.md), and a
- * mesh of small triangles four times what light by vertex takes. Triangles of
- * qtri_draw_lit_triangles and pieces of clipped ones are lit along their rows whatever their size.
+ * more from their first one, across or down, are lit along their rows, from the place and the unit
+ * normal there, which is linear between those of the corners. So two triangles are enough for a
+ * floor under a lamp. Light is found for every eighth pixel of a row, the sixteenth where there are
+ * neither highlights nor spot lights, and for more where it bends; between, colours are linear.
+ * Small triangles of meshes, within 60 pixels, are lit at their vertices where that is within 1 of
+ * 255, on RGB565 within 4, of light in the middles of their edges, and within 8 by the polynomial
+ * of second order through these six, if it is as good at the centroid. Colours are within 2 of 255
+ * of the formula's, but for a pixel in some thousands, where an edge of light is sharper than that,
+ * within 6. Highlights of less than 4 pixels may be missed. Triangles of qtri_draw_lit_triangles
+ * and pieces of clipped ones are lit along their rows whatever their size. host/bench/README.md
+ * says what it costs.
  *
  * Nothing of this is linked where qtri_light_init is not named, nor a kind of light that no source
  * names. A single directional light without colour is qtri_light, see view.h, at a tenth of the
@@ -124,11 +119,9 @@ struct qtri_light_source {
 };
 
 /*
- * Scratch memory of a draw call, view->vertices or a prepared mesh's vertices, has room for the
- * colours of lit vertices if it has QTRI_LIT_VERTICES(n) elements for a mesh of n vertices.
- * With less, vertices are lit again for every triangle: slower, and the same pixels.
- *
- *     static qtri_vertex memory[QTRI_LIT_VERTICES(500)];
+ * Elements of scratch memory, view->vertices or a prepared mesh's vertices, with room for the
+ * colours of a mesh of so many lit vertices. With less, vertices are lit again for every triangle:
+ * slower, and the same pixels.
  */
 #define QTRI_LIT_VERTICES(count) ((count) + ((count) + 4u) / 5u)
 
@@ -161,10 +154,9 @@ void qtri_draw_lit_triangles(const qtri_surface *surface, const qtri_view *view,
                              const qtri_material *material);
 
 /*
- * Texture coordinates that look up a picture of a lit sphere (matcap): u = (1 + n.x) / 2 and
- * v = (1 - n.y) / 2 of the unit normal in eye space, for every vertex of a mesh with normals; (1/2,
- * 1/2) without, and for a zero normal. Within 2^-13. Draw a copy of the mesh that has them as
- * uvs16, with a texture that clamps.
+ * Texture coordinates that look up a picture of a lit sphere (matcap): u = (1 + n.x) / 2 and v = (1
+ * - n.y) / 2 of the unit normal in eye space, within 2^-13; (1/2, 1/2) without normals, and for a
+ * zero one. Draw a copy of the mesh that has them as uvs16, with a texture that clamps.
  */
 void qtri_sphere_map(qtri_uv16 *uvs, const qtri_transform *camera, const qtri_transform *pose,
                      const qtri_mesh *mesh);

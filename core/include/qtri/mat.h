@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Q16.16 matrices, m[row][column], acting on column vectors: M v; (A B) v = A (B v).
- *
- * They are for application code and for matrices that come from elsewhere. What reaches the screen
- * goes through qtri_transform (transform.h), which keeps the bits that a Q16.16 product loses.
+ * Q16.16 matrices, m[row][column], acting on column vectors: M v; (A B) v = A (B v). For
+ * application code and matrices that come from elsewhere: what reaches the screen goes through
+ * qtri_transform (transform.h), which keeps the bits that a Q16.16 product loses.
  *
  * Every function is defined for every argument. An element is rounded once, to nearest, from 64
- * bits or more, and saturates; builders are within .51 ULP (2^-16), right angles are exact.
- * Angles are degrees, counter-clockwise seen against the axis (right-handed). Sources: COURSE
- * formulae; Foley, van Dam, "Computer Graphics", chapter 5.
+ * bits or more, and saturates; builders are within .51 ULP (2^-16), right angles are exact. Angles
+ * are degrees, counter-clockwise seen against the axis (right-handed). Sources: COURSE formulae;
+ * Foley, van Dam, "Computer Graphics", chapter 5.
  */
 #ifndef QTRI_MAT_H
 #define QTRI_MAT_H

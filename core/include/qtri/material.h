@@ -129,21 +129,20 @@ qtri_material qtri_material_default(void);
 /*
  * A blend is chosen by its address; what no material names is not linked. It works on pixels that
  * have passed the depth test, one after the other where triangles overlap, in every format of
- * surface, and draws the same pixels for every band and scissor. Depths are written as without;
- * what is seen through is drawn last, from far to near, with material.depth_read_only.
+ * surface. Depths are written as without; what is seen through is drawn last, from far to near,
+ * with material.depth_read_only.
  *
- * All but the screen door leave channels of stored pixels alone that material.keep names.
- * A pixel's alpha is material.alpha, times that of its texel where the texture's format has one,
- * and times that of the vertices with a blend that asks for it.
- * What is blended is rounded before and after: within 1 1/4 of 255 of what exact colours are
- * together, 1 1/2 with alpha of texels or of vertices; of RGB565 within 1 step, 1 1/4 where colours
- * vary. Fog, with what its share is off, is within 1 3/4 of 255, with a constant alpha 2. Triangles
- * of RGB565 in fog are rounded once, and are within .85 of a step, with a constant alpha .9.
+ * All but the screen door leave channels of stored pixels alone that material.keep names. A pixel's
+ * alpha is material.alpha, times that of its texel where the texture's format has one, and times
+ * that of the vertices with a blend that asks for it. What is blended is rounded before and after:
+ * within 1 1/4 of 255 of what exact colours are together, 1 1/2 with alpha of texels or of
+ * vertices; of RGB565 within 1 step, 1 1/4 where colours vary. Fog, with what its share is off, is
+ * within 1 3/4 of 255, with a constant alpha 2. Triangles of RGB565 in fog are rounded once, and
+ * are within .85 of a step, with a constant alpha .9.
  *
- * Lines and wireframes are blended and fogged as well: each edge of each
- * triangle, so that one that two triangles share is drawn twice where depth does not turn the
- * second away. Of strokes and points (stroke.h) what fog and blend make of a pixel counts as far as
- * it is covered.
+ * Each edge of a wireframe's triangles is blended, so that one that two triangles share is drawn
+ * twice where depth does not turn the second away. Of strokes and points (stroke.h) what fog and
+ * blend make of a pixel counts as far as it is covered.
  */
 
 /* What becomes of the pixel under it. */
@@ -166,12 +165,10 @@ extern const qtri_blend qtri_blend_replace;  /* colour, but for the channels of 
 extern const qtri_blend qtri_blend_screen_door;
 
 /*
- * The first two with alpha that varies between the vertices: material.alphas has that of each
- * vertex of a mesh, of each corner of a call, or of three screen vertices; 255 is all of it, and
- * NULL is 255 for all. It is perspective-correct where colours are, whatever the shading. Colours
- * are within 1 1/2 of 255, and within .9 of a step of RGB565, of exact ones. Lines and strokes have
- * material.alpha alone. With four samples a pixel (antialias.h) alpha is that of the pixel's
- * centre, held to that of the vertices.
+ * The first two with alpha that varies between the vertices, material.alphas, perspective-correct
+ * where colours are, whatever the shading. Colours are within 1 1/2 of 255, and within .9 of a step
+ * of RGB565, of exact ones. Lines and strokes have material.alpha alone. With four samples a pixel
+ * (antialias.h) alpha is that of the pixel's centre, held to that of the vertices.
  */
 extern const qtri_blend qtri_blend_vertex_alpha;
 extern const qtri_blend qtri_blend_vertex_add;
@@ -179,10 +176,8 @@ extern const qtri_blend qtri_blend_vertex_add;
 /*
  * Fog by depth: colour f + fog's colour (1 - f), where f falls with z, the distance from the eye's
  * plane: linear (end - z) / (end - start), held to 0..1, or exp(-density z), or exp(-(density
- * z)^2).
- *
- * z is found from the depth of the pixel, with its fraction, so the projection's near and far are
- * asked for, and the viewport's depths must be 0 and 1. f is within 1/256.
+ * z)^2). z is found from the depth of the pixel, with its fraction, by the projection's near and
+ * far; the viewport's depths must be 0 and 1. f is within 1/256.
  */
 
 /* Where depths of 0 and 1 are. near_z is at least 1/65536, far_z more than it: both are held. */

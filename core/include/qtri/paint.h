@@ -98,8 +98,7 @@ void qtri_paint_arc(const qtri_surface *surface, const qtri_point *center, int32
 /*
  * The inside of point[0] .. point[count-1] and back to the first, in either direction, convex or
  * not. Fewer than three points paint nothing. Every row looks at every side: for shapes of a few
- * dozen. An outline that crosses itself is filled wherever it turns around a pixel in sum, but its
- * smooth edges are only exact where it is simple.
+ * dozen. Smooth edges are only exact of an outline that does not cross itself.
  */
 void qtri_paint_polygon(const qtri_surface *surface, const qtri_point *point, int32_t count,
                         const qtri_brush *brush);
@@ -163,10 +162,8 @@ void qtri_affine_place(qtri_affine *affine, q16 pivot_x, q16 pivot_y, q16 place_
  * The picture as `affine` says: each pixel whose centre it covers takes the picture's pixel there,
  * nearest. One that does not turn and scales by 1 paints what qtri_image_blend does. A matrix
  * without an inverse, or with one beyond 16384, paints nothing. The inverse is rounded to Q16.16:
- * across n pixels the picture's coordinate is off by n / 131072 at most.
- *
- * Cheapest without a turn, where rows are rows of the picture; where it is opaque and has no key,
- * what is drawn twice as high or more is copied row by row. The picture may not lie in the surface.
+ * across n pixels the picture's coordinate is off by n / 131072 at most. Cheapest without a turn.
+ * The picture may not lie in the surface.
  */
 void qtri_image_paint_affine(const qtri_surface *surface, const qtri_image *image,
                              const qtri_affine *affine, uint8_t alpha);

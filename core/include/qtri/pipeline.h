@@ -4,8 +4,7 @@
  *
  * A pixel is written once, as inline C whose options are a parameter (body/pixel.h). A pipeline is
  * a set of options and the functions that the compiler made of that body for them, where every
- * option is a constant and what it does not ask for is left out. An application that wants a
- * pipeline of its own makes one in a C file:
+ * option is a constant. An application makes one of its own in a C file:
  *
  *     #include <qtri/pipeline_make.h>
  *
@@ -17,17 +16,16 @@
  *     static const qtri_pipeline *const pipelines[] = {&lit_crate, &qtri_pipeline_any, NULL};
  *     qtri_view_init_pipelines(&view, 320, 240, pipelines);
  *
- * A draw call takes the first pipeline of its view's list that fits: whose options are those that
- * surface, material and mesh ask for. &qtri_pipeline_any fits everything: it is the same body with
- * options that are read for each pixel, draws the same bits, and takes 4 to 8 times the
- * instructions a pixel on long rows. Blends, fog, filters and formats of depth bring pipelines
- * for RGB565 with "less", which are taken where &qtri_pipeline_brought stands in the list (config.h
- * leaves them out). On a surface with samples (antialias.h) the formats' own pipelines take
- * the place of the generic one. For another format or comparison QTRI_PIPELINES (pipeline_make.h)
- * makes the usual ones in a line. A draw for which the list has no pipeline, or a list that is
- * NULL, draws nothing; a checked build (error.h) stops there, and says which options the list
- * lacks. `qtri pipelines` prints those of a scene. Lines, strokes and points (draw.h, stroke.h)
- * need none.
+ * A draw call takes the first pipeline of its view's list whose options are those that surface,
+ * material and mesh ask for. &qtri_pipeline_any fits everything: the same body with options that
+ * are read for each pixel draws the same bits in 4 to 8 times the instructions a pixel on long
+ * rows. Blends, fog, filters and formats of depth bring pipelines for RGB565 with "less", which are
+ * taken where &qtri_pipeline_brought stands in the list (config.h leaves them out). On a surface
+ * with samples (antialias.h) the formats' own pipelines take the place of the generic one. For
+ * another format or comparison QTRI_PIPELINES (pipeline_make.h) makes the usual ones in a line.
+ * Where the list has none, or is NULL, nothing is drawn; a checked build (error.h) stops there, and
+ * says which options the list lacks. `qtri pipelines` prints those of a scene. Lines, strokes and
+ * points need none.
  */
 #ifndef QTRI_PIPELINE_H
 #define QTRI_PIPELINE_H

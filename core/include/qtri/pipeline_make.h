@@ -44,10 +44,8 @@
                   .shade = QTRI_WHITE_LIGHT)
 
 /*
- * What most programs draw with, of further options: `name`_flat, _lit, _colors, _texture,
- * _texture_tint, _texture_lit and _texture_white, the latter four of RGB565 texels; and
- * `list` of them, which ends with the generic pipeline. So everything is drawn fast on another
- * format, or with another comparison:
+ * QTRI_PIPELINES_USUAL and `name`_texture_tint, and `list` of them, which ends with the generic
+ * pipeline. So everything is drawn fast on another format, or with another comparison:
  *
  *     QTRI_PIPELINES(on_gray, on_gray_with, .format = QTRI_GRAY8, .depth = QTRI_LINEAR16,
  *                    .compare = QTRI_LESS_EQUAL)

@@ -103,10 +103,9 @@ void qtri_prepare_mesh(qtri_prepared *prepared, const qtri_frame *frame, const q
                        const qtri_material *material);
 
 /*
- * Whether the memory was enough for the mesh that was prepared last: there is a vertex for each of
- * the mesh's, and every triangle is listed by itself. QTRI_PREPARED_BYTES is, down to bands of one
- * row, for a mesh that is as high as the frame; closer, larger ones want more. False: the same
- * pixels, slower. Before the first mesh: false.
+ * Whether there was a vertex for each of the mesh's that was prepared last, and every triangle is
+ * listed by itself, as QTRI_PREPARED_BYTES has it, down to bands of one row, for a mesh that is as
+ * high as the frame. False: the same pixels, slower. Before the first mesh: false.
  */
 bool qtri_prepared_fits(const qtri_prepared *prepared);
 

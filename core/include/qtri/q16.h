@@ -42,11 +42,9 @@ typedef int32_t q16;
 
 /*
  * A constant, rounded to nearest: Q16(0.5), Q16(-3). The literal must lie in the range above; the
- * compiler folds it to an integer, no floating-point instruction remains. It does so in double:
- * where that has 24 bits, as with avr-gcc, so has the constant, and from 128 up it may be off by
- * 2^-23 of itself. Of a variable it would be floating point, on most cores by the compiler's long
- * functions: GCC and Clang refuse to compile it. q16_from_int, q16_from_ratio and q16_from_fixed
- * take variables.
+ * compiler folds it to an integer, in double: where that has 24 bits, as with avr-gcc, a constant
+ * from 128 up may be off by 2^-23 of itself. GCC and Clang refuse a variable, which would be
+ * floating point: q16_from_int, q16_from_ratio and q16_from_fixed take these.
  */
 #define Q16(literal)                                                                               \
     ((q16)((literal)*65536.0 + (QTRI_BELOW_0(literal) ? -0.5 : 0.5)) * QTRI_LITERAL(literal))

@@ -69,10 +69,7 @@ qtri_quat qtri_quat_slerp(qtri_quat a, qtri_quat b, q16 t);
 /*
  * a after dt seconds of turning at a rate, in degrees a second about the axes of the body itself,
  * as a gyroscope on it measures: a exp(rate dt / 2), normalised. A step of more than 65535 degrees
- * counts as that.
- *
- * A Q16.16 quaternion cannot hold turns of less than 1/600 degree: slow rates at short steps are
- * lost in it, step by step. An attitude keeps 30 bits, 10^-7 degree, over a stream of samples.
+ * counts as that. Turns of less than 1/600 degree a step are lost: an attitude keeps 10^-7.
  */
 qtri_quat qtri_quat_integrate_deg(qtri_quat a, qtri_vec3 rate, q16 dt);
 
@@ -91,12 +88,11 @@ void qtri_attitude_integrate_deg(qtri_attitude *attitude, qtri_vec3 rate, q16 dt
  * the explicit complementary filter of Mahony, Hamel and Pflimlin, "Nonlinear complementary filters
  * on the special orthogonal group", IEEE Transactions on Automatic Control 53, 2008.
  *
- * The rates of the gyroscope are integrated. Where the world's up in the attitude and in the
- * accelerometer differ, by an angle a about some axis, the attitude turns about it towards the
- * accelerometer at gain * sin a radians a second, and the gyroscope's offset is learned at
- * offset_gain * sin a radians a second each second. An offset_gain of 0 makes it the plain
- * complementary filter, in which a constant offset of the gyroscope leaves a constant error of
- * offset / gain. Turns about the vertical show in the gyroscope only: heading drifts.
+ * Rates are integrated. Where the world's up in the attitude and in the accelerometer differ by an
+ * angle a about some axis, the attitude turns about it towards the accelerometer at gain * sin a
+ * radians a second, and the gyroscope's offset is learned at offset_gain * sin a radians a second
+ * each second; with an offset_gain of 0 a constant offset leaves a constant error of offset / gain.
+ * Turns about the vertical show in the gyroscope only: heading drifts.
  *
  * Axes of the body and its sensors are those of the renderer: x right, y up, z to the rear; the
  * world's y is up. Offset and correction are at most 128 degrees a second about an axis, gains

@@ -3,19 +3,17 @@
  * Lines of any width, and points of any size: hard or with smooth edges, joints round,
  * depth-tested, in colours that run along them.
  *
- * A stroke is the set of all points within half its width of its line: the joints of a polyline
- * are round, and each pixel is drawn once, whatever parts of it overlap there. Lines one pixel wide
- * without smooth edges are drawn by qtri_draw_lines and &qtri_wireframe, in a fraction of the time.
+ * A stroke is the set of all points within half its width of its line: each pixel is drawn once,
+ * whatever parts of it overlap there. Lines one pixel wide without smooth edges are drawn by
+ * qtri_draw_lines and &qtri_wireframe, in a fraction of the time.
  *
  * Hard edges: a pixel is drawn when its centre lies inside; the left and the upper side count as
  * inside, the right and the lower one not. With `edges` = &qtri_stroke_smooth a pixel takes the
- * share of the colour that the stroke covers of its area, within 1/32; what is stored is read back
- * and blended, in any format.
+ * share of the colour that the stroke covers of its area, within 1/32, in any format.
  *
  * Colour and depth are linear on the screen along each part; where parts overlap, those of the one
  * are taken whose line is nearest to the pixel's centre. Depth is compared at each pixel's centre,
- * and written where half of a pixel or more is covered. A frame in bands, or drawn by any scissor,
- * has the pixels of the whole frame.
+ * and written where half of a pixel or more is covered. Bands and scissors do not change pixels.
  *
  * A call takes 4.3 KB of stack, a wide wireframe 6.5, with a view's lights 7.5. Instructions: the
  * rows K1, K5, KP and KW of `make bench`.
@@ -101,12 +99,11 @@ void qtri_draw_points(const qtri_surface *surface, const qtri_view *view,
 
 /*
  * material.fill = &qtri_smooth_wireframe: the edges of triangles as smooth lines one pixel wide,
- * wherever &qtri_wireframe serves: meshes, whole or prepared, and triangles. An edge is the
- * rectangle of all points within half a pixel of it, flat at its ends, as smooth lines of OpenGL
- * are. Coverage is exact to 1/64; colour, depth and blending are those of strokes. An edge that
- * neighbours share is drawn once where view->vertices has room for the mesh: all but one in a
- * thousand, of vertices with three and more edges whose second triangle is yet to come. It takes
- * five to seven times the instructions of &qtri_wireframe: row KS of `make bench`.
+ * wherever &qtri_wireframe serves, at five to seven times its instructions (KS of `make bench`). An
+ * edge is the rectangle of all points within half a pixel of it, flat at its ends, as smooth lines
+ * of OpenGL are. Coverage is exact to 1/64; colour, depth and blending are those of strokes. An
+ * edge that neighbours share is drawn once where view->vertices has room for the mesh: all but one
+ * in a thousand, of vertices with three and more edges whose second triangle is yet to come.
  */
 extern const qtri_fill qtri_smooth_wireframe;
 

@@ -59,12 +59,10 @@ typedef struct qtri_surface {
 
 /*
  * Lays out rows first_row .. first_row+rows-1 of a width x height frame in `memory` of `bytes`
- * bytes, colour first, then depth. Nothing is cleared. The band may reach past the frame's end;
- * the surface then holds the rows that exist.
+ * bytes, colour first, then depth. Nothing is cleared. Rows past the frame's end are left out.
  * QTRI_ERROR_SIZE: a side or rows outside 1..QTRI_SURFACE_MAX, or first_row outside the frame.
  * QTRI_ERROR_FORMAT: format is NULL.
- * QTRI_ERROR_MEMORY: memory is NULL, or bytes < QTRI_BAND_BYTES(width, rows,
- * format->pixels->bytes).
+ * QTRI_ERROR_MEMORY: memory is NULL, or of fewer bytes than QTRI_BAND_BYTES.
  * After an error the surface is all zero: nothing is drawn on it or cleared, its pixels are black.
  */
 enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *format, int32_t width,
@@ -73,10 +71,9 @@ enum qtri_error qtri_surface_init(qtri_surface *surface, const qtri_format *form
 
 /*
  * Gives a surface that was just laid out depth of another format, of format.h; NULL: linear16.
- * bytes: of its memory, QTRI_BAND_BYTES_DEPTH(width, rows, format->pixels->bytes,
- * depth_format->bytes). QTRI_ERROR_FORMAT: the surface has no format; a depth's bytes are not 2, 3
- * or 4; or the surface has samples (antialias.h), whose depth is linear16. QTRI_ERROR_MEMORY: too
- * few bytes. After an error the surface is all zero.
+ * bytes: of its memory, QTRI_BAND_BYTES_DEPTH. QTRI_ERROR_FORMAT: the surface has no format, or
+ * samples (antialias.h); a depth's bytes are not 2, 3 or 4. QTRI_ERROR_MEMORY: too few bytes. After
+ * an error the surface is all zero.
  */
 enum qtri_error qtri_surface_set_depth(qtri_surface *surface, const qtri_depth_format *format,
                                        size_t bytes);
@@ -85,9 +82,8 @@ enum qtri_error qtri_surface_set_depth(qtri_surface *surface, const qtri_depth_f
 void qtri_surface_clear(const qtri_surface *surface, qtri_rgb color);
 
 /*
- * Fills depth alone, inside the scissor: 0 is the near plane, Q16(1) the far one; less and more
- * count as these. For what the farthest is not right for: 0 where QTRI_GREATER draws what is
- * farther, after qtri_surface_clear, or 1 before what is to lie over all that was drawn.
+ * Fills depth alone, inside the scissor: 0 is the near plane, Q16(1) the far one, and values are
+ * held to that: 0 where QTRI_GREATER is to draw, 1 before what is to lie over all that was drawn.
  */
 void qtri_surface_clear_depth(const qtri_surface *surface, q16 depth);
 

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Textures: texels in memory or computed, how they become colours, and what lies beyond them.
- *
- * A format of texels is a description, chosen by its address, as those of surfaces are: see
- * format.h. One of one's own is such constant data in one's own file.
+ * Textures: texels in memory or computed, how they become colours, and what lies beyond them. A
+ * format of texels, one's own too, is a description as those of surfaces are: see format.h.
  */
 #ifndef QTRI_TEXTURE_H
 #define QTRI_TEXTURE_H
@@ -27,14 +25,12 @@ typedef struct qtri_texel_format qtri_texel_format; /* what a texel is: below */
 typedef struct qtri_filter qtri_filter;             /* how texels are mixed: below */
 
 /*
- * u = v = 0 is the first texel's first corner, u = 1 and v = 1 one past the last column and row;
- * the first texel's centre is half a texel on. What an initialiser leaves out is zero: repeated,
- * nearest, without a key.
+ * u = v = 0 is the first texel's first corner, u = 1 and v = 1 one past the last column and row.
+ * What an initialiser leaves out is zero: repeated, nearest, without a key.
  *
  * Sides are powers of two: others would take 15 to 25 % more of a pixel's instructions, of every
- * texture. `qtri texture` resamples pictures to such sides, the nearest or those that --size names,
- * and says so; u and v go from 0 to 1 all the same. Pictures that are painted may have any size:
- * see paint.h.
+ * texture. `qtri texture` resamples pictures to such sides, the nearest or those that --size names.
+ * Pictures that are painted may have any size: see paint.h.
  *
  * Coordinates are interpolated as they are and clamped at each pixel, so that a clamped texture may
  * lie anywhere on a large triangle. 30 bits hold a triangle's range of coordinates, from the whole
@@ -43,10 +39,8 @@ typedef struct qtri_filter qtri_filter;             /* how texels are mixed: bel
  *
  * A texel that equals the key is not drawn, neither its colour nor its depth. Compared is what is
  * stored: 16 bits, the low 24 bits of xrgb8888, the number of a palette entry, a gray level, 0 or 1
- * for checker's colours. So a palette may hold the key's colour once more, opaque. What bilinear
- * filtering draws is decided by the nearest texel: the same pixels as without the filter. There
- * the nearest texel also stands in for those of the four that equal the key, whose colour is seen
- * nowhere.
+ * for checker's colours. Bilinear filtering draws the same pixels as without the filter; there the
+ * nearest texel also stands in for those of the four that equal the key.
  */
 typedef struct qtri_texture {
     const void *texels; /* row by row without gaps; NULL for checker, elsewhere: no texture */
@@ -138,10 +132,10 @@ extern const qtri_filter qtri_mipmapped_bilinear;
  */
 
 /*
- * Levels are the same picture in texels of twice the side each, so that a texture that is far away
- * neither crawls nor sparkles: `qtri texture --mipmaps` makes them. Level 0 is `texels`, level i
- * levels[i - 1], of width_log2 - i and height_log2 - i, or 0. Widths end at two texels: what is
- * beyond is not used. Format, palette, key and wrapping are those of the texture.
+ * Levels are the same picture in texels of twice the side each: `qtri texture --mipmaps` makes
+ * them. Level 0 is `texels`, level i levels[i - 1], of width_log2 - i and height_log2 - i, or 0.
+ * Widths end at two texels: what is beyond is not used. Format, palette, key and wrapping are those
+ * of the texture.
  *
  * A pixel's footprint is the longer of two steps on the texture, in texels of level 0: that to the
  * pixel on the right and that to the pixel below, as derivatives have them. The length of a step
@@ -149,15 +143,14 @@ extern const qtri_filter qtri_mipmapped_bilinear;
  * is level i where the footprint is 2^(i - 1/2) to 2^(i + 1/2); the first and the last also where
  * it is less and more.
  *
- * It is asked once for a triangle that is linear on the screen, or small: less than 120 pixels
- * high, vertices 1 and 2 within 120 of vertex 0 in x, and 1/w within 1/12 of that there, which is
- * where it is asked. On others it is asked in the middle of every 2 to 64 pixels of a row, along
- * which 1/w varies by 1/8 to both sides at most; of 128 where w does not change along rows, as on
- * floors. Inside of them the level is off by what the footprint varies: 2/5 of a level for what w
- * does, and on planes whose horizon is r rows away, for pixels h from the middle, by h / r of the
- * step right in the step down; rounding adds .01. On slivers of less than a pixel's height it may
- * be any. All is counted from the whole triangle and its rows, so no band or scissor changes a
- * level.
+ * It is asked once, at vertex 0, for a triangle that is linear on the screen, or small: less than
+ * 120 pixels high, vertices 1 and 2 within 120 of vertex 0 in x, and 1/w within 1/12 of that there.
+ * On others it is asked in the middle of every 2 to 64 pixels of a row, along which 1/w varies by
+ * 1/8 to both sides at most; of 128 where w does not change along rows, as on floors. Inside of
+ * them the level is off by what the footprint varies: 2/5 of a level for what w does, and on planes
+ * whose horizon is r rows away, for pixels h from the middle, by h / r of the step right in the
+ * step down; rounding adds .01. On slivers of less than a pixel's height it may be any. No band or
+ * scissor changes a level.
  */
 
 #ifdef __cplusplus

@@ -2,11 +2,10 @@
 /*
  * Transforms that keep their precision: poses, cameras, projections and the products they form.
  *
- * A Q16.16 matrix that has been rounded, multiplied and rounded again misplaces vertices by up to
- * a tenth of a pixel. A qtri_transform is a 4x4 matrix whose rows are block-normalised: three
- * 31-bit mantissas and one exponent for the linear part, and a 62-bit translation in the scale of
- * the products it is added to. Rotations keep 2^-30, translations are never rounded to Q16.16,
- * and a vertex costs three 32x32->64 products a row.
+ * A Q16.16 matrix that has been rounded, multiplied and rounded again misplaces vertices by up to a
+ * tenth of a pixel. A qtri_transform is a 4x4 matrix whose rows are block-normalised: three 31-bit
+ * mantissas and one exponent for the linear part, and a 62-bit translation in the scale of the
+ * products it is added to. Rotations keep 2^-30, and translations are never rounded to Q16.16.
  *
  * Builders multiply from the right, as OpenGL's matrix stack does: after translate then rotate, a
  * point is first rotated, then translated. Right-handed, column vectors, degrees. Every builder is
@@ -122,9 +121,8 @@ void qtri_transform_ortho(qtri_transform *t, q16 left, q16 right, q16 bottom, q1
  * Direct3D's left-handed forms: the camera looks along +z, clip z is in 0..w. Converted here: what
  * follows sees OpenGL clip space with the same picture and the same window depth, and
  * counter-clockwise in the picture is front all the same; Direct3D's own default is
- * QTRI_CULL_FRONT. The viewport that goes with them is qtri_viewport_top. Without a direction of
- * its own a camera looks as qtri_transform_look_at has it. Arguments outside of their range do what
- * they do in the forms above.
+ * QTRI_CULL_FRONT. The viewport that goes with them is qtri_viewport_top. Arguments without a
+ * direction or outside of their range do what they do in the forms above.
  */
 void qtri_transform_look_at_d3d(qtri_transform *t, qtri_vec3 eye, qtri_vec3 center, qtri_vec3 up);
 void qtri_transform_frustum_d3d(qtri_transform *t, q16 left, q16 right, q16 bottom, q16 top,

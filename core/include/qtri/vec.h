@@ -3,10 +3,9 @@
  * Vectors of 2, 3 and 4 Q16.16 components.
  *
  * Every function is defined for every argument. Sums of products are exact until they are rounded
- * once, to nearest, halves up; results saturate to Q16_MIN..Q16_MAX. "1 ULP" is 2^-16.
- *
- * What is the same for each number of components is written once, for arrays (qtri_vec_*, count
- * from 1 to 4), and given its types inline: a program pays for what it calls.
+ * once, to nearest, halves up; results saturate. "1 ULP" is 2^-16. A program pays for what it
+ * calls: what each number of components has is written once, for arrays (qtri_vec_*, count from 1
+ * to 4), and given its types inline.
  */
 #ifndef QTRI_VEC_H
 #define QTRI_VEC_H

@@ -2,8 +2,7 @@
 /*
  * The version of the library, by semantic versioning: MAJOR changes with what applications must
  * change for, MINOR with what is new, PATCH with what is mended; while MAJOR is 0, MINOR stands for
- * both of the former. This is the one place: `make check-version` holds every manifest to it, and
- * CHANGELOG.md says what a version brought.
+ * both of the former. `make check-version` holds every manifest to this one.
  */
 #ifndef QTRI_VERSION_H
 #define QTRI_VERSION_H

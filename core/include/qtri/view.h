@@ -103,12 +103,9 @@ void qtri_view_perspective(qtri_view *view, q16 fovy, q16 near_z, q16 far_z);
 /* ---- Clipping ---- */
 
 /*
- * Clipping in homogeneous coordinates (Blinn and Newell 1978; Sutherland and Hodgman 1974).
- *
- * Polygons are cut at the near and far plane and at a guard band in x and y, 16384 pixels either
- * side of the frame's origin; the scissor does the rest. The guard band is there for arithmetic,
- * not for looks: inside it every screen coordinate fits 23 bits, outside it is so rare that its
- * cost does not matter.
+ * Clipping in homogeneous coordinates (Blinn and Newell 1978; Sutherland and Hodgman 1974), at the
+ * near and far plane and at a guard band in x and y, 16384 pixels either side of the frame's
+ * origin; the scissor does the rest. Inside of the guard band every screen coordinate fits 23 bits.
  */
 
 #define QTRI_GUARD_LOG2 14 /* guard band at 2^14 pixels */
