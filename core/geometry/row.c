@@ -95,8 +95,8 @@ static inline uint32_t low_word(int64_t x)
 }
 
 /*
- * floor(m t 2^-shift) for |m| <= 2^30, |t| < 2^61 and 16 <= shift; false when it is not below 2^60.
- * The product is middle 2^32 + low.
+ * floor(m t 2^-shift) for |t| < 2^61 and 16 <= shift; false where shift < 32 and it is not below
+ * 2^60. The product is middle 2^32 + low.
  */
 static inline bool scaled_product(int64_t *out, int32_t m, int64_t t, int32_t shift)
 {
@@ -104,7 +104,7 @@ static inline bool scaled_product(int64_t *out, int32_t m, int64_t t, int32_t sh
     int32_t t_high = high_word(t);
     QTRI_HOLD(t_high); /* or GCC 12 multiplies 64 bits */
     const int64_t low = qtri_mul_s32(m, t_low);
-    int64_t middle = qtri_mul_s32(m, t_high) + high_word(low); /* < 2^59 + 2^30 */
+    int64_t middle = qtri_mul_s32(m, t_high) + high_word(low); /* < 2^60 + 2^31 */
     middle += t_low < 0 ? m : 0;                               /* t_low stands for t_low + 2^32 */
     if (shift >= 32) {
         *out = middle >> (shift > 94 ? 62 : shift - 32);
@@ -140,14 +140,16 @@ static inline int32_t rounded(int64_t x, int32_t down)
     return (twice >> 1) + (twice & 1);
 }
 
-/* A row times 2^n 2^-exponent, plus the translation: without products. (-2^31 is one bit as well,
-   and no factor.) */
+/* A row times 2^n 2^-exponent, plus the translation: without products. */
 static bool scale_by_power(qtri_row *out, const qtri_row *row, int32_t factor, int32_t exponent,
                            int64_t t)
 {
     const int32_t n = 31 - qtri_clz32((uint32_t)factor);
+    const uint32_t most = (uint32_t)1 << 30; /* a user's m may be more */
     int64_t moved = row->t;
-    if ((t != 0 && !add_shifted(&moved, t, n - row->exponent)) ||
+    if (qtri_magnitude32(row->m[0]) > most || qtri_magnitude32(row->m[1]) > most ||
+        qtri_magnitude32(row->m[2]) > most ||
+        (t != 0 && !add_shifted(&moved, t, n - row->exponent)) ||
         qtri_magnitude64(moved) >> 61 != 0) {
         return false;
     }
@@ -175,13 +177,13 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
     if (used == 0) {
         return false; /* every factor is 0 */
     }
-    if (used == 1 && (factor[last] & (factor[last] - 1)) == 0) {
+    if (used == 1 && factor[last] > 0 && (factor[last] & (factor[last] - 1)) == 0) {
         return scale_by_power(out, row[last], factor[last], exponent, t);
     }
     /* In three variables: in an array they cost an empty draw call 5 % more on a Cortex-M0+. */
-    int64_t x = 0;
-    int64_t y = 0;
-    int64_t z = 0;
+    uint64_t x = 0;
+    uint64_t y = 0;
+    uint64_t z = 0;
     for (int k = 0; k <= last; k++) {
         const int32_t by = factor[k];
         if (by == 0) {
@@ -190,20 +192,23 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
         const int32_t *const m = row[k]->m;
         const int32_t shift = row[k]->exponent - least;
         if (shift == 0) { /* mostly: an empty draw call takes 5 % less on a Cortex-M3 */
-            x += qtri_mul_s32(by, m[0]); /* < 3 2^60 */
-            y += qtri_mul_s32(by, m[1]);
-            z += qtri_mul_s32(by, m[2]);
+            x += (uint64_t)qtri_mul_s32(by, m[0]); /* <= 2^62 each, < 2^60 within the promise */
+            y += (uint64_t)qtri_mul_s32(by, m[1]);
+            z += (uint64_t)qtri_mul_s32(by, m[2]);
         } else {
             const int32_t held = qtri_least32(shift, 63);
-            x += qtri_mul_s32(by, m[0]) >> held;
-            y += qtri_mul_s32(by, m[1]) >> held;
-            z += qtri_mul_s32(by, m[2]) >> held;
+            x += (uint64_t)(qtri_mul_s32(by, m[0]) >> held);
+            y += (uint64_t)(qtri_mul_s32(by, m[1]) >> held);
+            z += (uint64_t)(qtri_mul_s32(by, m[2]) >> held);
         }
     }
-    const uint64_t size = qtri_magnitude64(x) | qtri_magnitude64(y) | qtri_magnitude64(z);
-    const int32_t down = 34 - qtri_clz64(size | 1u); /* leaves 30 bits; <= 32 */
-    if (down < 16) {
-        return false; /* below 2^45: what was cut off could show in 30 bits */
+    const uint64_t size = qtri_magnitude64(qtri_wrap64(x)) | qtri_magnitude64(qtri_wrap64(y)) |
+                          qtri_magnitude64(qtri_wrap64(z));
+    const int32_t down = 34 - qtri_clz64(size | 1u); /* leaves 30 bits */
+    /* Below 2^45 what was cut off could show in 30 bits; from 2^62 on, where sums up to 3 2^62 that
+       have wrapped are as well, an m or a factor is none of a builder's. */
+    if (down < 16 || down > 32) {
+        return false;
     }
     int64_t moved = 0;
     if (t != 0 && !add_shifted(&moved, t, down - least)) {
@@ -222,9 +227,9 @@ bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t 
     }
     out->t = moved; /* may be one of the rows, which have been read */
     out->exponent = exponent + least - down;
-    out->m[0] = rounded(x, down);
-    out->m[1] = rounded(y, down);
-    out->m[2] = rounded(z, down);
+    out->m[0] = rounded(qtri_wrap64(x), down);
+    out->m[1] = rounded(qtri_wrap64(y), down);
+    out->m[2] = rounded(qtri_wrap64(z), down);
     return true;
 }
 

@@ -30,8 +30,8 @@ void qtri_row_about(qtri_row *row, const qtri_wide axis[3], const qtri_wide poin
 
 /*
  * The sum of factor[k] 2^-exponent row[k] for count <= 3, plus the translation t 2^-(exponent +
- * 16), without wide scalars: |factor| <= 2^30, the rows as transform.h promises, |t| < 2^61. False,
- * and *out as it was, where 64 bits would lose some.
+ * 16), without wide scalars, for any m and translations below 2^61. False, and *out as it was,
+ * where 64 bits would lose some.
  */
 bool qtri_row_combine(qtri_row *out, const qtri_row *const row[], const int32_t factor[], int count,
                       int32_t exponent, int64_t t);
