@@ -98,24 +98,19 @@ static inline uint32_t vertex_word(const qtri_mesh_job *draw, uint32_t index, bo
     return word;
 }
 
-static qtri_rgb vertex_color(const qtri_mesh_job *draw, uint32_t index, bool is_back)
-{
-    return qtri_lit_rgb(vertex_word(draw, index, is_back));
-}
-
-static void light_triangle(const qtri_mesh_job *draw, const void *indices)
+static void light_triangle(const qtri_mesh_job *draw, const uint32_t index[3])
 {
     const bool has_words = draw->lit_colors != NULL && draw->illumination != NULL;
     for (int i = 0; i < 3 && has_words; i++) { /* by vertex: keeps_colors() has said so */
-        (void)vertex_word(draw, qtri_mesh_index(draw->mesh, indices, i), false);
+        (void)vertex_word(draw, index[i], false);
     }
 }
 
 /* qtri_illuminate() out of line, for faces: they are fewer than vertices. */
-QTRI_NOINLINE static qtri_rgb illuminate(const qtri_illumination *by, qtri_lit_point *point,
+QTRI_NOINLINE static uint32_t illuminate(const qtri_illumination *by, qtri_lit_point *point,
                                          const qtri_rgb *color)
 {
-    return qtri_lit_rgb(qtri_illuminate(by, point, color));
+    return qtri_illuminate(by, point, color);
 }
 
 static void set_mean(qtri_lit_point *point, const qtri_mesh_job *draw, const qtri_vec3 p[3])
@@ -134,73 +129,54 @@ static void set_mean(qtri_lit_point *point, const qtri_mesh_job *draw, const qtr
 
 /* Colours in the light of the face's normal: at its middle when flat, otherwise at each vertex. */
 static void shade_face(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back,
-                       qtri_rgb color[3])
+                       uint32_t lit[3])
 {
     const int32_t turn = is_back ? -1 : 1;
-    const bool smooth = qtri_is_smooth(draw->primitive.material);
     qtri_lit_point point;
     qtri_vec3 p[3];
     int32_t n[3];
     qtri_mesh_positions(p, draw->mesh, index);
     qtri_face_normal(n, &p[0], &p[1], &p[2]);
     qtri_illuminated_normal(&point, draw->illumination, turn * n[0], turn * n[1], turn * n[2]);
-    if (!smooth) {
+    if (!qtri_is_smooth(draw->primitive.material)) {
+        const uint32_t provoking = index[qtri_provoking_of(draw->primitive.material)];
         set_mean(&point, draw, p);
-    }
-    const int provoking = qtri_provoking_of(draw->primitive.material);
-    for (int i = smooth ? 0 : provoking; i < 3; i++) {
-        if (smooth) {
-            qtri_lit_vertex_place(&point, draw, index[i]);
-        }
-        color[i] = illuminate(draw->illumination, &point, qtri_mesh_color(draw, index[i]));
-        if (!smooth) { /* all three are the provoking one's */
-            const qtri_rgb all = color[i];
-            color[0] = all;
-            color[1] = all;
-            color[2] = all;
-            break;
-        }
-    }
-}
-
-static void shade_side(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back,
-                       qtri_rgb color[3])
-{
-    if (!draw->shaded_per_vertex) {
-        shade_face(draw, index, is_back, color);
+        lit[0] = illuminate(draw->illumination, &point, qtri_mesh_color(draw, provoking));
+        lit[1] = lit[2] = lit[0];
         return;
     }
     for (int i = 0; i < 3; i++) {
-        color[i] = vertex_color(draw, index[i], is_back);
+        qtri_lit_vertex_place(&point, draw, index[i]);
+        lit[i] = illuminate(draw->illumination, &point, qtri_mesh_color(draw, index[i]));
     }
 }
 
-static void shade(const qtri_mesh_job *draw, const uint32_t index[3], const qtri_vertex *a,
-                  const qtri_vertex *b, const qtri_vertex *c, qtri_rgb color[3])
+/* Sets the words 0x00RRGGBB of a triangle's vertices; higher bits are undefined. */
+static void shade_side(const qtri_mesh_job *draw, const uint32_t index[3], bool is_back,
+                       uint32_t lit[3])
 {
-    shade_side(draw, index, is_back_seen(draw, a, b, c), color);
+    if (!draw->shaded_per_vertex) {
+        shade_face(draw, index, is_back, lit);
+        return;
+    }
+    lit[0] = vertex_word(draw, index[0], is_back);
+    lit[1] = vertex_word(draw, index[1], is_back);
+    lit[2] = vertex_word(draw, index[2], is_back);
+}
+
+static void shade(const qtri_mesh_job *draw, const uint32_t index[3], const qtri_vertex *a,
+                  const qtri_vertex *b, const qtri_vertex *c, uint32_t lit[3])
+{
+    shade_side(draw, index, is_back_seen(draw, a, b, c), lit);
 }
 
 static uint32_t find(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
                      qtri_vertex *c)
 {
     const qtri_mesh_job *draw = from;
-    uint32_t *lit = draw->primitive.to.solid.small.state->lit;
     uint32_t index[3];
-    const bool is_back = is_back_seen(draw, a, b, c);
     qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
-    if (draw->shaded_per_vertex) {
-        lit[0] = vertex_word(draw, index[0], is_back);
-        lit[1] = vertex_word(draw, index[1], is_back);
-        lit[2] = vertex_word(draw, index[2], is_back);
-        return QTRI_INTENSITY_ONE;
-    }
-    qtri_rgb color[3];
-    shade_face(draw, index, is_back, color);
-    for (int i = 0; i < 3; i++) {
-        // NOLINTNEXTLINE(clang-analyzer-core.*): shade_face() sets all three
-        lit[i] = (uint32_t)color[i].r << 16 | (uint32_t)color[i].g << 8 | color[i].b;
-    }
+    shade(draw, index, a, b, c, draw->primitive.to.solid.small.state->lit);
     return QTRI_INTENSITY_ONE;
 }
 
@@ -231,7 +207,7 @@ bool qtri_clipped_is_back(const qtri_clip_vertex v[3])
 }
 
 static void shade_clipped(const qtri_mesh_job *draw, const void *indices,
-                          const qtri_clip_vertex v[3], qtri_rgb color[3])
+                          const qtri_clip_vertex v[3], uint32_t lit[3])
 {
     const bool turned = is_two_sided(draw) && qtri_clipped_is_back(v);
     const qtri_by_pixel *by_pixel = qtri_by_pixel_of(draw->primitive.material);
@@ -240,7 +216,7 @@ static void shade_clipped(const qtri_mesh_job *draw, const void *indices,
     if (by_pixel != NULL) {
         by_pixel->set_corners(draw, indices, turned);
     }
-    shade_side(draw, index, turned, color);
+    shade_side(draw, index, turned, lit);
 }
 
 static const qtri_light_model model = {

@@ -25,19 +25,19 @@ struct qtri_light_model {
     /* Lights the vertices with indices vertices[0..count-1].index, if there are lit_colors. */
     void (*list)(const qtri_mesh_job *draw, uint32_t count);
     /* Lights the vertices of a triangle, if there are lit_colors. */
-    void (*light_triangle)(const qtri_mesh_job *draw, const void *indices);
+    void (*light_triangle)(const qtri_mesh_job *draw, const uint32_t index[3]);
     /* As qtri_small.light: sets the vertices' colours in the draw state. */
     uint32_t (*find)(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
                      qtri_vertex *c);
     /* For a large triangle: as `find`, or by pixel sets the light up at its corners. */
     uint32_t (*find_large)(const void *from, const void *indices, qtri_vertex *a, qtri_vertex *b,
                            qtri_vertex *c);
-    /* Colours of a triangle's vertices, all inside all planes. */
+    /* Colours, as qtri_lit_rgb() takes them, of a triangle's vertices, all inside all planes. */
     void (*shade)(const qtri_mesh_job *draw, const uint32_t index[3], const qtri_vertex *a,
-                  const qtri_vertex *b, const qtri_vertex *c, qtri_rgb color[3]);
+                  const qtri_vertex *b, const qtri_vertex *c, uint32_t lit[3]);
     /* Colours of a triangle that may cross planes; by pixel the light at its corners, too. */
     void (*shade_clipped)(const qtri_mesh_job *draw, const void *indices,
-                          const qtri_clip_vertex v[3], qtri_rgb color[3]);
+                          const qtri_clip_vertex v[3], uint32_t lit[3]);
 };
 
 /* Whether a triangle that may cross planes shows its back. */

@@ -124,11 +124,13 @@ QTRI_NOINLINE static void draw_colored(const qtri_mesh_job *draw, const void *tr
     uint32_t light_q15[3] = {QTRI_INTENSITY_ONE, QTRI_INTENSITY_ONE, QTRI_INTENSITY_ONE};
     qtri_mesh_indices(index, triangle, qtri_mesh_has_bytes(draw->mesh));
     if (draw->lights != NULL) {
-        draw->lights->model->shade(draw, index, vertex[0], vertex[1], vertex[2], shaded);
+        uint32_t lit[3];
+        draw->lights->model->shade(draw, index, vertex[0], vertex[1], vertex[2], lit);
         colors = shaded;
-        index[0] = 0;
-        index[1] = 1;
-        index[2] = 2;
+        for (uint32_t i = 0; i < 3; i++) {
+            shaded[i] = qtri_lit_rgb(lit[i]);
+            index[i] = i;
+        }
     } else if (draw->lit_per_face) {
         light_q15[0] = light_q15[1] = light_q15[2] = qtri_mesh_light_face(draw, triangle);
     } else {

@@ -25,7 +25,7 @@ uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices)
                                          triangle_index(draw->mesh, indices), index);
 }
 
-static inline void light_unlit_vertex(const qtri_mesh_job *draw, const void *indices, int corner,
+static inline void light_unlit_vertex(const qtri_mesh_job *draw, uint32_t index,
                                       qtri_vertex *vertex)
 {
     if (vertex->intensity_q15 != QTRI_VERTEX_UNLIT) {
@@ -33,19 +33,21 @@ static inline void light_unlit_vertex(const qtri_mesh_job *draw, const void *ind
     }
     vertex->intensity_q15 = QTRI_INTENSITY_ONE;
     if (draw->lit_per_vertex) {
-        vertex->intensity_q15 = (uint16_t)draw->stage->vertex_light->vertex(
-            &draw->of.mesh.lighting, draw->mesh, qtri_mesh_index(draw->mesh, indices, corner));
+        vertex->intensity_q15 =
+            (uint16_t)draw->stage->vertex_light->vertex(&draw->of.mesh.lighting, draw->mesh, index);
     }
 }
 
 QTRI_NOINLINE void qtri_mesh_light_vertices(const qtri_mesh_job *draw, const void *indices,
                                             qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
 {
-    light_unlit_vertex(draw, indices, 0, a);
-    light_unlit_vertex(draw, indices, 1, b);
-    light_unlit_vertex(draw, indices, 2, c);
+    uint32_t index[3];
+    qtri_mesh_indices(index, indices, qtri_mesh_has_bytes(draw->mesh));
+    light_unlit_vertex(draw, index[0], a);
+    light_unlit_vertex(draw, index[1], b);
+    light_unlit_vertex(draw, index[2], c);
     if (draw->lights != NULL) {
-        draw->lights->model->light_triangle(draw, indices);
+        draw->lights->model->light_triangle(draw, index);
     }
 }
 
@@ -81,6 +83,21 @@ static void set_colors(lit_triangle *triangle, qtri_vertex *const vertex[3], uin
     }
 }
 
+/* Sets a vertex's texture coordinates, 0 in a mesh without any. */
+static void set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
+{
+    if (mesh->uvs16 != NULL) {
+        *u_q32 = mesh->uvs16[index].x * ((int64_t)1 << 18);
+        *v_q32 = mesh->uvs16[index].y * ((int64_t)1 << 18);
+    } else if (mesh->uvs != NULL) {
+        *u_q32 = (int64_t)mesh->uvs[index].x * 65536;
+        *v_q32 = (int64_t)mesh->uvs[index].y * 65536;
+    } else {
+        *u_q32 = 0;
+        *v_q32 = 0;
+    }
+}
+
 /* A qtri_attribute_source of a lit_triangle: colours and texture coordinates. */
 static void set_attributes(const void *from, qtri_screen_vertex out[3])
 {
@@ -95,7 +112,7 @@ static void set_attributes(const void *from, qtri_screen_vertex out[3])
         } else {
             qtri_line_color_set(out[i].color_8p16, &triangle->color[i], triangle->intensity_q15[i]);
         }
-        qtri_mesh_set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, triangle->index[i]);
+        set_uv(&out[i].u_q32, &out[i].v_q32, draw->mesh, triangle->index[i]);
     }
 }
 
@@ -130,6 +147,25 @@ QTRI_NOINLINE static void set_rests(qtri_fan_vertex v[3], const qtri_mesh_job *d
     }
 }
 
+/* Whether snap residuals would show: in texels always, in depths where these are steep. */
+static bool do_rests_matter(const qtri_draw_state *state, const qtri_point *const p[3],
+                            const uint32_t depth_16p16[3], int64_t area)
+{
+    uint32_t low, high;
+    int32_t extent = 0;
+    if (state->texture != NULL) {
+        return true;
+    }
+    for (int i = 0; i < 3; i++) {
+        const qtri_point *next = p[i == 2 ? 0 : i + 1];
+        extent += (int32_t)(qtri_magnitude32(p[i]->x_24p8 - next->x_24p8) +
+                            qtri_magnitude32(p[i]->y_24p8 - next->y_24p8));
+    }
+    qtri_find_range(&low, &high, depth_16p16);
+    /* Off by range extent / area at most: by a quarter of a step of 16 bits. */
+    return qtri_mul_u32((high - low) >> 14, (uint32_t)extent) > 2 * qtri_magnitude64(area);
+}
+
 /* The whole triangle in the form in which clipping leaves one. */
 static void set_fan(qtri_fan_vertex v[3], const qtri_mesh_job *draw, const uint32_t index[3],
                     qtri_vertex *const vertex[3], int64_t area)
@@ -146,7 +182,7 @@ static void set_fan(qtri_fan_vertex v[3], const qtri_mesh_job *draw, const uint3
         v[i].rest[1] = 0;
         depth_16p16[i] = vertex[i]->depth_16p8 & ~0xFFu;
     }
-    if (qtri_rests_matter(&draw->primitive.to.solid.state, p, depth_16p16, area)) {
+    if (do_rests_matter(&draw->primitive.to.solid.state, p, depth_16p16, area)) {
         set_rests(v, draw, index);
     }
 }
@@ -207,7 +243,11 @@ static void light_clipped(lit_triangle *triangle, const void *indices, qtri_vert
     set_colors(triangle, vertex,
                draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE);
     if (draw->lights != NULL) {
-        draw->lights->model->shade_clipped(draw, indices, v, triangle->color);
+        uint32_t lit[3];
+        draw->lights->model->shade_clipped(draw, indices, v, lit);
+        for (int i = 0; i < 3; i++) {
+            triangle->color[i] = qtri_lit_rgb(lit[i]);
+        }
     }
 }
 

@@ -49,12 +49,12 @@ static void set_corners(const qtri_mesh_job *draw, const void *indices, bool is_
 static bool has_linear_light(const qtri_small *t)
 {
     const qtri_mesh_job *draw = t->from;
+    uint32_t index[3];
     if (draw->illumination == NULL) { /* called by qtri_draw_lit_triangles() */
         return false;
     }
-    set_corners(draw, t->indices,
-                draw->illumination->two_sided &&
-                    t->index[1] != qtri_mesh_index(draw->mesh, t->indices, 1));
+    qtri_mesh_indices(index, t->indices, qtri_mesh_has_bytes(draw->mesh));
+    set_corners(draw, t->indices, draw->illumination->two_sided && t->index[1] != index[1]);
     return qtri_large_light_is_linear(t->state);
 }
 

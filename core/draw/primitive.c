@@ -72,20 +72,6 @@ static int64_t fan_area(const qtri_fan_vertex fan[], int count)
 
 /* ---- Attributes ---- */
 
-void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index)
-{
-    if (mesh->uvs16 != NULL) {
-        *u_q32 = mesh->uvs16[index].x * ((int64_t)1 << 18);
-        *v_q32 = mesh->uvs16[index].y * ((int64_t)1 << 18);
-    } else if (mesh->uvs != NULL) {
-        *u_q32 = (int64_t)mesh->uvs[index].x * 65536;
-        *v_q32 = (int64_t)mesh->uvs[index].y * 65536;
-    } else {
-        *u_q32 = 0;
-        *v_q32 = 0;
-    }
-}
-
 /* a0 + (a1 - a0) b1 + (a2 - a0) b2, times 2^16: products of 33 and 31 bits. */
 QTRI_NOINLINE static int64_t mix_q16(int32_t a0, int32_t a1, int32_t a2, const int32_t b_q30[2])
 {
@@ -198,24 +184,6 @@ void qtri_primitive_outline(const qtri_primitive *primitive, const qtri_clip_ver
 }
 
 /* ---- Large triangles ---- */
-
-bool qtri_rests_matter(const qtri_draw_state *state, const qtri_point *const p[3],
-                       const uint32_t depth_16p16[3], int64_t area)
-{
-    uint32_t low, high;
-    int32_t extent = 0;
-    if (state->texture != NULL) {
-        return true;
-    }
-    for (int i = 0; i < 3; i++) {
-        const qtri_point *next = p[i == 2 ? 0 : i + 1];
-        extent += (int32_t)(qtri_magnitude32(p[i]->x_24p8 - next->x_24p8) +
-                            qtri_magnitude32(p[i]->y_24p8 - next->y_24p8));
-    }
-    qtri_find_range(&low, &high, depth_16p16);
-    /* Off by range extent / area at most: by a quarter of a step of 16 bits. */
-    return qtri_mul_u32((high - low) >> 14, (uint32_t)extent) > 2 * qtri_magnitude64(area);
-}
 
 bool qtri_is_beside(const qtri_draw_state *state, const qtri_point *const p[3])
 {

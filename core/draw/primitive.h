@@ -91,18 +91,11 @@ void qtri_primitive_set_target(qtri_primitive *primitive, const qtri_surface *su
  */
 typedef void (*qtri_attribute_source)(const void *from, qtri_screen_vertex attributes[3]);
 
-/* Sets a vertex's texture coordinates, 0 in a mesh without any. */
-void qtri_mesh_set_uv(int64_t *u_q32, int64_t *v_q32, const qtri_mesh *mesh, uint32_t index);
-
 /* Draws the triangle shape->clip, which may need clipping; `shape` is overwritten. */
 void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
                              qtri_attribute_source source, const void *from);
 
 /* ---- Large triangles ---- */
-
-/* Whether snap residuals would show: in texels always, in depths where these are steep. */
-bool qtri_rests_matter(const qtri_draw_state *state, const qtri_point *const p[3],
-                       const uint32_t depth_16p16[3], int64_t area);
 
 /* Whether the triangle lies wholly on one side of the rectangle that may be drawn to. */
 bool qtri_is_beside(const qtri_draw_state *state, const qtri_point *const p[3]);
