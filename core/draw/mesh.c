@@ -45,9 +45,37 @@ static int color_source(const qtri_mesh_job *draw)
     return draw->lit_per_face ? QTRI_TINT : QTRI_FLAT;
 }
 
-void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
-                        const qtri_surface *surface, const qtri_view *view, const qtri_mesh *mesh,
-                        const qtri_material *material, qtri_vertex *vertices, uint32_t vertex_count)
+/* Sets transforms and light; false: nothing can be seen. */
+static bool set_transforms(qtri_mesh_job *draw, const qtri_view *view, const qtri_transform *pose)
+{
+    const qtri_mesh *mesh = draw->mesh;
+    qtri_transform object_to_eye;
+    if (is_empty(mesh) || draw->positions == NULL) {
+        return false;
+    }
+    qtri_projector_init_view(&draw->primitive.projector, view, pose,
+                             draw->primitive.material->depth_bias, &object_to_eye);
+    if (is_missed(draw, draw->primitive.surface)) {
+        return false;
+    }
+    if (draw->positions->begin != NULL) {
+        draw->positions->begin(&draw->primitive.projector, mesh);
+    }
+    if (draw->lit_per_vertex || draw->lit_per_face) {
+        const qtri_vertex_stage *stage = draw->stage;
+        (draw->lit_per_vertex ? stage->vertex_light->init : stage->face_light->init)(
+            &draw->of.mesh.lighting, view->light, &object_to_eye,
+            draw->lit_per_vertex && mesh->normals8 != NULL, stage->uneven_light);
+    }
+    return true;
+}
+
+/* Not inlined, so that its stack is free again. */
+QTRI_NOINLINE bool qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
+                                      const qtri_surface *surface, const qtri_view *view,
+                                      const qtri_transform *pose, const qtri_mesh *mesh,
+                                      const qtri_material *material, qtri_vertex *vertices,
+                                      uint32_t vertex_count)
 {
     const bool has_uvs = mesh->uvs != NULL || mesh->uvs16 != NULL;
     draw->primitive.material = material;
@@ -81,31 +109,7 @@ void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
                                  ? qtri_mesh_find_light
                                  : NULL);
     }
-}
-
-bool qtri_mesh_job_set_transforms(qtri_mesh_job *draw, const qtri_view *view,
-                                  const qtri_transform *pose)
-{
-    const qtri_mesh *mesh = draw->mesh;
-    qtri_transform object_to_eye;
-    if (is_empty(mesh) || draw->positions == NULL) {
-        return false;
-    }
-    qtri_projector_init_view(&draw->primitive.projector, view, pose,
-                             draw->primitive.material->depth_bias, &object_to_eye);
-    if (is_missed(draw, draw->primitive.surface)) {
-        return false;
-    }
-    if (draw->positions->begin != NULL) {
-        draw->positions->begin(&draw->primitive.projector, mesh);
-    }
-    if (draw->lit_per_vertex || draw->lit_per_face) {
-        const qtri_vertex_stage *stage = draw->stage;
-        (draw->lit_per_vertex ? stage->vertex_light->init : stage->face_light->init)(
-            &draw->of.mesh.lighting, view->light, &object_to_eye,
-            draw->lit_per_vertex && mesh->normals8 != NULL, stage->uneven_light);
-    }
-    return true;
+    return pose == NULL || set_transforms(draw, view, pose);
 }
 
 /* ---- All triangles ---- */
@@ -157,11 +161,7 @@ QTRI_NOINLINE static void draw_whole(const qtri_mesh_job *draw)
     }
 }
 
-/*
- * The vertex's slot, filled: one that is empty holds no index to be read. Vertex i lives in slot i
- * modulo their number; when another corner of the same triangle holds it, or there is none, `spare`
- * serves.
- */
+/* The vertex's slot, filled: one that is empty holds no index to be read. */
 static qtri_vertex *fetch(const qtri_mesh_job *draw, uint32_t index, qtri_vertex *spare,
                           qtri_vertex *const taken[2])
 {
@@ -196,31 +196,24 @@ bool qtri_mesh_fetch_triangle(const qtri_mesh_job *draw, const void *triangle, q
     return true;
 }
 
-/* Draws a mesh with fewer slots than vertices: some are transformed again. */
-QTRI_NOINLINE static void draw_by_slots(const qtri_mesh_job *draw)
+void qtri_mesh_draw_range(const qtri_mesh_job *draw, uint32_t first, uint32_t end)
 {
-    const qtri_mesh *mesh = draw->mesh;
-    qtri_mesh_clear_slots(draw);
-    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
-        const void *triangle = qtri_mesh_triangle(mesh, i, qtri_mesh_has_bytes(mesh));
+    const uint32_t count = draw->mesh->vertex_count;
+    const bool narrow = qtri_mesh_has_bytes(draw->mesh);
+    for (; first < end; first++) {
+        const void *triangle = qtri_mesh_triangle(draw->mesh, first, narrow);
+        uint32_t index[3];
         qtri_vertex spare[3];
         qtri_vertex *vertex[3];
-        if (qtri_mesh_fetch_triangle(draw, triangle, spare, vertex) &&
-            !qtri_mesh_is_culled(draw, vertex[0], vertex[1], vertex[2])) {
+        const bool is_found =
+            draw->slot_count < count
+                ? qtri_mesh_fetch_triangle(draw, triangle, spare, vertex)
+                : qtri_mesh_find(index, vertex, draw->vertices, count, triangle, narrow) &&
+                      qtri_mesh_are_transformed(vertex);
+        if (is_found && !qtri_mesh_is_culled(draw, vertex[0], vertex[1], vertex[2])) {
             qtri_mesh_draw_visible(draw, triangle, vertex);
         }
     }
-}
-
-/* Sets up a job; false: nothing can be seen. Not inlined, so that its stack is free again. */
-QTRI_NOINLINE static bool begin_job(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
-                                    const qtri_surface *surface, const qtri_view *view,
-                                    const qtri_transform *pose, const qtri_mesh *mesh,
-                                    const qtri_material *material)
-{
-    qtri_mesh_job_init(draw, stage, surface, view, mesh, material, view->vertices,
-                       view->vertex_count);
-    return qtri_mesh_job_set_transforms(draw, view, pose);
 }
 
 /* Draws a job whose transforms and illumination are set up. */
@@ -232,7 +225,8 @@ static void draw_placed(void *with)
     if (has_slots && draw->primitive.material->fill != NULL) {
         draw->primitive.material->fill->mesh(draw); /* shared edges must not be blended twice */
     } else if (!has_slots) {
-        draw_by_slots(draw);
+        qtri_mesh_clear_slots(draw);
+        qtri_mesh_draw_range(draw, 0, mesh->triangle_count);
     } else {
         const qtri_face_culling *culling = mesh->faces.culling;
         if (culling == NULL || !culling->draw(draw)) {
@@ -251,7 +245,8 @@ bool qtri_mesh_draw(const qtri_vertex_stage *stage, const qtri_surface *surface,
     QTRI_CHECK(qtri_check_view(view, pose));
     QTRI_CHECK(qtri_check_mesh(mesh));
     qtri_mesh_job draw;
-    if (is_empty(mesh) || !begin_job(&draw, stage, surface, view, pose, mesh, material)) {
+    if (is_empty(mesh) || !qtri_mesh_job_init(&draw, stage, surface, view, pose, mesh, material,
+                                              view->vertices, view->vertex_count)) {
         return false;
     }
     draw.front = front;

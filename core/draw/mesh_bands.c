@@ -354,14 +354,13 @@ static void begin_lists(binner *s, qtri_prepared *prepared)
     }
 }
 
-/* The job for a surface, as prepared; with `place` its transforms too. False: nothing is seen. A
-   function of its own, so that its stack is free again. */
+/* The job for a surface, with `place` its transforms too. Not inlined: its arguments take stack. */
 QTRI_NOINLINE static bool prepared_begin(qtri_mesh_job *job, const qtri_prepared *prepared,
                                          const qtri_surface *surface, bool place)
 {
-    qtri_mesh_job_init(job, prepared->stage, surface, prepared->view, prepared->mesh,
-                       prepared->material, prepared->vertices, prepared->vertex_count);
-    return !place || qtri_mesh_job_set_transforms(job, prepared->view, prepared->pose);
+    return qtri_mesh_job_init(job, prepared->stage, surface, prepared->view,
+                              place ? prepared->pose : NULL, prepared->mesh, prepared->material,
+                              prepared->vertices, prepared->vertex_count);
 }
 
 static void bin(void *with)
@@ -466,36 +465,6 @@ bool qtri_prepared_fits(const qtri_prepared *prepared)
 
 /* ---- One band ---- */
 
-/* A triangle's vertices; false: an index is past the end, or the triangle was culled by its plane
-   before its vertices were transformed. */
-static bool find_triangle(const qtri_mesh_job *job, const void *triangle, qtri_vertex *vertex[3])
-{
-    uint32_t index[3];
-    return qtri_mesh_find(index, vertex, job->vertices, job->mesh->vertex_count, triangle,
-                          qtri_mesh_has_bytes(job->mesh)) &&
-           qtri_mesh_are_transformed(vertex);
-}
-
-/* Draws what is visible of triangles first..end - 1. */
-static void draw_range(const qtri_mesh_job *job, const qtri_prepared *prepared, uint32_t first,
-                       uint32_t end)
-{
-    const qtri_mesh *mesh = job->mesh;
-    const bool complete = is_complete(prepared);
-    for (; first < end; first++) {
-        const uint8_t *triangle = qtri_mesh_triangle(mesh, first, qtri_mesh_has_bytes(mesh));
-        qtri_vertex spare[3];
-        qtri_vertex *vertex[3];
-        if (!(complete ? find_triangle(job, triangle, vertex)
-                       : qtri_mesh_fetch_triangle(job, triangle, spare, vertex))) {
-            continue;
-        }
-        if (!qtri_mesh_is_culled(job, vertex[0], vertex[1], vertex[2])) {
-            qtri_mesh_draw_visible(job, triangle, vertex);
-        }
-    }
-}
-
 /* Draws a list of single triangles of a complete mesh: all of them are visible. */
 static void draw_visible(const qtri_mesh_job *job, const uint16_t *lists, uint32_t place,
                          uint32_t end)
@@ -550,7 +519,7 @@ QTRI_NOINLINE static void draw_list(const qtri_mesh_job *job, const qtri_prepare
         const uint32_t first = next_group(lists, &place) << log2;
         const uint32_t left = mesh->triangle_count - first;
         const uint32_t size = (uint32_t)1 << log2;
-        draw_range(job, prepared, first, first + (left < size ? left : size));
+        qtri_mesh_draw_range(job, first, first + (left < size ? left : size));
     }
 }
 
@@ -568,7 +537,7 @@ static void draw_band(void *with)
     if (work->by_list) {
         draw_list(work->job, work->prepared, work->band);
     }
-    draw_range(work->job, work->prepared, work->first, work->count);
+    qtri_mesh_draw_range(work->job, work->first, work->count);
 }
 
 void qtri_draw_prepared(const qtri_surface *surface, const qtri_prepared *prepared)

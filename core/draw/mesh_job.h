@@ -102,15 +102,13 @@ void qtri_wireframe_band(qtri_mesh_job *draw);
             qtri_wireframe_prepare, qtri_wireframe_band                                            \
     }
 
-/* Sets a job's surface, material and memory for vertices; then come its transforms. */
-void qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
-                        const qtri_surface *surface, const qtri_view *view, const qtri_mesh *mesh,
+/* Sets a job up, with transforms and light where a pose is given. False: nothing of the mesh can be
+   seen on the surface. */
+bool qtri_mesh_job_init(qtri_mesh_job *draw, const qtri_vertex_stage *stage,
+                        const qtri_surface *surface, const qtri_view *view,
+                        const qtri_transform *pose, const qtri_mesh *mesh,
                         const qtri_material *material, qtri_vertex *vertices,
                         uint32_t vertex_count);
-
-/* Sets transforms and light. False: nothing of the mesh can be seen on the surface. */
-bool qtri_mesh_job_set_transforms(qtri_mesh_job *draw, const qtri_view *view,
-                                  const qtri_transform *pose);
 
 /* Transforms `count` vertices from `first` on. False: one of them is outside a plane. */
 static inline bool qtri_mesh_transform(const qtri_mesh_job *draw, uint32_t first, uint32_t count,
@@ -158,6 +156,10 @@ uint32_t qtri_mesh_light_face(const qtri_mesh_job *draw, const void *indices);
 /* Whether a triangle is culled; one with a vertex outside a plane is not, before clipping. */
 bool qtri_mesh_is_culled(const qtri_mesh_job *draw, const qtri_vertex *a, const qtri_vertex *b,
                          const qtri_vertex *c);
+
+/* Draws what is visible of triangles first..end - 1. Where there is a slot for every vertex, they
+   hold all but those of triangles that were culled by their planes. */
+void qtri_mesh_draw_range(const qtri_mesh_job *draw, uint32_t first, uint32_t end);
 
 /* Draws a triangle that crosses a plane or was not culled. */
 void qtri_mesh_draw_visible(const qtri_mesh_job *draw, const void *indices,
@@ -208,14 +210,6 @@ static inline void qtri_front_set_all(uint32_t *front, uint32_t count)
 static inline const void *qtri_mesh_triangle(const qtri_mesh *mesh, uint32_t number, bool narrow)
 {
     return narrow ? (const void *)mesh->triangles8[number] : (const void *)mesh->triangles[number];
-}
-
-/* The vertex index of corner 0..2 of the triangle with these indices. */
-static inline uint32_t qtri_mesh_index(const qtri_mesh *mesh, const void *indices, int corner)
-{
-    const uint16_t *wide = indices;
-    const uint8_t *narrow = indices;
-    return qtri_mesh_has_bytes(mesh) ? narrow[corner] : wide[corner];
 }
 
 /* The indices of a triangle as numbers. `narrow`: they are stored as bytes. */

@@ -201,9 +201,8 @@ QTRI_NOINLINE static bool transform(const qtri_surface *surface, const qtri_view
     const qtri_face_culling *culling = mesh->faces.culling;
     qtri_mesh_faces faces;
     qtri_mesh_job job;
-    qtri_mesh_job_init(&job, &qtri_vertex_stage_any, surface, view, mesh, material, view->vertices,
-                       view->vertex_count);
-    if (!qtri_mesh_job_set_transforms(&job, view, pose)) {
+    if (!qtri_mesh_job_init(&job, &qtri_vertex_stage_any, surface, view, pose, mesh, material,
+                            view->vertices, view->vertex_count)) {
         return false;
     }
     job.front = outline->front;
@@ -409,14 +408,14 @@ QTRI_NOINLINE static bool find_creases(finder *f)
                                 .rows = outline->height,
                                 .scissor = frame};
     qtri_mesh_job job;
-    qtri_mesh_job_init(&job, &qtri_vertex_stage_any, &whole, outline->view, outline->mesh,
-                       outline->material, outline->view->vertices, outline->view->vertex_count);
+    const bool is_seen = qtri_mesh_job_init(&job, &qtri_vertex_stage_any, &whole, outline->view,
+                                            outline->pose, outline->mesh, outline->material,
+                                            outline->view->vertices, outline->view->vertex_count);
     f->job = &job;
     f->axis[0].weak = UINT32_MAX;
     f->axis[1].weak = UINT32_MAX;
     // NOLINTNEXTLINE(clang-analyzer-core.*): what reads the job has returned by then
-    return !qtri_mesh_job_set_transforms(&job, outline->view, outline->pose) || !job.lit_per_face ||
-           find_front_edges(f, true);
+    return !is_seen || !job.lit_per_face || find_front_edges(f, true);
 }
 
 static bool find_edges(finder *f)
