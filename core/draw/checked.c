@@ -60,19 +60,14 @@ void qtri_check_lights(const qtri_light_source *sources, uint32_t count,
     }
 }
 
-static void check_arrays(const qtri_mesh *mesh)
+void qtri_check_mesh(const qtri_mesh *mesh)
 {
+    QTRI_ASSERT(mesh != NULL);
     QTRI_ASSERT(mesh->vertex_count <= 65536);
     QTRI_ASSERT(mesh->positions != NULL || mesh->positions16 != NULL || mesh->vertex_count == 0);
     QTRI_ASSERT(mesh->positions16 == NULL || mesh->extent > 0);
     QTRI_ASSERT(mesh->triangles != NULL || mesh->triangles8 != NULL || mesh->triangle_count == 0);
     QTRI_ASSERT(mesh->faces.culling == NULL || mesh->faces.planes != NULL);
-}
-
-void qtri_check_mesh(const qtri_mesh *mesh)
-{
-    QTRI_ASSERT(mesh != NULL);
-    check_arrays(mesh);
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
         for (int corner = 0; corner < 3; corner++) {
             const uint32_t index =

@@ -337,29 +337,22 @@ void qtri_paint_arc(const qtri_surface *surface, const qtri_point *center, int32
 
 /* ---- Polygons and lines ---- */
 
-/* Up to QTRI_PATH_EDGES points: edges are set up once, not in every row. */
-static void paint_small_polygon(const qtri_surface *surface, const qtri_point *point, int32_t count,
-                                const qtri_brush *brush)
-{
-    qtri_path path;
-    qtri_path_init(&path);
-    qtri_point last = qtri_hold_point(&point[count - 1]);
-    for (int32_t i = 0; i < count; i++) {
-        const qtri_point next = qtri_hold_point(&point[i]);
-        qtri_path_line(&path, &last, &next);
-        last = next;
-    }
-    qtri_path_paint(&path, surface, brush);
-}
-
 static void paint_polygon(const qtri_surface *surface, const qtri_point *point, int32_t count,
                           const qtri_brush *brush)
 {
-    if (count >= 3 && count <= QTRI_PATH_EDGES) {
-        paint_small_polygon(surface, point, count, brush);
-    } else if (count >= 3) {
+    if (count > QTRI_PATH_EDGES) {
         const qtri_contour contour = {NULL, point, count};
         qtri_paint_contour(surface, &contour, brush);
+    } else if (count >= 3) { /* edges are set up once, not in every row */
+        qtri_path path;
+        qtri_path_init(&path);
+        qtri_point last = qtri_hold_point(&point[count - 1]);
+        for (int32_t i = 0; i < count; i++) {
+            const qtri_point next = qtri_hold_point(&point[i]);
+            qtri_path_line(&path, &last, &next);
+            last = next;
+        }
+        qtri_path_paint(&path, surface, brush);
     }
 }
 

@@ -81,9 +81,9 @@ QTRI_INLINE void span_of(qtri_mix mix, uint32_t bytes, uint8_t *at, int32_t coun
     }
 }
 
-/* qtri_blend_cover() for QTRI_MIX_OTHER. */
+/* qtri_blend_cover() for QTRI_MIX_OTHER; `step`: 1, or 0 where all pixels have one coverage. */
 QTRI_NOINLINE static void cover_others(const qtri_painter *painter, uint8_t *at, int32_t count,
-                                       const uint8_t *coverage)
+                                       const uint8_t *coverage, int32_t step)
 {
     const qtri_format *format = painter->surface->format;
     uint32_t color[QTRI_MIX_BATCH];
@@ -91,7 +91,8 @@ QTRI_NOINLINE static void cover_others(const qtri_painter *painter, uint8_t *at,
         const int32_t n = qtri_least32(count, QTRI_MIX_BATCH);
         uint32_t mask = 0;
         for (int32_t i = 0; i < n; i++) {
-            const uint32_t a = qtri_mix_weight(*coverage++, painter->alpha);
+            const uint32_t a = qtri_mix_weight(*coverage, painter->alpha);
+            coverage += step;
             mask = mask << 1 | (a != 0);
             color[i] = painter->color_888 | (a - (a != 0)) << 24;
         }
@@ -100,31 +101,17 @@ QTRI_NOINLINE static void cover_others(const qtri_painter *painter, uint8_t *at,
     }
 }
 
-QTRI_NOINLINE static void span_of_others(const qtri_painter *painter, uint8_t *at, int32_t count,
-                                         uint32_t coverage)
-{
-    const ptrdiff_t bytes = painter->surface->format->pixels->bytes;
-    const int32_t most = qtri_least32(count, QTRI_MIX_BATCH);
-    uint8_t same[QTRI_MIX_BATCH];
-    for (int32_t i = 0; i < most; i++) {
-        same[i] = (uint8_t)coverage;
-    }
-    for (; count > 0; count -= QTRI_MIX_BATCH) {
-        cover_others(painter, at, qtri_least32(count, QTRI_MIX_BATCH), same);
-        at += QTRI_MIX_BATCH * bytes;
-    }
-}
-
 void qtri_blend_span(const qtri_painter *painter, uint8_t *at, int32_t count, uint32_t coverage)
 {
     const qtri_format *format = painter->surface->format;
     const qtri_mix mix = qtri_mix_of(format);
+    const uint8_t even = (uint8_t)coverage;
     const uint32_t a = qtri_mix_weight(coverage, painter->alpha);
     const qtri_mix_part share = qtri_mix_part_of(mix, &painter->channels, painter->stored, a);
     switch (mix) {
         QTRI_MIX_CASES(span_of, at, count, 256 - a, share);
     default:
-        span_of_others(painter, at, count, coverage);
+        cover_others(painter, at, count, &even, 0);
         break;
     }
 }
@@ -154,7 +141,7 @@ void qtri_blend_cover(const qtri_painter *painter, uint8_t *at, int32_t count,
     switch (qtri_mix_of(painter->surface->format)) {
         QTRI_MIX_CASES(cover_of, painter, at, count, coverage);
     default:
-        cover_others(painter, at, count, coverage);
+        cover_others(painter, at, count, coverage, 1);
         break;
     }
 }
@@ -176,7 +163,7 @@ QTRI_INLINE void bits_of(qtri_mix mix, uint32_t bytes, const qtri_painter *paint
                 for (int32_t i = 0; i < 8; i++) {
                     coverage[i] = (uint8_t)(0 - (value << i >> 31));
                 }
-                cover_others(painter, next, count, coverage);
+                cover_others(painter, next, count, coverage, 1);
                 value = 0;
             }
             for (uint8_t *at = next; value != 0; value <<= 1) {

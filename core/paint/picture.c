@@ -147,16 +147,6 @@ QTRI_INLINE void mix_of(qtri_mix mix, uint32_t bytes, uint8_t *at, const uint32_
     }
 }
 
-/* mix() for QTRI_MIX_OTHER. */
-static void mix_others(const qtri_format *format, uint8_t *at, uint32_t *stored, uint32_t mask,
-                       int32_t count, uint32_t a)
-{
-    for (int32_t i = 0; i < count; i++) {
-        stored[i] = (format->decode(stored[i]) & 0x00FFFFFFu) | (a - 1) << 24;
-    }
-    qtri_mix_others(format, at, stored, mask, count);
-}
-
 /* Blends `count` pixels of the surface with `stored`, which may change, a of 256. */
 static void mix(const qtri_surface *surface, uint8_t *at, uint32_t *stored, uint32_t mask,
                 int32_t count, uint32_t a)
@@ -166,7 +156,10 @@ static void mix(const qtri_surface *surface, uint8_t *at, uint32_t *stored, uint
     switch (qtri_mix_of(format)) {
         QTRI_MIX_CASES(mix_of, at, stored, first, a);
     default:
-        mix_others(format, at, stored, mask, count, a);
+        for (int32_t i = 0; i < count; i++) {
+            stored[i] = (format->decode(stored[i]) & 0x00FFFFFFu) | (a - 1) << 24;
+        }
+        qtri_mix_others(format, at, stored, mask, count);
         break;
     }
 }

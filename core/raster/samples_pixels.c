@@ -9,31 +9,27 @@
 #include "../filter/mix.h"
 #include "../frame/pixel.h"
 
-static void set_all(uint8_t *record, int32_t size, uint32_t stored)
+/* `step`: 1, or 0 where all pixels get one colour. */
+static void set_pixels(uint8_t *record, const uint32_t *stored, int32_t step, uint32_t mask,
+                       int32_t count, int32_t size)
 {
     const int32_t bytes = qtri_sample_bytes(size);
-    for (int k = 0; k < QTRI_SAMPLES; k++) {
-        qtri_sample_set_color(record, bytes, k, stored);
+    for (; count > 0; count--, record += size, stored += step) {
+        for (int k = 0; k < QTRI_SAMPLES && (mask >> (count - 1) & 1) != 0; k++) {
+            qtri_sample_set_color(record, bytes, k, *stored);
+        }
     }
 }
 
 void qtri_samples_fill(uint8_t *pixel, uint32_t stored, uint32_t mask, int32_t count, int32_t size)
 {
-    for (; count > 0; count--, pixel += size) {
-        if ((mask >> (count - 1) & 1) != 0) {
-            set_all(pixel, size, stored);
-        }
-    }
+    set_pixels(pixel, &stored, 0, mask, count, size);
 }
 
 void qtri_samples_store(uint8_t *pixel, const uint32_t *stored, uint32_t mask, int32_t count,
                         int32_t size)
 {
-    for (; count > 0; count--, pixel += size, stored++) {
-        if ((mask >> (count - 1) & 1) != 0) {
-            set_all(pixel, size, *stored);
-        }
-    }
+    set_pixels(pixel, stored, 1, mask, count, size);
 }
 
 uint32_t qtri_samples_mean(const qtri_format *format, const uint8_t *record)
