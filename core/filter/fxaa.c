@@ -277,20 +277,10 @@ static extent extent_of(const uint16_t *row, int32_t width)
     }
     const qtri_word *at = words;
     const qtri_word *end = words + count;
-    while (end - at >= 4 &&
-           ((at[0] ^ color) | (at[1] ^ color) | (at[2] ^ color) | (at[3] ^ color)) == 0) {
-        at += 4;
-        QTRI_BODY_BARRIER(at);
-    }
     while (at != end && *at == color) {
         at++;
     }
     e.first = 2 * (int32_t)(at - words);
-    while (end - at >= 4 &&
-           ((end[-1] ^ color) | (end[-2] ^ color) | (end[-3] ^ color) | (end[-4] ^ color)) == 0) {
-        end -= 4;
-        QTRI_BODY_BARRIER(end);
-    }
     while (end != at && end[-1] == color) {
         end--;
     }
@@ -321,20 +311,6 @@ static void fill_words(qtri_word *to, int32_t count, uint32_t word)
     }
 }
 
-static void luma_words(qtri_word *to, const qtri_word *from, const qtri_word *end)
-{
-    for (; end - from >= 2; to += 2, from += 2) {
-        const uint32_t a = from[0];
-        const uint32_t b = from[1];
-        to[0] = lumas_of_two(a);
-        to[1] = lumas_of_two(b);
-        QTRI_BODY_BARRIER(to);
-    }
-    if (from != end) {
-        *to = lumas_of_two(*from);
-    }
-}
-
 /* Copies a row's colours, or sets its lumas; outside of its extent all are one. */
 static void keep_row(uint32_t *out, const uint16_t *row, const extent *e, int32_t width, bool pairs,
                      bool luma)
@@ -353,7 +329,9 @@ static void keep_row(uint32_t *out, const uint16_t *row, const extent *e, int32_
     const uint32_t about = luma ? lumas_of_two(e->color) : e->color;
     fill_words(to, first, about);
     if (luma) {
-        luma_words(to + first, from + first, from + end);
+        for (int32_t i = first; i < end; i++) {
+            to[i] = lumas_of_two(from[i]);
+        }
     } else {
         qtri_copy((uint8_t *)(to + first), (const uint8_t *)(from + first),
                   4 * (size_t)(end - first));

@@ -44,32 +44,20 @@ static void halve_any(const qtri_surface *band, const qtri_surface *half)
     }
 }
 
-/* The mean of two by two RGB565 pixels, a word of two from the upper and one from the lower row. */
-static inline uint32_t mean_of_pairs(uint32_t upper, uint32_t lower)
-{
-    if (upper == lower && upper == (upper << 16 | upper >> 16)) {
-        return qtri_low16(upper);
-    }
-    return qtri_mean_565(qtri_low16(upper), upper >> 16, qtri_low16(lower), lower >> 16);
-}
-
-/* Two rows of `count` words into `count` pixels. */
+/* Two rows of `count` words of two pixels into `count` pixels; most are of one colour. */
 QTRI_NOINLINE static void halve_pairs(const qtri_word *upper, const qtri_word *lower, uint16_t *to,
                                       int32_t count)
 {
-    for (; count >= 2 && ((uintptr_t)to & 3) == 0; count -= 2, upper += 2, lower += 2, to += 2) {
-        const uint32_t first = upper[0];
-        if (first == upper[1] && first == lower[0] && first == lower[1] &&
-            first == (first << 16 | first >> 16)) {
-            *(qtri_word *)(void *)to = first; /* of one colour, as most are */
-        } else {
-            const uint32_t other = mean_of_pairs(upper[1], lower[1]);
-            to[0] = (uint16_t)mean_of_pairs(first, lower[0]);
-            to[1] = (uint16_t)other;
+    const uint16_t *const end = to + count;
+    for (; to != end; to++) {
+        const uint32_t a = *upper++;
+        const uint32_t b = *lower++;
+        uint32_t mean = a;
+        if (a != b || a != (a << 16 | a >> 16)) {
+            QTRI_BODY_BRANCH();
+            mean = qtri_mean_565(qtri_low16(a), a >> 16, qtri_low16(b), b >> 16);
         }
-    }
-    for (; count > 0; count--) {
-        *to++ = (uint16_t)mean_of_pairs(*upper++, *lower++);
+        *to = (uint16_t)mean;
     }
 }
 

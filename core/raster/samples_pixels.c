@@ -65,14 +65,9 @@ QTRI_INLINE void clear_any(uint8_t *record, int32_t count, uint32_t stored, int3
 
 /*
  * Every other record of RGB565 begins with a word, and two of them are seven words, of colours and
- * depths: c c, c c, d d, d c, c c, c d, d d. Clearing and resolving by words saves a lit mesh 4 %.
+ * depths: c c, c c, d d, d c, c c, c d, d d. Without words a lit mesh takes 30 % more time.
  */
 enum { PAIR = 2 * QTRI_RGB565_X4_BYTES, PAIR_WORDS = PAIR / 4 };
-
-static bool begins_with_word(const uint8_t *record)
-{
-    return ((uintptr_t)record & 3) == 0;
-}
 
 static void clear_565(uint8_t *record, int32_t count, uint32_t stored)
 {
@@ -80,7 +75,7 @@ static void clear_565(uint8_t *record, int32_t count, uint32_t stored)
     uint32_t two[PAIR_WORDS];
     clear_any((uint8_t *)half, 2, stored, QTRI_RGB565_BYTES, QTRI_RGB565_X4_BYTES);
     memcpy(two, half, sizeof two);
-    if (!begins_with_word(record)) {
+    if (((uintptr_t)record & 3) != 0) {
         clear_any(record, 1, stored, QTRI_RGB565_BYTES, QTRI_RGB565_X4_BYTES);
         record += QTRI_RGB565_X4_BYTES;
         count--;
@@ -153,40 +148,18 @@ void qtri_samples_clear_depth(const qtri_surface *surface, q16 depth)
     }
 }
 
-/* The mean of an RGB565 record's samples. */
-QTRI_INLINE uint32_t record_mean_565(const uint8_t *record)
-{
-    const uint16_t *color = (const uint16_t *)(const void *)record;
-    const uint32_t a = color[0], b = color[1], c = color[2], d = color[3];
-    return a == b && a == c && a == d ? a : qtri_mean_565(a, b, c, d);
-}
-
-/* Records to pixels. Fast case: two records whose samples all have the colour of the pixel before,
-   as most have, are recognised by their words. */
+/* Records to pixels. */
 static void resolve_565(const uint8_t *record, uint16_t *to, int32_t count)
 {
-    uint32_t color = 0;
-    if (!begins_with_word(record)) {
-        *to++ = (uint16_t)record_mean_565(record);
-        record += QTRI_RGB565_X4_BYTES;
-        count--;
-    }
-    for (; count >= 2; count -= 2, record += PAIR, to += 2) {
-        const qtri_word *two = (const qtri_word *)(const void *)record;
-        const uint16_t *half = (const uint16_t *)(const void *)record;
-        const uint32_t both = color | color << 16;
-        if (two[0] == both && two[1] == both && two[4] == both && half[7] == color &&
-            half[10] == color) {
-            to[0] = (uint16_t)color;
-            to[1] = (uint16_t)color;
-        } else {
-            to[0] = (uint16_t)record_mean_565(record);
-            color = record_mean_565(record + QTRI_RGB565_X4_BYTES);
-            to[1] = (uint16_t)color;
+    const uint16_t *color = (const uint16_t *)(const void *)record;
+    for (const uint16_t *end = to + count; to != end; color += QTRI_RGB565_X4_BYTES / 2) {
+        const uint32_t a = color[0], b = color[1], c = color[2], d = color[3];
+        uint32_t mean = a;
+        if (a != b || a != c || a != d) {
+            QTRI_BODY_BRANCH();
+            mean = qtri_mean_565(a, b, c, d);
         }
-    }
-    if (count > 0) {
-        *to = (uint16_t)record_mean_565(record);
+        *to++ = (uint16_t)mean;
     }
 }
 
