@@ -41,11 +41,7 @@ void qtri_coverage_add_wide(qtri_coverage *w, int32_t x0, int32_t y0, int32_t x1
         w->sum[0] += height * 512;
         return;
     }
-    const int32_t first = x0 >> 8;
-    if (first == (x1 - 1) >> 8) {
-        qtri_coverage_add_piece(&w->sum[first - w->x], height, x0 + x1 - 512 * first);
-        return;
-    }
+    /* x0 < x1: qtri_coverage_add() has added an edge within a column of the window. */
     edge e = {x0, x1, y1 - y0, qtri_clz32((uint32_t)(x1 - x0)), 0}; /* zeros >= 8 */
     e.reciprocal = qtri_reciprocal_near((uint32_t)(x1 - x0) << e.zeros);
     int32_t x = x0;
