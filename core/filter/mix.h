@@ -6,8 +6,8 @@
  * bits. Formats are decoded and encoded; those whose stored pixels are of the kind qtri_colors_565
  * as they are take quicker ways with the same results.
  */
-#ifndef QTRI_IMAGE_MIX_H
-#define QTRI_IMAGE_MIX_H
+#ifndef QTRI_FILTER_MIX_H
+#define QTRI_FILTER_MIX_H
 
 #include <stdbool.h>
 
