@@ -227,7 +227,6 @@ static inline uint32_t qtri_rotated(uint32_t word, uint32_t by)
 /*
  * High words of products. A Cortex-M0+ multiplies 32 by 32 bits to 32: there the product is put
  * together from half-words, in 6 to 15 instructions where the compiler's 64-bit product takes 35.
- * Both forms give the same bits.
  */
 
 /* floor(a b / 2^32) for a, b <= 2^31. */
@@ -375,10 +374,8 @@ static inline uint32_t qtri_reciprocal_seed(uint32_t x)
 uint32_t qtri_rsqrt_seed(uint32_t t);
 
 /*
- * qtri_rsqrt_seed() inline.
- *
- * A cubic with the least relative error on [1/4, 1], 2^-7.1, and Newton's step y (3 - v y^2) / 2
- * with a 3 that centres the error as qtri_reciprocal_seed does.
+ * qtri_rsqrt_seed() inline: a cubic with the least relative error on [1/4, 1], 2^-7.1, and Newton's
+ * step y (3 - v y^2) / 2 with a 3 that centres the error as qtri_reciprocal_seed does.
  */
 QTRI_IN_PLACE uint32_t qtri_rsqrt_seed_in_place(uint32_t t)
 {

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Wide scalars: a 62-bit mantissa and an exponent. Internal.
- *
- * Builders of transforms work in them, a few hundred operations a frame, so that nothing is rounded
- * before a row is. Exponents are held within +-QTRI_WIDE_EXPONENT_MAX: smaller numbers
- * become 0, larger ones stay at the limit. Results are truncated, relative error below 2^-59.
+ * Wide scalars, in which builders of transforms work: a 62-bit mantissa and an exponent. Exponents
+ * are held within +-QTRI_WIDE_EXPONENT_MAX: smaller numbers become 0, larger ones stay at the
+ * limit. Results are truncated, relative error below 2^-59. Internal.
  */
 #ifndef QTRI_BITS_WIDE_H
 #define QTRI_BITS_WIDE_H

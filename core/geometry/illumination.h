@@ -3,11 +3,10 @@
  * The light sources of a view in one draw call: set up once, then summed up at each vertex or
  * pixel. Internal.
  *
- * Normals and positions are compared in local coordinates. Where eye space is object space rotated,
- * reflected or scaled evenly these are the object's own, and the sources are taken there once;
- * otherwise they are those of eye space, and every vertex is. Directions have 14 fraction bits:
- * light depends on the cosine of an angle, to which that is 2^-14, and highlights are found from
- * the distance between two directions, where it counts even less.
+ * Normals and positions are compared in local coordinates: the object's own where eye space is
+ * object space rotated, reflected or scaled evenly, and otherwise those of eye space. Directions
+ * have 14 fraction bits: light depends on the cosine of an angle, to which that is 2^-14, and
+ * highlights are found from the distance between two directions, where it counts even less.
  */
 #ifndef QTRI_GEOMETRY_ILLUMINATION_H
 #define QTRI_GEOMETRY_ILLUMINATION_H

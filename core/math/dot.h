@@ -2,9 +2,8 @@
 /*
  * Sums of products of Q16.16 numbers that round once and never overflow. Internal.
  *
- * A sum of four products needs up to 65 bits. The fast way takes what the processor has and asks
- * afterwards whether that was right; where it was not, qtri_dot() does the sum again with more
- * bits.
+ * A sum of four products needs up to 65 bits. The fast way takes what the processor has; where its
+ * flags say that this was not enough, qtri_dot() does the sum again with more bits.
  *
  *     uint32_t flags = 0;
  *     qtri_right x = qtri_right_of(v.x, &flags), y = qtri_right_beside(v.y, &flags);

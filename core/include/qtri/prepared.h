@@ -13,10 +13,9 @@
  *         ...
  *     }
  *
- * The pixels are those of qtri_draw_mesh, with whatever memory there is; less of it is slower.
- *
- * Two cores may draw bands of one frame from the same prepared meshes at the same time, each into
- * memory of its own, if there is a vertex for every vertex of the mesh: drawing then only reads.
+ * The pixels are those of qtri_draw_mesh, with whatever memory there is; less of it is slower. With
+ * a vertex for every vertex of the mesh drawing only reads: two cores may draw bands of one frame
+ * from the same prepared meshes at the same time, each into memory of its own.
  */
 #ifndef QTRI_PREPARED_H
 #define QTRI_PREPARED_H

@@ -231,10 +231,9 @@ q16 q16_div_sat(q16 a, q16 b);
 /* ---- Trigonometry, in radians as in <math.h> and in degrees, where right angles are exact ---- */
 
 /*
- * From here on errors are against the exact value, .5 of them being the rounding to a result; the
- * maxima are those over all arguments (tests/test_core_elementary.c names the worst ones).
- * Functions that are odd or even are so to the last bit, for Q16_MIN with the angle 32768 it stands
- * for.
+ * From here on errors are against the exact value, .5 of them being the rounding to a result,
+ * maxima over all arguments (tests/test_core_elementary.c names the worst ones). Odd and even
+ * functions are so to the last bit, for Q16_MIN with the angle 32768 it stands for.
  */
 
 /*

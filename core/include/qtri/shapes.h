@@ -11,13 +11,12 @@
  *     qtri_mesh mesh;
  *     qtri_shape_sphere(&mesh, &memory, Q16(1), 24, 12);
  *
- * Around the origin, +y up, counter-clockwise seen from outside. u goes once around, v from the top
- * (0) down. Positions are off by 1 ULP and 2^-16 of the size at most, normals by 2^-14;
- * they saturate. A negative size mirrors: the shape is turned inside out. What encloses it is in
- * mesh->bounds.
+ * Around the origin, +y up, counter-clockwise seen from outside, with mesh->bounds. u goes once
+ * around, v from the top (0) down. Positions are off by 1 ULP and 2^-16 of the size at most,
+ * normals by 2^-14; they saturate. A negative size turns the shape inside out.
  *
- * All return QTRI_ERROR_SIZE, when a count lies outside its range or the vertices are more than
- * 65536, and QTRI_ERROR_MEMORY, when there is room for too few; *mesh is then empty.
+ * QTRI_ERROR_SIZE: a count outside its range, or more than 65536 vertices. QTRI_ERROR_MEMORY: there
+ * is room for too few. *mesh is then empty.
  */
 #ifndef QTRI_SHAPES_H
 #define QTRI_SHAPES_H
