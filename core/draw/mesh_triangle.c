@@ -232,6 +232,17 @@ void qtri_mesh_solid_init(qtri_mesh_job *draw, qtri_light_finder *light)
 
 /* ---- Any triangle ---- */
 
+/* Not inlined, so that drawing needs no stack for it. */
+QTRI_NOINLINE static void shade_clipped(lit_triangle *triangle, const void *indices,
+                                        const qtri_clip_vertex v[3])
+{
+    uint32_t lit[3];
+    triangle->draw->lights->model->shade_clipped(triangle->draw, indices, v, lit);
+    for (int i = 0; i < 3; i++) {
+        triangle->color[i] = qtri_lit_rgb(lit[i]);
+    }
+}
+
 /* Sets intensities and colours of a triangle to be clipped, at its vertices v before that. */
 static void light_clipped(lit_triangle *triangle, const void *indices, qtri_vertex *const vertex[3],
                           const qtri_clip_vertex v[3])
@@ -243,11 +254,7 @@ static void light_clipped(lit_triangle *triangle, const void *indices, qtri_vert
     set_colors(triangle, vertex,
                draw->lit_per_face ? qtri_mesh_light_face(draw, indices) : QTRI_INTENSITY_ONE);
     if (draw->lights != NULL) {
-        uint32_t lit[3];
-        draw->lights->model->shade_clipped(draw, indices, v, lit);
-        for (int i = 0; i < 3; i++) {
-            triangle->color[i] = qtri_lit_rgb(lit[i]);
-        }
+        shade_clipped(triangle, indices, v);
     }
 }
 
