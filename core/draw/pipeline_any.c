@@ -96,7 +96,7 @@ static qtri_pixels_loop *loop_of_effect(const qtri_draw_state *state)
 static qtri_pixels_loop *loop_of(const qtri_draw_state *state)
 {
     const qtri_options *o = &state->options;
-    const bool is_565 = o->format == QTRI_RGB565 || o->format == QTRI_RGB565_SWAPPED;
+    const bool is_565 = qtri_stores_565(o);
     const bool has_effect = (o->bilinear | o->fog | o->blend) != 0 || o->depth > QTRI_LINEAR16;
     if ((o->alpha_test | o->keep | o->large_texture) != 0 || o->fragment != NULL) {
         return draw_other;

@@ -105,8 +105,9 @@ void qtri_fog_set(qtri_fog *fog, qtri_fog_range range, q16 z0, q16 z1, qtri_fog_
  * Shares are kept by t = ~depth, 16.16: 1/2 more than how far the depth is from 65535.0, for depths
  * come with the half that rounds. With perspective t is nearly 65535 near / z, so that eighths of
  * octaves are equally fine in z near and far; where only a small part of them would count, equal
- * steps are finer. Within a step, which has 2^*bits of t, a share is linear in t. Makes *t what
- * of it is in its step, or in the first or beyond the last, where shares do not change, 0.
+ * steps are finer. Within a step, which has 2^*bits of t, a share is linear in t. The lowest *bits
+ * of what *t becomes are its place in the step, 0 before the first and behind the last, where
+ * shares do not change.
  */
 QTRI_INLINE uint32_t find_step(const qtri_fog *fog, uint32_t *t, uint32_t *bits)
 {

@@ -221,6 +221,7 @@ QTRI_BODY uint32_t qtri_pixel_888_to_565(uint32_t c)
            qtri_body_bits(lanes, 11, 5);
 }
 
+/* Fine colours: of RGB565 exactly. */
 QTRI_BODY uint32_t qtri_pixel_565_to_fine(uint32_t c)
 {
     return qtri_pixel_lanes_565(c) << 3 | (c << 5 & 0xFC00u);
