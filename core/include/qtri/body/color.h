@@ -38,9 +38,10 @@ QTRI_BODY uint32_t qtri_green_565(uint32_t c)
     return c >> 5 & 63;
 }
 
+/* Red is left above bit 15 too: stores cut it, lanes are the same with it. */
 QTRI_BODY uint32_t qtri_join_565(uint32_t lanes, uint32_t green)
 {
-    return (uint16_t)(lanes | lanes >> 5) | green << 5;
+    return lanes | lanes >> 5 | green << 5;
 }
 
 QTRI_BODY uint32_t qtri_green_888(uint32_t c)
@@ -66,7 +67,10 @@ QTRI_BODY uint32_t qtri_green_of(qtri_color_kind kind, uint32_t c)
 
 QTRI_BODY uint32_t qtri_join(qtri_color_kind kind, uint32_t lanes, uint32_t green)
 {
-    return kind == QTRI_IN_565 ? qtri_join_565(lanes, green) : lanes | green << 8;
+    return kind == QTRI_IN_565 ? qtri_join_565(lanes, green)
+           /* GCC sees that these are apart, and does not split them again */
+           : kind == QTRI_IN_FINE_565 ? lanes | (green & 255) << 8
+                                      : lanes | green << 8;
 }
 
 /* c a + o (256 - a), to nearest; a <= 256. A sum of products: c a is found once where both are
@@ -153,7 +157,7 @@ QTRI_BODY uint32_t qtri_color_product(qtri_color_kind kind, uint32_t c, uint32_t
         return (p + (p >> 8)) >> 8;
     }
     if (kind == QTRI_IN_565) { /* p / 31 = p 1057 / 2^15, p / 63 = p 1040 / 2^16, within .02 */
-        return ((c >> 11) * (o >> 11) * 1057u + 16384) >> 15 << 11 |
+        return ((c >> 11 & 31) * (o >> 11) * 1057u + 16384) >> 15 << 11 |
                (qtri_green_565(c) * qtri_green_565(o) * 1040u + 32768) >> 16 << 5 |
                ((c & 31) * (o & 31) * 1057u + 16384) >> 15;
     }

@@ -136,8 +136,8 @@ QTRI_BODY uint32_t qtri_texel_mean(qtri_color_kind kind, const uint32_t t[4], ui
             qtri_pixel_lanes_565(t[3]), along, across, both);
         const uint32_t green = qtri_lanes_mean(t[0] & 0x07E0u, t[1] & 0x07E0u, t[2] & 0x07E0u,
                                                t[3] & 0x07E0u, along, across, both);
-        return qtri_join_565((lanes + 0x04000400u) >> 11 & QTRI_BODY_LANES_565,
-                             (green + 0x8000u) >> 16);
+        return (uint16_t)qtri_join_565((lanes + 0x04000400u) >> 11 & QTRI_BODY_LANES_565,
+                                       (green + 0x8000u) >> 16);
     }
     const uint32_t both = along * across;
     const uint32_t weight[4] = {((uint32_t)1 << 22) - (along << 11) - (across << 11) + both,
