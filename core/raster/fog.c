@@ -126,30 +126,39 @@ QTRI_INLINE uint32_t find_step(const qtri_fog *fog, uint32_t *t, uint32_t *bits)
     return (*bits - 13) * 8 + (*t >> *bits & 7) + 1;
 }
 
-/* 2^12 times a rise of at most 2^17 is below 2^30. */
-QTRI_INLINE uint32_t share_at(const qtri_fog *fog, uint32_t depth_16p16)
+#define FULL ((int32_t)1024 << PART_BITS) /* a share of 1 */
+
+/* Of a step, before it is held to 0..FULL: 2^12 times a rise of at most 2^17 is below 2^30. */
+QTRI_INLINE int32_t share_in_step(int32_t low, int32_t rise, uint32_t t, uint32_t bits)
 {
-    const int32_t full = (int32_t)1024 << PART_BITS;
-    uint32_t t = ~depth_16p16, bits;
-    const uint32_t step = find_step(fog, &t, &bits);
-    const int32_t part = (int32_t)(t << (32 - bits) >> (32 - PART_BITS)), low = fog->share[step];
-    const int32_t share = low * (1 << PART_BITS) + (1 << (PART_BITS - 1)) +
-                          part * (fog->share[step + 1] - low); /* 1024 2^12 is 1 */
-    return (uint32_t)(share < 0 ? 0 : share > full ? full : share) << (24 - 10 - PART_BITS);
+    const int32_t part = (int32_t)(t << (32 - bits) >> (32 - PART_BITS));
+    return low * (1 << PART_BITS) + (1 << (PART_BITS - 1)) + part * rise;
 }
 
 uint32_t qtri_fog_share(const qtri_fog *fog, uint32_t depth_16p16)
 {
-    return share_at(fog, depth_16p16);
+    uint32_t t = ~depth_16p16, bits;
+    const uint32_t step = find_step(fog, &t, &bits);
+    const int32_t low = fog->share[step];
+    const int32_t share = share_in_step(low, fog->share[step + 1] - low, t, bits);
+    return (uint32_t)qtri_hold32(share, 0, FULL) << (24 - 10 - PART_BITS);
 }
 
 uint32_t qtri_fog_along(uint32_t *step, const qtri_fog *fog, uint32_t z, uint32_t z_step,
                         uint32_t count)
 {
-    const uint32_t first = share_at(fog, z);
+    uint32_t t = ~z, bits;
+    const uint32_t at = find_step(fog, &t, &bits), beyond = t - (count - 1) * z_step;
+    const int32_t low = fog->share[at], high = fog->share[at + 1], rise = high - low;
+    if ((t ^ beyond) >> bits == 0 && t != 0 && (uint32_t)low <= 1024 && (uint32_t)high <= 1024) {
+        /* All in one step of the table, which holds no share back: 2^20 times a rise of 2^10. */
+        *step = (uint32_t)(-rise * ((int32_t)(z_step << (31 - bits)) >> 11) >> 6);
+        return ((uint32_t)share_in_step(low, rise, t, bits) << (24 - 10 - PART_BITS)) + 0x8000u;
+    }
+    const uint32_t first = qtri_fog_share(fog, z);
     *step = 0;
     if (count > 1) {
-        const uint32_t last = share_at(fog, z + (count - 1) * z_step);
+        const uint32_t last = qtri_fog_share(fog, z + (count - 1) * z_step);
         *step = (uint32_t)qtri_divide32((int32_t)(last - first), count - 1);
     }
     return first + 0x8000u;
