@@ -187,24 +187,22 @@ static void set_fan(qtri_fan_vertex v[3], const qtri_mesh_job *draw, const uint3
     }
 }
 
-QTRI_NOINLINE void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices,
-                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+/* Lights a triangle and sets its vertices; returns its colour, 0x00RRGGBB. Not inlined: what this
+   needs takes no stack while rows are filled. */
+QTRI_NOINLINE static uint32_t set_vertices(qtri_large_vertex v[3], const qtri_mesh_job *draw,
+                                           const void *indices, qtri_vertex *const vertex[3],
+                                           int64_t area)
 {
-    const qtri_point *const p[3] = {&a->at, &b->at, &c->at};
-    qtri_vertex *const vertex[3] = {a, b, c};
     qtri_draw_state *state = draw->primitive.to.solid.small.state;
-    const int64_t area = qtri_triangle_area(p[0], p[1], p[2]);
     qtri_fan_vertex fan[3];
     const qtri_fan_vertex *const piece[3] = {&fan[0], &fan[1], &fan[2]};
     lit_triangle triangle;
-    if (area == 0 || qtri_is_beside(state, p)) {
-        return;
-    }
     triangle.draw = draw;
     qtri_mesh_indices(triangle.index, indices, qtri_mesh_has_bytes(draw->mesh));
     set_colors(&triangle, vertex,
-               draw->find_large_light != NULL ? draw->find_large_light(draw, indices, a, b, c)
-                                              : QTRI_INTENSITY_ONE);
+               draw->find_large_light != NULL
+                   ? draw->find_large_light(draw, indices, vertex[0], vertex[1], vertex[2])
+                   : QTRI_INTENSITY_ONE);
     for (int i = 0; i < 3 && state->is_lit && !state->options.per_pixel; i++) {
         triangle.color[i] = qtri_lit_rgb(state->lit[i]);
     }
@@ -212,7 +210,21 @@ QTRI_NOINLINE void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *i
         state->alpha_index[i] = triangle.index[i];
     }
     set_fan(fan, draw, triangle.index, vertex, area);
-    qtri_primitive_piece(&draw->primitive, piece, area, set_attributes, &triangle);
+    return qtri_primitive_set_piece(v, &draw->primitive, piece, set_attributes, &triangle);
+}
+
+QTRI_NOINLINE void qtri_mesh_draw_large(const qtri_mesh_job *draw, const void *indices,
+                                        qtri_vertex *a, qtri_vertex *b, qtri_vertex *c)
+{
+    const qtri_point *const p[3] = {&a->at, &b->at, &c->at};
+    qtri_vertex *const vertex[3] = {a, b, c};
+    qtri_draw_state *state = draw->primitive.to.solid.small.state;
+    const int64_t area = qtri_triangle_area(p[0], p[1], p[2]);
+    if (area != 0 && !qtri_is_beside(state, p)) {
+        qtri_large_vertex v[3];
+        const uint32_t color = set_vertices(v, draw, indices, vertex, area);
+        qtri_large_triangle(state, p, area, color, v);
+    }
 }
 
 void qtri_mesh_solid_init(qtri_mesh_job *draw, qtri_light_finder *light)

@@ -264,11 +264,10 @@ static void set_vertex(qtri_large_vertex *out, const qtri_draw_state *state,
     out->alpha_q16 = state->options.vertex_alpha ? alpha_at(state, v) : 65536;
 }
 
-/* The vertices of a piece; returns the triangle's colour. A function of its own: attributes take no
-   stack while rows are filled. */
-QTRI_NOINLINE static uint32_t set_piece(qtri_large_vertex v[3], const qtri_primitive *primitive,
-                                        const qtri_fan_vertex *const vertex[3],
-                                        qtri_attribute_source source, const void *from)
+QTRI_NOINLINE uint32_t qtri_primitive_set_piece(qtri_large_vertex v[3],
+                                                const qtri_primitive *primitive,
+                                                const qtri_fan_vertex *const vertex[3],
+                                                qtri_attribute_source source, const void *from)
 {
     const qtri_draw_state *state = primitive->to.solid.small.state;
     qtri_screen_vertex attributes[3];
@@ -278,17 +277,6 @@ QTRI_NOINLINE static uint32_t set_piece(qtri_large_vertex v[3], const qtri_primi
         set_vertex(&v[i], state, vertex[i], attributes);
     }
     return qtri_color_word(attributes[0].color_8p16);
-}
-
-QTRI_NOINLINE void qtri_primitive_piece(const qtri_primitive *primitive,
-                                        const qtri_fan_vertex *const vertex[3], int64_t area,
-                                        qtri_attribute_source source, const void *from)
-{
-    qtri_draw_state *state = primitive->to.solid.small.state;
-    const qtri_point *const p[3] = {&vertex[0]->at, &vertex[1]->at, &vertex[2]->at};
-    qtri_large_vertex v[3];
-    const uint32_t color = set_piece(v, primitive, vertex, source, from);
-    qtri_large_triangle(state, p, area, color, v);
 }
 
 /*
@@ -320,6 +308,7 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
         qtri_is_culled(primitive->material->cull, sum)) { /* 0, too, when nothing is left */
         return;
     }
+    qtri_draw_state *state = primitive->to.solid.small.state;
     const qtri_fan_vertex *piece[3] = {&shape->fan[0], NULL, NULL};
     for (int i = 2; i < count; i++) {
         const int64_t area = piece_area(shape->fan, i);
@@ -327,8 +316,10 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
             piece[1] = &shape->fan[i - 1];
             piece[2] = &shape->fan[i];
             const qtri_point *const p[3] = {&piece[0]->at, &piece[1]->at, &piece[2]->at};
-            if (!qtri_is_beside(primitive->to.solid.small.state, p)) {
-                qtri_primitive_piece(primitive, piece, area, source, from);
+            if (!qtri_is_beside(state, p)) {
+                qtri_large_vertex v[3];
+                const uint32_t color = qtri_primitive_set_piece(v, primitive, piece, source, from);
+                qtri_large_triangle(state, p, area, color, v);
             }
         }
     }

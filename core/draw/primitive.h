@@ -101,11 +101,13 @@ void qtri_primitive_triangle(const qtri_primitive *primitive, qtri_shape *shape,
 bool qtri_is_beside(const qtri_draw_state *state, const qtri_point *const p[3]);
 
 /*
- * Draws a triangle of a fan, or a whole one; `area`: twice its signed area. With QTRI_LIGHT the
- * light of a vertex is its color_8p16[0], 255.0 being 1.
+ * Sets the vertices of a triangle of a fan, or of a whole one; returns its colour, 0x00RRGGBB.
+ * Never inlined: attributes take no stack while rows are filled. With QTRI_LIGHT the light of a
+ * vertex is its color_8p16[0], 255.0 being 1.
  */
-void qtri_primitive_piece(const qtri_primitive *primitive, const qtri_fan_vertex *const vertex[3],
-                          int64_t area, qtri_attribute_source source, const void *from);
+uint32_t qtri_primitive_set_piece(qtri_large_vertex v[3], const qtri_primitive *primitive,
+                                  const qtri_fan_vertex *const vertex[3],
+                                  qtri_attribute_source source, const void *from);
 
 /* 0x00RRGGBB of channels 0..255.0, rounded. */
 uint32_t qtri_color_word(const int32_t color_8p16[3]);
