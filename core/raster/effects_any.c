@@ -5,8 +5,8 @@
  * instructions on a Cortex-M0+ by its loop for all, and by these: half alpha B1l 24.7, 9.4, and
  * B4kl 17.8, 12.4, on XRGB8888 B1 24.0, 10.5 and B4k 18.4, 13.7, on GRAY8 21.9, 5.2 and 17.2, 10.5;
  * with "less or equal" the sprite B11 22.9, 12.9 (13.6 by draw_mixed), added 23.3, 14.9, and half
- * transparent in fog with "less" 27.5, 17.7; fog F4kl 20.8, 14.8, on XRGB8888 F4k 20.5, 16.9 and
- * F11 21.7, 14.1; bilinear S11l 28.1, 16.5; a lit textured mesh on float16 D6l 20.7, 15.0.
+ * transparent in fog with "less" 27.5, 17.7; fog F4kl 19.3, 13.9, on XRGB8888 F11 21.7, 14.1;
+ * bilinear S11l 28.1, 16.5; a lit textured mesh on float16 D6l 20.7, 15.0.
  */
 #include <stdbool.h>
 #include <stdint.h>
